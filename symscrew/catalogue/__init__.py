@@ -1,0 +1,46 @@
+"""The mechanisms that come with the package, each a TOML file beside this module."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from symscrew import description
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.mechanism import Mechanism
+
+_FOLDER = Path(__file__).parent
+
+
+def names() -> tuple[str, ...]:
+    """Names of the catalogue's mechanisms, sorted."""
+    return tuple(sorted(file.stem for file in _FOLDER.glob("*.toml")))
+
+
+def load(name: str) -> Mechanism:
+    """The catalogue's mechanism `name`; raises DescriptionError with the nearest names.
+
+    >>> load("four_bar").ground
+    'base'
+    """
+    if name not in names():
+        raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
+    return description.load(_FOLDER / f"{name}.toml")
+
+
+def find(name_or_path: str | Path) -> Mechanism:
+    """A mechanism by its name in the catalogue or by the path of a .toml file.
+
+    Raises:
+        DescriptionError: neither, or the file does not describe a mechanism.
+    """
+    text = str(name_or_path)
+    if text in names():
+        return load(text)
+    path = Path(text)
+    if "\0" not in text and (path.suffix == ".toml" or path.is_file()):
+        if not path.is_file():
+            raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a TOML description")
+        return description.load(path)
+    raise DescriptionError(
+        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml file; {did_you_mean(text, names())}"
+    )
