@@ -1,0 +1,276 @@
+"""Loop closure: a cut joint contributes exactly its reciprocal wrenches.
+
+For every cut joint the wrenches reciprocal to its screws are written in the axes of its tip link (the side
+that fewer cut joints share) at the joint's point. Multiplier k times wrench k acts on the tip, its opposite
+on the hub. So row k of the closure Jacobian is w_k . (V_tip - V_hub): a wrench with a name, a point and a
+unit, and the same rows serve velocities, accelerations (`closure_bias`), positions (`closure_residual`) and
+the equilibrium of forces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from symscrew.frames import Frame, Geometry
+from symscrew.joints import JOINT_TYPES
+from symscrew.mechanism import Joint
+from symscrew.recursion import Placement, Rates
+from symscrew.screws import (
+    IDENTITY,
+    ZERO,
+    Matrix,
+    Pose,
+    Twist,
+    Vector,
+    add,
+    cross,
+    dot,
+    product,
+    scale,
+    subtract,
+    transform,
+    transpose,
+)
+from symscrew.tape import Node
+from symscrew.tree import GROUND, Tree
+
+
+@dataclass(frozen=True)
+class Row:
+    """One reciprocal wrench at the cut point, tip axes: (force ; couple), with its multiplier's label."""
+
+    label: str
+    unit: str
+    force: Vector
+    couple: Vector
+
+
+@dataclass(frozen=True)
+class Cut:
+    """A cut joint: its links, its point in both, the axes it has in both, and its rows.
+
+    `reference` is hub_R_tip in the reference configuration; `triad` holds in its rows two unit vectors across
+    the joint's single axis and the axis (tip axes).
+    """
+
+    joint: Joint
+    tip: int
+    hub: int
+    tip_point: Vector
+    hub_point: Vector
+    tip_axes: tuple[Vector, ...]
+    hub_axes: tuple[Vector, ...]
+    triad: Matrix
+    reference: Matrix
+    tip_is_parent: bool
+    rows: tuple[Row, ...] = ()
+
+
+def cuts(
+    tree: Tree, frames: Sequence[Frame], geometry: Geometry, placed: Sequence[Placement]
+) -> tuple[Cut, ...]:
+    """Every cut joint with its reciprocal wrenches, for given placements."""
+    shared = [0] * len(tree.links)
+    for joint in tree.cut:
+        shared[tree.link_of_body[joint.parent]] += 1
+        shared[tree.link_of_body[joint.child]] += 1
+    result = []
+    for joint in tree.cut:
+        parent, child = tree.link_of_body[joint.parent], tree.link_of_body[joint.child]
+        parent_first = parent != GROUND and (shared[parent] <= shared[child] or child == GROUND)
+        tip, hub = (parent, child) if parent_first else (child, parent)
+        result.append(_cut(tree, frames, geometry, placed, joint, tip, hub))
+    return tuple(result)
+
+
+def _cut(
+    tree: Tree,
+    frames: Sequence[Frame],
+    geometry: Geometry,
+    placed: Sequence[Placement],
+    joint: Joint,
+    tip: int,
+    hub: int,
+) -> Cut:
+    point = geometry.vector(joint.point)
+    axes = geometry.motion_axes(joint) if joint.axes else ()
+    local = []
+    for link in (tip, hub):
+        back = transpose(frames[link].axes)
+        at = geometry.settle(transform(back, subtract(point, frames[link].origin)))
+        local.append((at, tuple(geometry.settle(transform(back, axis)) for axis in axes)))
+    (tip_point, tip_axes), (hub_point, hub_axes) = local
+    tip_is_parent = tree.link_of_body[joint.parent] == tip
+    triad = _triad(geometry, joint, tip_axes)
+    reference = geometry.settle_matrix(product(transpose(frames[hub].axes), frames[tip].axes))
+    cut = Cut(joint, tip, hub, tip_point, hub_point, tip_axes, hub_axes, triad, reference, tip_is_parent)
+    return replace(cut, rows=reciprocal_rows(cut, geometry, tree, placed))
+
+
+def _triad(geometry: Geometry, joint: Joint, axes: tuple[Vector, ...]) -> Matrix:
+    """Rows: two unit vectors across the joint's single axis, then the axis; the tip's axes if there is none."""
+    if joint.type in ("E",):
+        return (axes[0], axes[1], axes[2])
+    if len(axes) != 1:
+        return IDENTITY
+    axis = axes[0]
+    first = geometry.perpendicular(axis)
+    return (first, geometry.settle(cross(axis, first)), axis)
+
+
+def reciprocal_rows(cut: Cut, geometry: Geometry, tree: Tree, placed: Sequence[Placement]) -> tuple[Row, ...]:
+    """The wrenches reciprocal to all screws of the joint: 6 minus its freedoms.
+
+    A force along d at the joint's point is reciprocal to rotations through the point and to translations
+    across d; a couple along d to translations and to rotations about axes across d. A helical joint adds
+    the wrench (e ; -h e).
+    """
+    motions = JOINT_TYPES[cut.joint.type].motions
+    kinds = [m.kind for m in motions]
+    sliding = [m.axis or 0 for m in motions if m.kind == "P"]
+    a, b, axis = cut.triad
+    rows: list[Row] = []
+
+    def force(direction: Vector, name: str) -> None:
+        rows.append(Row(f"{cut.joint.name}.f{name}", "N", direction, ZERO))
+
+    def moment(direction: Vector, name: str) -> None:
+        rows.append(Row(f"{cut.joint.name}.m{name}", "N m", ZERO, direction))
+
+    if not sliding and "H" not in kinds:
+        for direction, name in zip(IDENTITY, "xyz", strict=True):
+            force(direction, name)
+    elif len(sliding) == 2:
+        force(axis, "z")
+    else:
+        force(a, "x")
+        force(b, "y")
+    if "H" in kinds:
+        pitch = geometry.scalar(cut.joint.pitch)
+        rows.append(Row(f"{cut.joint.name}.fz", "N", axis, scale(-pitch, axis)))
+    turning = sum(1 for k in kinds if k in "RH")
+    if turning == 0 and "S" not in kinds:
+        for direction, name in zip(IDENTITY, "xyz", strict=True):
+            moment(direction, name)
+    elif turning == 1:
+        moment(a, "x")
+        moment(b, "y")
+    elif turning == 2:
+        first, second = universal_axes(cut, tree, placed)
+        moment(cross(first, second), "n")
+    return tuple(rows)
+
+
+def universal_axes(cut: Cut, tree: Tree, placed: Sequence[Placement]) -> tuple[Vector, Vector]:
+    """Present axes of a cut universal joint in tip axes: the first is carried by the parent, the second by
+    the child."""
+    carried = tuple(carry(tree, placed, cut.hub, cut.tip, axis) for axis in cut.hub_axes)
+    return (cut.tip_axes[0], carried[1]) if cut.tip_is_parent else (carried[0], cut.tip_axes[1])
+
+
+def carry(
+    tree: Tree, placed: Sequence[Placement], source: int, target: int, vector: Vector, *, before: bool = False
+) -> Vector:
+    """A vector from the axes of one link to those of another, along the tree's path between them.
+
+    With `before` it ends in the axes that the target has before its own motion.
+    """
+    down, up = tree.path(source), tree.path(target)
+    common = set(down) & set(up)
+    for link in down:
+        if link in common:
+            break
+        vector = placed[link].inwards(vector)
+    if target in common or target == GROUND:
+        return placed[target].before(vector) if before else vector
+    for link in reversed([u for u in up if u not in common]):
+        if before and link == target:
+            return transform(transpose(placed[link].rotation), vector)
+        vector = placed[link].outwards(vector)
+    return vector
+
+
+def closure_bias(
+    cut: Cut,
+    tree: Tree,
+    placed: Sequence[Placement],
+    twist: Sequence[Twist],
+    rate: Sequence[Rates],
+) -> tuple[Node, ...]:
+    """The part of d/dt (w_k . (V_tip - V_hub)) that is free of the accelerations in `rate` or adds to them.
+
+    With `rate` taken at a = 0 this is (dJ/dt) v; the closure of accelerations is J a + bias = 0. In the tip's
+    own axes only the couple of a universal joint moves.
+    """
+
+    def seen(vector: Vector) -> Vector:
+        return carry(tree, placed, cut.hub, cut.tip, vector)
+
+    tip, hub = rate[cut.tip], rate[cut.hub]
+    omega = subtract(seen(hub.omega), tip.omega)
+    alpha = subtract(subtract(seen(hub.alpha), tip.alpha), cross(tip.omega, omega))
+    linear = subtract(seen(hub.at(cut.hub_point)), tip.at(cut.tip_point))
+    if any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions):
+        # the hub's point that is now at the tip's point slides relative to it
+        slide = subtract(
+            seen(twist[cut.hub].velocity_at(cut.hub_point)), twist[cut.tip].velocity_at(cut.tip_point)
+        )
+        linear = subtract(linear, cross(add(scale(2, tip.omega), omega), slide))
+    result = []
+    turning = sum(1 for m in JOINT_TYPES[cut.joint.type].motions if m.kind == "R")
+    for row in cut.rows:
+        value = dot(row.force, linear) + dot(row.couple, alpha)
+        if turning == 2 and row.unit == "N m":
+            first, second = universal_axes(cut, tree, placed)
+            moving = cross(first, cross(omega, second)) if cut.tip_is_parent else cross(cross(omega, first), second)
+            value = value + dot(moving, omega)
+        result.append(-value)
+    return tuple(result)
+
+
+def closure_residual(
+    cut: Cut, tree: Tree, placed: Sequence[Placement], pose: Sequence[Pose], geometry: Geometry
+) -> tuple[Node, ...]:
+    """How far the loop is open, one number per row [m, or rad for couples]; its rate is J v where it is 0."""
+    tape = geometry.tape
+    back = transpose(pose[cut.tip].rotation)
+    gap = transform(back, subtract(pose[cut.tip].point(cut.tip_point), pose[cut.hub].point(cut.hub_point)))
+    motions = JOINT_TYPES[cut.joint.type].motions
+    turning = sum(1 for m in motions if m.kind in "RH")
+    values = [dot(row.force, gap) for row in cut.rows if row.unit == "N"]
+    if turning == 1:
+        a, b, _ = cut.triad
+        carried = carry(tree, placed, cut.hub, cut.tip, cut.hub_axes[-1])
+        values += [dot(carried, b), -dot(carried, a)]
+    elif turning == 2:
+        first, second = universal_axes(cut, tree, placed)
+        reference = geometry.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))
+        opening = dot(first, second) - reference
+        values.append(opening if cut.tip_is_parent else -opening)
+    elif not any(m.kind == "S" for m in motions):
+        values += _rotation_gap(cut, tree, placed, geometry)
+    if any(m.kind == "H" for m in motions):
+        index = next(i for i, row in enumerate(cut.rows) if row.label.endswith(".fz"))
+        values[index] = values[index] + geometry.scalar(cut.joint.pitch) * hub_angle(cut, tree, placed, geometry)
+    return tuple(tape.node(v) for v in values)
+
+
+def hub_angle(cut: Cut, tree: Tree, placed: Sequence[Placement], geometry: Geometry) -> Node:
+    """Angle by which the hub has turned about the joint's axis relative to the tip, from the reference [rad]."""
+    a, b, _ = cut.triad
+    # the hub's copy of the tip's first transverse axis, carried to the tip
+    carried = carry(tree, placed, cut.hub, cut.tip, transform(cut.reference, a))
+    return geometry.tape.function("atan2", dot(carried, b), dot(carried, a))
+
+
+def relative_rotation(cut: Cut, tree: Tree, placed: Sequence[Placement]) -> Matrix:
+    """Rotation of the hub relative to the tip since the reference configuration, in tip axes."""
+    x, y, z = (carry(tree, placed, cut.hub, cut.tip, column) for column in transpose(cut.reference))
+    return transpose((x, y, z))
+
+
+def _rotation_gap(cut: Cut, tree: Tree, placed: Sequence[Placement], geometry: Geometry) -> list[Node]:
+    m = relative_rotation(cut, tree, placed)
+    half = geometry.tape.reciprocal(geometry.tape.node(2))
+    return [-half * (m[2][1] - m[1][2]), -half * (m[0][2] - m[2][0]), -half * (m[1][0] - m[0][1])]

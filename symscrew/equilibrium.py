@@ -1,0 +1,243 @@
+"""Equilibrium of all links at once: drives and joint reactions from the rates of the momentum screws.
+
+From the tips of the limbs to the ground, every link carries one wrench per column: column 1 (inertia,
+weight, loads), one per multiplier of a cut joint, one per drive. The row of a passive freedom, S . W = 0,
+solves for one multiplier at once, so that only the columns that are still unknown travel down the limb;
+the row of a driven freedom trades a multiplier for the drive. What remains at the hub are as many
+equations in the drives as the mechanism has freedoms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from symscrew.closure import Cut, carry
+from symscrew.elimination import Affine, Column, Guard, choose_pivot, combine, solve_for, substitute
+from symscrew.frames import Frame
+from symscrew.recursion import Placement
+from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.tape import Node, Tape
+from symscrew.tree import GROUND, Link, Tree
+
+ONE: Column = "1"
+Wrenches = dict[Column, tuple[Vector, Vector]]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What equilibrium is written for: the tree at given placements, its cuts, drives and unit scales."""
+
+    tape: Tape
+    tree: Tree
+    frames: Sequence[Frame]
+    placed: Sequence[Placement]
+    cuts: Sequence[Cut]
+    drives: Mapping[int, int]  # index into v -> index into u
+    length: float  # characteristic length [m]
+
+    def row_scale(self, v_index: int) -> float:
+        """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
+        return 1.0 if self.tree.v[v_index].kind == "length" else 1.0 / self.length
+
+    def multipliers(self) -> dict[Column, float]:
+        """All multiplier columns with their unit scale."""
+        return {
+            ("multiplier", c, r): (1.0 if row.unit == "N" else self.length)
+            for c, cut in enumerate(self.cuts)
+            for r, row in enumerate(cut.rows)
+        }
+
+    def drive_scale(self, v_index: int) -> float:
+        """Unit scale of a drive's column."""
+        return 1.0 if self.tree.v[v_index].kind == "length" else self.length
+
+
+@dataclass
+class Balance:
+    """Result of the elimination: multipliers as affine functions of drives and free multipliers."""
+
+    multipliers: dict[Column, Affine]
+    finals: list[Affine]
+    guards: list[Guard]
+    free: list[Column]
+    unbalanced: list[int] = field(default_factory=list)
+
+
+def balance(setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]], loads: Mapping[int, tuple[Vector, Vector]]) -> Balance:
+    """Eliminate all multipliers, limb by limb.
+
+    `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
+    `loads` are further wrenches that act on a link, in the axes before its motion.
+    """
+    return _Elimination(setting, wrench, loads).run()
+
+
+class _Elimination:
+    """State of `balance`: wrenches that wait at links, multipliers solved so far."""
+
+    def __init__(
+        self,
+        setting: Setting,
+        wrench: Callable[[Link], tuple[Vector, Vector]],
+        loads: Mapping[int, tuple[Vector, Vector]],
+    ) -> None:
+        self.setting, self.wrench, self.loads = setting, wrench, loads
+        tape = setting.tape
+        self.scales = setting.multipliers()
+        self.solved: dict[Column, Affine] = {c: {c: tape.one} for c in self.scales}
+        self.waiting: dict[int, Wrenches] = {link.index: {} for link in setting.tree.links}
+        for c, cut in enumerate(setting.cuts):
+            if cut.tip != GROUND:
+                here = self.waiting[cut.tip]
+                for r, row in enumerate(cut.rows):
+                    moment = add(cross(cut.tip_point, row.force), row.couple)
+                    _accumulate(here, ("multiplier", c, r), scale(-1, row.force), scale(-1, moment))
+        self.result = Balance(self.solved, [], [], [])
+
+    def run(self) -> Balance:
+        tree = self.setting.tree
+        pending = {link.index for link in tree.links[1:]}
+        while pending:
+            ready = [i for i in pending if not any(tree.links[j].parent == i for j in pending)]
+            index = min(ready, key=lambda i: (self._open_tips(i, pending), self._unknowns(i), i))
+            pending.discard(index)
+            self._process(tree.links[index])
+        used = {c for affine in self.solved.values() for c in affine}
+        self.result.free = [c for c in self.scales if c in used]
+        return self.result
+
+    def _open_tips(self, index: int, pending: set[int]) -> int:
+        """How many limbs that end at this hub have not been eliminated down to where the hub's path begins."""
+        inside = set(self.setting.tree.path(index))
+        limbs = (set(self.setting.tree.path(cut.tip)) - inside for cut in self.setting.cuts if cut.hub == index)
+        return sum(1 for limb in limbs if limb & pending)
+
+    def _unknowns(self, index: int) -> int:
+        columns = {c for c in self.waiting[index] if c in self.scales}
+        for c, cut in enumerate(self.setting.cuts):
+            if cut.hub == index:
+                for r in range(len(cut.rows)):
+                    columns |= {k for k in self.solved["multiplier", c, r] if k in self.scales}
+        return len(columns)
+
+    def _process(self, link: Link) -> None:
+        here = self.waiting.pop(link.index)
+        force, moment = self.wrench(link)
+        _accumulate(here, ONE, force, moment)
+        before = self._before_motion(link, here)
+        assert link.motion is not None
+        for k, v_index in enumerate(range(link.v.start, link.v.stop)):
+            row: Affine = {}
+            for column, (f, m) in before.items():
+                entry = self._component(link, k, f, m)
+                if entry is not self.setting.tape.zero:
+                    row[column] = entry
+            before = self._use_row(v_index, row, before)
+        self.waiting[link.index] = {}
+        if link.parent == GROUND:
+            return
+        placed = self.setting.placed[link.index]
+        for column, (f, m) in before.items():
+            f, m = transform(placed.rotation, f), transform(placed.rotation, m)
+            _accumulate(self.waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
+
+    def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
+        """S . W for the k-th screw of the link's motion; axes before the motion."""
+        assert link.motion is not None
+        frame = self.setting.frames[link.index]
+        if link.motion.kind == "S":
+            return self.setting.tape.node(m[k])
+        if link.motion.kind == "P":
+            return self.setting.tape.node(dot(frame.axis, f))
+        value = m[2]
+        return self.setting.tape.node(value + frame.pitch * f[2] if link.motion.kind == "H" else value)
+
+    def _before_motion(self, link: Link, here: Wrenches) -> Wrenches:
+        """All wrenches on the link in the axes before its motion: its own, loads, cuts where it is the hub."""
+        setting = self.setting
+        placed = setting.placed[link.index]
+        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
+        if link.index in self.loads:
+            force, moment = self.loads[link.index]
+            _accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+        for c, cut in enumerate(setting.cuts):
+            if cut.hub != link.index:
+                continue
+            arm = placed.before(cut.hub_point)
+            for column, (f, m) in self._cut_wrench(c, cut).items():
+                f = carry(setting.tree, setting.placed, cut.tip, cut.hub, f, before=True)
+                m = carry(setting.tree, setting.placed, cut.tip, cut.hub, m, before=True)
+                _accumulate(result, column, f, add(m, cross(arm, f)))
+        return result
+
+    def _cut_wrench(self, c: int, cut: Cut) -> Wrenches:
+        """The cut joint's wrench at its point, tip axes, per column that is still unknown."""
+        total: Wrenches = {}
+        for r, row in enumerate(cut.rows):
+            for column, factor in self.solved["multiplier", c, r].items():
+                _accumulate(total, column, scale(factor, row.force), scale(factor, row.couple))
+        return total
+
+    def _use_row(self, v_index: int, row: Affine, before: Wrenches) -> Wrenches:
+        """Solve one multiplier from the row, or keep the row for the end; returns the updated wrenches."""
+        setting = self.setting
+        drive = setting.drives.get(v_index)
+        if drive is not None:
+            row = dict(row)
+            row["drive", drive] = -setting.tape.one
+        factor = setting.row_scale(v_index)
+        allowed = {c: factor * s for c, s in self.scales.items()}
+        pivot = choose_pivot(setting.tape, row, allowed, self._cost())
+        if pivot is None:
+            self._keep(v_index, row)
+            return before
+        if row[pivot].value is None:
+            self.result.guards.append(Guard(row[pivot], allowed[pivot]))
+        solution = solve_for(row, pivot)
+        for key, affine in self.solved.items():
+            if pivot in affine:
+                self.solved[key] = substitute(affine, pivot, solution)
+        for index, here in self.waiting.items():
+            if pivot in here:
+                self.waiting[index] = _substitute_wrench(here, pivot, solution)
+        for i, final in enumerate(self.result.finals):
+            if pivot in final:
+                self.result.finals[i] = substitute(final, pivot, solution)
+        return _substitute_wrench(before, pivot, solution)
+
+    def _cost(self) -> dict[Column, int]:
+        """In how many places a multiplier still stands."""
+        cost: dict[Column, int] = {}
+        for affine in self.solved.values():
+            for column in affine:
+                cost[column] = cost.get(column, 0) + 1
+        return cost
+
+    def _keep(self, v_index: int, row: Affine) -> None:
+        """A row without multipliers: an equation for the drives, or nothing on the manifold."""
+        known = {c: e for c, e in row.items() if c not in self.scales}
+        if any(c != ONE for c in known):
+            self.result.finals.append(known)
+        elif known:
+            self.result.unbalanced.append(v_index)
+
+
+def _accumulate(here: Wrenches, column: Column, force: Vector, moment: Vector) -> None:
+    if column in here:
+        f, m = here[column]
+        force, moment = add(f, force), add(m, moment)
+    here[column] = (force, moment)
+
+
+def _substitute_wrench(here: Wrenches, pivot: Column, solution: Affine) -> Wrenches:
+    if pivot not in here:
+        return here
+    force, moment = here[pivot]
+    result = {c: w for c, w in here.items() if c != pivot}
+    for column, factor in solution.items():
+        _accumulate(result, column, scale(factor, force), scale(factor, moment))
+    return result
+
+
+__all__ = ["ONE", "ZERO", "Balance", "Setting", "balance", "combine", "transpose"]

@@ -1,0 +1,316 @@
+"""Everything that the functions of a model share: tape, tree, frames, inputs, placements, closure.
+
+`System` is built once per model. Its inputs q, v, a are nodes of the tape; the closure Jacobian and its
+bias are written in "joint rates" w: v itself, except that a spherical joint's rates are taken in the axes
+before its rotation (w = turn v), which is where the limbs' wrenches arrive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from symscrew.closure import Cut, carry, closure_bias, closure_residual, cuts
+from symscrew.frames import Frame, Geometry, link_frames
+from symscrew.joints import JOINT_TYPES
+from symscrew.mechanism import Mechanism
+from symscrew.program import Function, Port, evaluate, lower
+from symscrew.recursion import Inertia, Placement, Rates, link_inertias, placements, poses, rates, twists
+from symscrew.screws import Pose, Twist, add, cross, dot, transform, transpose
+from symscrew.tape import Node, Tape
+from symscrew.tree import GROUND, Tree, spanning_tree
+
+SAMPLES = 5
+SEED = 20230811
+
+
+@dataclass(frozen=True)
+class Coordinates:
+    """Input nodes of the tree: configuration q, rates v, accelerations a."""
+
+    q: tuple[Node, ...]
+    v: tuple[Node, ...]
+    a: tuple[Node, ...]
+
+
+class System:
+    """The mechanism on a tape. Attributes are derived once and never change."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.mechanism = mechanism
+        self.tape = Tape()
+        self.geometry = Geometry(mechanism, self.tape)
+        self.tree: Tree = spanning_tree(mechanism)
+        self.frames: tuple[Frame, ...] = link_frames(mechanism, self.tree, self.geometry)
+        self.inputs = self._inputs()
+        self.placed: tuple[Placement, ...] = placements(self.tape, self.tree, self.frames, self.inputs.q)
+        self.cuts: tuple[Cut, ...] = cuts(self.tree, self.frames, self.geometry, self.placed)
+
+    def _inputs(self) -> Coordinates:
+        def make(prefix: str, coordinates: Sequence, unit: str, what: str) -> tuple[Node, ...]:
+            return tuple(
+                self.tape.symbol(f"{prefix}_{c.label.replace('.', '_')}", c.unit + unit, f"{what} of {c.label}")
+                for c in coordinates
+            )
+
+        return Coordinates(
+            make("q", self.tree.q, "", "coordinate"),
+            make("v", self.tree.v, "", "rate"),
+            make("a", self.tree.v, "/s", "acceleration"),
+        )
+
+    # -- kinematics -------------------------------------------------------------------------------------
+
+    @cached_property
+    def pose(self) -> tuple[Pose, ...]:
+        """absolute_T_link of every link."""
+        return poses(self.tree, self.placed)
+
+    @cached_property
+    def twist(self) -> tuple[Twist, ...]:
+        """Twist of every link at its origin, link axes."""
+        return twists(self.tree, self.frames, self.placed, self.inputs.v)
+
+    @cached_property
+    def inertia(self) -> tuple[Inertia, ...]:
+        """Inertia of every link about its origin, link axes."""
+        return link_inertias(self.mechanism, self.tree, self.frames, self.geometry)
+
+    def rates(self, a: Sequence[Node], ground_acceleration: tuple = (0, 0, 0)) -> tuple[Rates, ...]:
+        """Rates of every link for given accelerations of the tree."""
+        return rates(self.tree, self.frames, self.placed, self.inputs.v, a, ground_acceleration)
+
+    @cached_property
+    def length(self) -> float:
+        """Characteristic length [m]: root mean square distance of the joints' points from their centre."""
+        points = [
+            [float(self.mechanism.number(c)) for c in joint.point]
+            for joint in self.mechanism.joints.values()
+        ]
+        points += [[float(self.mechanism.number(c)) for c in p.at] for p in self.mechanism.points.values()]
+        cloud = np.array(points)
+        size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
+        return size if size > 0 else 1.0
+
+    @cached_property
+    def drives(self) -> tuple[tuple[str, int], ...]:
+        """(joint, freedom) of every drive, in the order of the description: the entries of u."""
+        return tuple((j.name, k) for j in self.mechanism.joints.values() for k in j.driven)
+
+    def drive_rows(self) -> dict[int, int]:
+        """Index into v -> index into u, for drives of tree joints."""
+        rows = {}
+        for u, (joint, freedom) in enumerate(self.drives):
+            if joint in self.tree.joints:
+                rows[self.tree.velocity_indices(joint)[freedom]] = u
+        return rows
+
+    # -- closure ----------------------------------------------------------------------------------------
+
+    @cached_property
+    def jacobian(self) -> list[dict[int, Node]]:
+        """Rows of the closure Jacobian in joint rates w: {index into v: entry}, one per multiplier."""
+        return [row for cut in self.cuts for row in self._cut_rows(cut)]
+
+    def _cut_rows(self, cut: Cut) -> list[dict[int, Node]]:
+        rows = []
+        for row in cut.rows:
+            entries: dict[int, Node] = {}
+            self._push(entries, cut.tip, cut.tip_point, row.force, row.couple, 1)
+            if cut.hub != GROUND:
+                force, couple = (
+                    carry(self.tree, self.placed, cut.tip, cut.hub, v, before=True) for v in (row.force, row.couple)
+                )
+                arm = self.placed[cut.hub].before(cut.hub_point)
+                self._push_before(entries, cut.hub, force, add(couple, cross(arm, force)), -1)
+            rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
+        return rows
+
+    def _push(self, entries: dict, link: int, point: tuple, force: tuple, couple: tuple, sign: int) -> None:
+        if link != GROUND:
+            placed = self.placed[link]
+            moment = add(couple, cross(point, force))
+            self._push_before(entries, link, placed.before(force), placed.before(moment), sign)
+
+    def _push_before(self, entries: dict, index: int, force: tuple, moment: tuple, sign: int) -> None:
+        """Push a unit wrench from a link (axes before its motion) to the ground, noting S . w of each row."""
+        while True:
+            link, frame, placed = self.tree.links[index], self.frames[index], self.placed[index]
+            assert link.motion is not None
+            if link.motion.kind == "S":
+                values = moment
+            elif link.motion.kind == "P":
+                values = (dot(frame.axis, force),)
+            else:
+                values = (moment[2] + frame.pitch * force[2] if frame.pitch is not None else moment[2],)
+            for k, value in zip(range(link.v.start, link.v.stop), values, strict=True):
+                entries[k] = entries.get(k, self.tape.zero) + sign * self.tape.node(value)
+            force = transform(placed.rotation, force)
+            moment = add(transform(placed.rotation, moment), cross(placed.offset, force))
+            index = link.parent
+            if index == GROUND:
+                return
+            force, moment = self.placed[index].before(force), self.placed[index].before(moment)
+
+    def bias(self, rate: Sequence[Rates]) -> list[Node]:
+        """(dJ/dt) v per row, from rates taken at zero accelerations of the tree."""
+        return [
+            value for cut in self.cuts for value in closure_bias(cut, self.tree, self.placed, self.twist, rate)
+        ]
+
+    @cached_property
+    def residual(self) -> list[Node]:
+        """How far the loops are open, one number per row."""
+        return [
+            value
+            for cut in self.cuts
+            for value in closure_residual(cut, self.tree, self.placed, self.pose, self.geometry)
+        ]
+
+    def joint_rates(self, v: Sequence[Node]) -> list[Node]:
+        """w from v: spherical rates turned into the axes before the rotation."""
+        return self._turned(v, inverse=False)
+
+    def tree_rates(self, w: Sequence[Node]) -> list[Node]:
+        """v from w."""
+        return self._turned(w, inverse=True)
+
+    def _turned(self, values: Sequence[Node], *, inverse: bool) -> list[Node]:
+        result = list(values)
+        for link in self.tree.links[1:]:
+            if link.motion is not None and link.motion.kind == "S":
+                turn = self.placed[link.index].turn
+                x, y, z = values[link.v]
+                result[link.v] = transform(transpose(turn) if inverse else turn, (x, y, z))
+        return result
+
+    # -- consistent states at which pivots are chosen --------------------------------------------------------
+
+    @cached_property
+    def reference(self) -> np.ndarray:
+        """q in the reference configuration, shape (nq,)."""
+        q = np.zeros(len(self.tree.q))
+        for link in self.tree.links[1:]:
+            assert link.motion is not None
+            joint = self.tree.joints[link.joint]
+            if link.motion.kind == "S":
+                q[link.q.start] = 1.0
+            elif joint.reference:
+                position = JOINT_TYPES[joint.type].motions.index(link.motion)
+                q[link.q.start] = float(self.mechanism.number(joint.reference[position]))
+        return q
+
+    @cached_property
+    def parameters(self) -> tuple[Node, ...]:
+        """Input nodes of the run-time parameters, in the order of the description."""
+        return tuple(self.geometry.parameters[p.symbol] for p in self.mechanism.parameters.values() if p.run_time)
+
+    @cached_property
+    def parameter_values(self) -> np.ndarray:
+        """Default values of the run-time parameters."""
+        return np.array([float(p.value) for p in self.mechanism.parameters.values() if p.run_time])
+
+    def parameter_ports(self) -> tuple[tuple[Port, ...], tuple[tuple[Node, ...], ...]]:
+        """The input port `p` of the run-time parameters, or nothing where there are none."""
+        chosen = [p for p in self.mechanism.parameters.values() if p.run_time]
+        if not chosen:
+            return (), ()
+        port = Port(
+            "p", (len(chosen),), tuple(p.unit for p in chosen), tuple(p.name for p in chosen), "run-time parameters"
+        )
+        return (port,), (self.parameters,)
+
+    def numeric(self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], np.ndarray]) -> np.ndarray:
+        """Values of `nodes` for arrays (samples, n) of the given input nodes; run-time parameters default."""
+        pairs = [*inputs, (self.parameters, self.parameter_values)] if self.parameters else list(inputs)
+        ports = tuple(Port(f"x{i}", (len(n),), (), (), "") for i, (n, _) in enumerate(pairs))
+        function = Function("numeric", "", ports, (Port("y", (len(nodes),), (), (), ""),),
+                            tuple(tuple(n) for n, _ in pairs), (tuple(nodes),))
+        return evaluate(lower(function), [a for _, a in pairs])[0]
+
+    def dense_jacobian(self) -> list[Node]:
+        """The closure Jacobian in w as a full matrix, row-major."""
+        n = len(self.tree.v)
+        return [row.get(k, self.tape.zero) for row in self.jacobian for k in range(n)]
+
+    def advance(self, q: np.ndarray, step: np.ndarray) -> np.ndarray:
+        """q moved along joint rates w (spherical: rotation vector in the axes before the rotation)."""
+        moved = np.array(q, dtype=float)
+        for link in self.tree.links[1:]:
+            if link.motion is not None and link.motion.kind == "S":
+                moved[..., link.q] = _rotated(q[..., link.q], step[..., link.v])
+            else:
+                moved[..., link.q] = q[..., link.q] + step[..., link.v]
+        return moved
+
+    @cached_property
+    def sample_states(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Consistent (q, v, a) near the reference configuration, shapes (samples, n)."""
+        random = np.random.default_rng(SEED)
+        scales = np.array([self.length if c.kind == "length" else 1.0 for c in self.tree.v])
+        q = np.repeat(self.reference[None, :], SAMPLES, axis=0)
+        q = self.advance(q, 0.15 * scales * random.uniform(-1, 1, (SAMPLES, len(scales))))
+        if self.cuts:
+            q = self._closed(q, scales)
+        v, a = self._consistent(q, scales, random)
+        return q, v, a
+
+    def _closed(self, q: np.ndarray, scales: np.ndarray) -> np.ndarray:
+        """Gauss-Newton onto the closure manifold; states that do not get there are replaced by others."""
+        n = len(scales)
+        for _ in range(60):
+            both = self.numeric([*self.residual, *self.dense_jacobian()], (self.inputs.q, q))
+            residual, jacobian = both[:, : len(self.residual)], both[:, len(self.residual) :]
+            if np.abs(residual).max() < 1e-14 * max(1.0, self.length):
+                break
+            for i in range(len(q)):
+                step = np.linalg.lstsq(jacobian[i].reshape(-1, n) * scales, -residual[i], rcond=1e-9)[0]
+                limit = max(1.0, np.abs(step).max() / 0.3)
+                q[i] = self.advance(q[i], scales * step / limit)
+        residual = self.numeric(self.residual, (self.inputs.q, q))
+        good = np.abs(residual).max(axis=1) < 1e-11 * max(1.0, self.length)
+        if not good.any():
+            return np.repeat(self.reference[None, :], len(q), axis=0)
+        return q[np.resize(np.flatnonzero(good), len(q))]
+
+    def _consistent(self, q: np.ndarray, scales: np.ndarray, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+        """Random rates in the null space of the closure, and accelerations that fit them."""
+        n = len(scales)
+        w = random.uniform(-1, 1, (len(q), n)) * scales
+        gain = random.uniform(-1, 1, (len(q), n)) * scales
+        if not self.cuts:
+            return w, gain
+        jacobian = self.numeric(self.dense_jacobian(), (self.inputs.q, q)).reshape(len(q), -1, n)
+        inverse = [np.linalg.pinv(j * scales, rcond=1e-9) for j in jacobian]
+        for i in range(len(q)):
+            w[i] -= scales * (inverse[i] @ (jacobian[i] @ w[i]))
+        v = self.numeric(self.tree_rates(self.inputs.v), (self.inputs.q, q), (self.inputs.v, w))
+        zero = [self.tape.zero] * n
+        bias = self.numeric(self.bias(self.rates(zero)), (self.inputs.q, q), (self.inputs.v, v))
+        for i in range(len(q)):
+            gain[i] -= scales * (inverse[i] @ (jacobian[i] @ gain[i] + bias[i]))
+        a = self.numeric(self.tree_rates(self.inputs.v), (self.inputs.q, q), (self.inputs.v, gain))
+        return v, a
+
+    def use_samples(self) -> None:
+        """Give the tape's inputs their values at the sample states."""
+        q, v, a = self.sample_states
+        values = {}
+        for nodes, array in ((self.inputs.q, q), (self.inputs.v, v), (self.inputs.a, a)):
+            values.update({node: array[:, k] for k, node in enumerate(nodes)})
+        for node, value in zip(self.parameters, self.parameter_values, strict=True):
+            values[node] = np.full(len(q), value)
+        self.tape.set_samples(values)
+
+
+def _rotated(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
+    """exp(vector) * quaternion, vector in parent axes; shapes (..., 4), (..., 3)."""
+    angle = np.linalg.norm(vector, axis=-1, keepdims=True)
+    half = np.where(angle > 1e-12, np.sin(angle / 2) / np.where(angle > 1e-12, angle, 1.0), 0.5)
+    c, d = np.cos(angle / 2), half * vector
+    w, r = quaternion[..., :1], quaternion[..., 1:]
+    scalar = c * w - (d * r).sum(axis=-1, keepdims=True)
+    return np.concatenate([scalar, c * r + w * d + np.cross(d, r)], axis=-1)
