@@ -20,7 +20,7 @@ import sympy
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.expressions import CONSTANTS, FUNCTIONS, MAX_NODES, exact, node_count, numeric
-from symscrew.joints import JOINT_TYPES
+from symscrew.joints import JOINT_TYPES, JointType
 from symscrew.limbs import Between, plan_limb
 from symscrew.mechanism import Body, Joint, Limb, Matrix3, Mechanism, Parameter, Point, Vector
 from symscrew.names import check_name, check_text
@@ -56,7 +56,9 @@ class MechanismBuilder:
         """Add a parameter; its value may refer to other parameters that are not run-time inputs."""
         where = f"parameters.{check_name(name, 'parameters')}"
         if name in FUNCTIONS or name in CONSTANTS:
-            raise DescriptionError(f"{where}: {name!r} is a function or constant of expressions; use another name")
+            raise DescriptionError(
+                f"{where}: {name!r} is a function or constant of expressions; use another name"
+            )
         if not isinstance(run_time, bool):
             raise DescriptionError(f"{where}.run_time: expected true or false, got {shorten(run_time)}")
         check_text(unit, f"{where}.unit", limit=40)
@@ -65,7 +67,9 @@ class MechanismBuilder:
         self._parameters[name]["run_time"] = run_time
         return self
 
-    def body(self, name: str, *, mass: Any = None, com: Any = None, inertia: Any = None) -> MechanismBuilder:
+    def body(
+        self, name: str, *, mass: Any = None, com: Any = None, inertia: Any = None
+    ) -> MechanismBuilder:
         """Add a body: mass [kg], centre of mass [m], inertia about it [kg m^2]; all or none of mass and com.
 
         `inertia` is three principal moments (absolute axes), a 3x3 matrix (absolute axes) or a mapping
@@ -127,12 +131,16 @@ class MechanismBuilder:
             if options or base is not None or tip is not None or joints is None:
                 raise DescriptionError(f"{where}: the key 'type' is missing, such as type = \"UPS\"")
             if isinstance(joints, str) or not isinstance(joints, Sequence) or not joints:
-                raise DescriptionError(f"{where}.joints: expected a list of joint names, got {shorten(joints)}")
+                raise DescriptionError(
+                    f"{where}.joints: expected a list of joint names, got {shorten(joints)}"
+                )
             self._limbs[name] = tuple(check_name(joint, f"{where}.joints") for joint in joints)
             return self
         tip = tip if tip is not None else self._platform
         if tip is None:
-            raise DescriptionError(f"{where}: no 'tip' body given and the mechanism has no platform; give one")
+            raise DescriptionError(
+                f"{where}: no 'tip' body given and the mechanism has no platform; give one"
+            )
         if joints is not None:
             options["joints"] = joints
         plan = plan_limb(name, type, base=self._ground if base is None else base, tip=tip, **options)
@@ -172,7 +180,9 @@ class MechanismBuilder:
     def _add(parts: dict[str, dict[str, Any]], section: str, name: str, **values: Any) -> None:
         check_name(name, section)
         if name in parts:
-            raise DescriptionError(f"{section}.{name}: this name is given twice; names of {section} must differ")
+            raise DescriptionError(
+                f"{section}.{name}: this name is given twice; names of {section} must differ"
+            )
         parts[name] = values
 
 
@@ -205,7 +215,9 @@ def _resolve(raw: Mapping[str, dict[str, Any]]) -> dict[str, Parameter]:
             values[name] = exact(raw[name]["value"], values, where=where)
             numeric(values[name], where=where)
             if node_count(values[name]) > MAX_NODES // 10:
-                raise DescriptionError(f"{where}: the value has too many terms once its parameters are put in")
+                raise DescriptionError(
+                    f"{where}: the value has too many terms once its parameters are put in"
+                )
         waiting = [name for name in waiting if name not in values]
     return {name: Parameter(name, **{**part, "value": values[name]}) for name, part in raw.items()}
 
@@ -254,18 +266,16 @@ class _Reader:
         start, end = self.vector(value.start, where), self.vector(value.end, where)
         x, y, z = (b - a for a, b in zip(start, end, strict=True))
         length = sympy.sqrt(x**2 + y**2 + z**2)
-        if numeric(length.xreplace({self.symbols[n]: v for n, v in self.values.items()}), where=where) == 0:
-            raise DescriptionError(f"{where}: the joint slides along the line between two points that coincide")
+        values = {self.symbols[name]: value for name, value in self.values.items()}
+        if numeric(length.xreplace(values), where=where) == 0:
+            raise DescriptionError(
+                f"{where}: the joint slides along the line between two points that coincide"
+            )
         return (x / length, y / length, z / length)
 
     def joint(self, name: str, raw: dict[str, Any]) -> Joint:
         where = f"joints.{name}"
-        if raw["type"] not in JOINT_TYPES:
-            raise DescriptionError(
-                f"{where}.type: unknown joint type {shorten(raw['type'])}; "
-                f"{did_you_mean(str(raw['type'])[:20], JOINT_TYPES)}"
-            )
-        kind = JOINT_TYPES[raw["type"]]
+        kind = _joint_type(raw["type"], f"{where}.type")
         if raw["point"] is None:
             raise DescriptionError(f"{where}: the key 'point' is missing")
         return Joint(
@@ -282,9 +292,9 @@ class _Reader:
 
     def feature(self, name: str, raw: dict[str, Any]) -> Feature | None:
         where = f"joints.{name}"
-        if (raw["child_point"] is None and raw["child_axes"] is None) or raw["type"] not in JOINT_TYPES:
+        if raw["child_point"] is None and raw["child_axes"] is None:
             return None
-        kind = JOINT_TYPES[raw["type"]]
+        kind = _joint_type(raw["type"], f"{where}.type")
         place, axes = raw["child_point"], raw["child_axes"]
         return Feature(
             point=None if place is None else self.vector(place, f"{where}.child_point"),
@@ -297,17 +307,17 @@ class _Reader:
             raise DescriptionError(f"{where}: expected a list of {count} vectors, got {shorten(value)}")
         if len(given) != count:
             hint = ": the parent's axis, then the child's" if count == 2 else ""
-            came = "a single vector" if len(given) == 3 and not isinstance(given[0], list | tuple) else len(given)
+            bare = len(given) == 3 and not isinstance(given[0], list | tuple)
+            came = "a single vector; write a list of vectors, such as [[0, 0, 1]]" if bare else len(given)
             raise DescriptionError(
                 f"{where}: expected {count} ax{'i' if count == 1 else 'e'}s for a {kind} joint{hint}, got {came}"
-                + ("; write a list of vectors, such as [[0, 0, 1]]" if came == "a single vector" else "")
             )
         return tuple(self.axis(axis, f"{where}[{k}]") for k, axis in enumerate(given))
 
     def _pitch(self, value: Any, letter: str, where: str) -> sympy.Expr | None:
         if (value is None) == (letter == "H"):
-            expected = "a helical joint needs its pitch [m/rad]" if letter == "H" else "only H joints have a pitch"
-            raise DescriptionError(f"{where}: {expected}, got {shorten(value)} for a joint of type {letter}")
+            rule = "a helical joint needs its pitch [m/rad]" if letter == "H" else "only H joints have a pitch"
+            raise DescriptionError(f"{where}: {rule}, got {shorten(value)} for a joint of type {letter}")
         return None if value is None else self.number(value, where)
 
     def _reference(self, value: Any, letter: str, where: str) -> tuple[sympy.Expr, ...]:
@@ -318,7 +328,8 @@ class _Reader:
         given = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
         if len(given) != count:
             raise DescriptionError(
-                f"{where}: expected {count} value{'s' * (count != 1)} for a joint of type {letter}, got {len(given)}"
+                f"{where}: expected {count} value{'s' * (count != 1)} for a joint of type {letter}, got "
+                f"{len(given)}"
             )
         numbers = tuple(self.number(v, f"{where}[{k}]") for k, v in enumerate(given))
         return numbers if any(n != 0 for n in numbers) else ()
@@ -337,7 +348,7 @@ class _Reader:
         for key, value in (("mass", mass), ("com", com)):
             if value is None:
                 raise DescriptionError(
-                    f"{where}: the key {key!r} is missing; a body has mass and com (and inertia), or none of them"
+                    f"{where}: the key {key!r} is missing; a body has mass and com (and inertia), or none"
                 )
         zero: Vector = (sympy.S.Zero,) * 3
         return Body(
@@ -350,12 +361,15 @@ class _Reader:
     def _inertia(self, value: Any, where: str) -> Matrix3:
         axes: Matrix3 | None = None
         if isinstance(value, Mapping):
+            known = ("principal", "matrix", "axes")
             for key in value:
-                if key not in ("principal", "matrix", "axes"):
-                    known = ["principal", "matrix", "axes"]
-                    raise DescriptionError(f"{where}: unknown key {shorten(key)}; {did_you_mean(str(key), known)}")
+                if key not in known:
+                    near = did_you_mean(str(key), known)
+                    raise DescriptionError(f"{where}: unknown key {shorten(key)}; {near}")
             if ("principal" in value) == ("matrix" in value):
-                raise DescriptionError(f"{where}: expected either 'principal' (3 moments) or 'matrix' (3 x 3)")
+                raise DescriptionError(
+                    f"{where}: expected either 'principal' (3 moments) or 'matrix' (3 x 3)"
+                )
             if "axes" in value:
                 axes = self._matrix(value["axes"], f"{where}.axes")
                 check_axes_triad(axes, self.parameters, f"{where}.axes")
@@ -364,7 +378,8 @@ class _Reader:
             moments = self._matrix(value, where)
         else:
             a, b, c = self.vector(value, where)
-            moments = ((a, sympy.S.Zero, sympy.S.Zero), (sympy.S.Zero, b, sympy.S.Zero), (sympy.S.Zero, sympy.S.Zero, c))
+            zero = sympy.S.Zero
+            moments = ((a, zero, zero), (zero, b, zero), (zero, zero, c))
         return moments if axes is None else _in_absolute_axes(moments, axes)
 
     def _matrix(self, value: Any, where: str) -> Matrix3:
@@ -384,6 +399,14 @@ def _in_absolute_axes(moments: Matrix3, axes: Matrix3) -> Matrix3:
     rows = [[entry(min(r, c), max(r, c)) for c in range(3)] for r in range(3)]
     x, y, z = ((row[0], row[1], row[2]) for row in rows)
     return (x, y, z)
+
+
+def _joint_type(value: Any, where: str) -> JointType:
+    if not isinstance(value, str) or value not in JOINT_TYPES:
+        raise DescriptionError(
+            f"{where}: unknown joint type {shorten(value)}; {did_you_mean(str(value)[:20], JOINT_TYPES)}"
+        )
+    return JOINT_TYPES[value]
 
 
 def _driven(value: Any, freedom: int, where: str) -> tuple[int, ...]:

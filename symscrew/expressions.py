@@ -19,6 +19,7 @@ import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
+from numbers import Integral
 from typing import NoReturn
 
 import sympy
@@ -89,14 +90,15 @@ def exact(
     >>> exact(0.1)
     1/10
     """
-    if isinstance(value, bool):
+    if isinstance(value, bool) or type(value).__name__ == "bool_":  # NumPy's truth value is a number too
         raise DescriptionError(f"{where}: expected a number, got the truth value {value}")
     if isinstance(value, str):
         return parse(value, names, where=where)
     if isinstance(value, sympy.Basic):
         return _checked_sympy(value, names or {}, where)
-    if isinstance(value, int):
-        return sympy.Integer(value) if value.bit_length() <= MAX_BITS else _too_large(where)
+    if isinstance(value, Integral):
+        number = int(value)
+        return sympy.Integer(number) if number.bit_length() <= MAX_BITS else _too_large(where)
     if isinstance(value, Fraction):
         return _limited(sympy.Rational(value.numerator, value.denominator), where)
     if isinstance(value, Decimal | float) or hasattr(value, "__float__"):

@@ -19,6 +19,9 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.joints import JOINT_TYPES
 
 LETTERS = "RPHCUSE"
+OPTIONS = (
+    "points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass", "com", "inertia", "tip_point",
+)  # fmt: skip
 MAX_JOINTS = 30
 MAX_COUNT = 100
 
@@ -63,7 +66,8 @@ def parse_limb_string(text: str, *, where: str = "limb") -> LimbType:
         raise DescriptionError(f"{where}: a limb of {len(joints)} joints; at most {MAX_JOINTS} are allowed")
     for letter, stars in joints:
         if letter not in LETTERS:
-            cure = f"write {letter.upper()!r}" if letter.upper() in LETTERS else "known: " + ", ".join(LETTERS)
+            upper = letter.upper()
+            cure = f"write {upper!r}" if upper in LETTERS else "known: " + ", ".join(LETTERS)
             raise DescriptionError(f"{where}: unknown joint letter {letter!r} in {shorten(text)}; {cure}")
         freedom = JOINT_TYPES[letter].freedom
         if len(stars) > freedom:
@@ -86,7 +90,9 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
     """
     where = "mechanism string"
     if not isinstance(text, str) or not text.strip() or len(text) > 500:
-        raise DescriptionError(f"{where}: expected limbs such as '3UPS-UPU-S' or '6-UPS', got {shorten(text)}")
+        raise DescriptionError(
+            f"{where}: expected limbs such as '3UPS-UPU-S' or '6-UPS', got {shorten(text)}"
+        )
     limbs: list[LimbType] = []
     count: int | None = None
     for part in re.split(r"[-+]", text):
@@ -99,7 +105,9 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
         digits, letters = match.groups()
         if digits:
             if count is not None:
-                raise DescriptionError(f"{where}: two counts in a row in {shorten(text)}; expected one per limb")
+                raise DescriptionError(
+                    f"{where}: two counts in a row in {shorten(text)}; expected one per limb"
+                )
             count = int(digits)
             if not 1 <= count <= MAX_COUNT:
                 raise DescriptionError(f"{where}: expected a count from 1 to {MAX_COUNT}, got {count}")
@@ -107,7 +115,9 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
             limbs += [parse_limb_string(letters, where=where)] * (count or 1)
             count = None
     if count is not None:
-        raise DescriptionError(f"{where}: the count {count} at the end of {shorten(text)} has no limb after it")
+        raise DescriptionError(
+            f"{where}: the count {count} at the end of {shorten(text)} has no limb after it"
+        )
     if len(limbs) > MAX_COUNT:
         raise DescriptionError(f"{where}: {len(limbs)} limbs; at most {MAX_COUNT} are allowed")
     return tuple(limbs)
@@ -151,10 +161,9 @@ def plan_limb(name: str, type: str, *, base: str, tip: str, **options: Any) -> L
     where = f"limbs.{name}"
     limb = parse_limb_string(type, where=f"{where}.type")
     count = len(limb.letters)
-    known = {"points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass", "com", "inertia"}
     for key in options:
-        if key not in known | {"tip_point"}:
-            raise DescriptionError(f"{where}: unknown key {key!r}; {did_you_mean(key, known | {'tip_point'})}")
+        if key not in OPTIONS:
+            raise DescriptionError(f"{where}: unknown key {key!r}; {did_you_mean(key, OPTIONS)}")
     points = _points(limb.letters, options.get("points"), where)
     axes = _per_joint(options.get("axes"), count, f"{where}.axes", limb.letters)
     names = _per_joint(options.get("joints"), count, f"{where}.joints", limb.letters)
@@ -209,7 +218,9 @@ def _per_joint(value: Any, count: int, where: str, letters: str) -> Sequence[Any
 
 def _points(letters: str, value: Any, where: str) -> list[Any]:
     others = [k for k, letter in enumerate(letters) if letter != "P"]
-    expected = f"one point per joint of {letters} ({len(letters)}) or one per joint other than P ({len(others)})"
+    expected = (
+        f"one point per joint of {letters} ({len(letters)}) or one per joint other than P ({len(others)})"
+    )
     if value is None:
         raise DescriptionError(f"{where}: the key 'points' is missing; give {expected}")
     given = list(_sequence(value, f"{where}.points", "a list of points"))
@@ -280,5 +291,7 @@ def _bodies(limb: str, count: int, options: dict[str, Any], where: str) -> list[
 def _per_body(value: Any, count: int, where: str) -> Sequence[Any]:
     listed = _sequence(value, where, f"a list with one entry per body of the limb ({count})")
     if len(listed) != count:
-        raise DescriptionError(f"{where}: expected one entry per body of the limb ({count}), got {len(listed)}")
+        raise DescriptionError(
+            f"{where}: expected one entry per body of the limb ({count}), got {len(listed)}"
+        )
     return listed
