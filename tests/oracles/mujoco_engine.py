@@ -215,7 +215,7 @@ class MujocoEngine:
         return columns
 
     def _drive_columns(self) -> tuple[Array, list[tuple[EngineJoint, Array]]]:
-        """Generalised forces (nv, drives) of unit drives, and joint and wrench (m ; f) at its point of each."""
+        """Generalised forces (nv, drives) of unit drives; joint and wrench (m ; f) at its point of each."""
         units = []
         for joint in self.joints.values():
             # Dual to the joint's screws: unit work on one freedom, none on the others.
