@@ -20,7 +20,8 @@ from symscrew.joints import JOINT_TYPES
 
 LETTERS = "RPHCUSE"
 OPTIONS = (
-    "points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass", "com", "inertia", "tip_point",
+    "points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass", "com", "inertia",
+    "tip_point",
 )  # fmt: skip
 MAX_JOINTS = 30
 MAX_COUNT = 100

@@ -100,7 +100,8 @@ def _check_references(mechanism: Mechanism) -> None:
         known(joint.child, f"joints.{joint.name}.child")
         if joint.parent == joint.child:
             raise DescriptionError(
-                f"joints.{joint.name}: parent and child are the same body {joint.parent!r}; expected two bodies"
+                f"joints.{joint.name}: parent and child are the same body {joint.parent!r}; expected two "
+                "bodies"
             )
     for point in mechanism.points.values():
         known(point.body, f"points.{point.name}.body")
@@ -115,14 +116,16 @@ def _check_references(mechanism: Mechanism) -> None:
             first, second = mechanism.joints[before], mechanism.joints[after]
             if not {first.parent, first.child} & {second.parent, second.child}:
                 raise DescriptionError(
-                    f"limbs.{limb.name}.joints: {before!r} and {after!r} have no body in common; list the joints "
-                    "in order from base to tip"
+                    f"limbs.{limb.name}.joints: {before!r} and {after!r} have no body in common; list the "
+                    "joints in order from base to tip"
                 )
 
 
 def _check_connected(mechanism: Mechanism) -> None:
     if not mechanism.joints:
-        raise DescriptionError(f"mechanism {mechanism.name!r}: it has no joints; add [joints.NAME] or [limbs.NAME]")
+        raise DescriptionError(
+            f"mechanism {mechanism.name!r}: it has no joints; add [joints.NAME] or [limbs.NAME]"
+        )
     neighbours: dict[str, list[str]] = {name: [] for name in mechanism.bodies}
     for joint in mechanism.joints.values():
         neighbours[joint.parent].append(joint.child)
@@ -181,24 +184,26 @@ def _check_closure(mechanism: Mechanism, joint: Joint, feature: Feature, size: f
         gap = (there[0] - here[0], there[1] - here[1], there[2] - here[2])
         if "P" in kinds and axes:
             along = _dot(gap, axes[0])
-            across = _length((gap[0] - along * axes[0][0], gap[1] - along * axes[0][1], gap[2] - along * axes[0][2]))
+            across = _length(
+                (gap[0] - along * axes[0][0], gap[1] - along * axes[0][1], gap[2] - along * axes[0][2])
+            )
             distance = abs(along) if joint.type == "E" else across
         else:
             distance = _length(gap)
         if distance > CLOSURE_TOLERANCE * max(size, float(_length(gap))):
             raise DescriptionError(
                 f"{where}: the loop does not close in the reference configuration: the joint's place on "
-                f"{joint.child!r} is {mpmath.nstr(distance, 6)} m away from its place on {joint.parent!r}; point "
-                f"[{_list(here)}], child_point [{_list(there)}]"
+                f"{joint.child!r} is {mpmath.nstr(distance, 6)} m away from its place on {joint.parent!r}; "
+                f"point [{_list(here)}], child_point [{_list(there)}]"
             )
     for k, axis in enumerate(feature.axes or ()):
         there = _numbers(mechanism, axis, f"{where}.child_axes")
         angle = _CONTEXT.atan2(_length(_cross(axes[k], there)), _dot(axes[k], there))
         if abs(angle) > CLOSURE_TOLERANCE:
             raise DescriptionError(
-                f"{where}: the loop does not close in the reference configuration: axis {k} on {joint.child!r} is "
-                f"turned by {mpmath.nstr(angle, 6)} rad against axis {k} on {joint.parent!r}; axes "
-                f"[{_list(axes[k])}], child_axes [{_list(there)}]"
+                f"{where}: the loop does not close in the reference configuration: axis {k} on "
+                f"{joint.child!r} is turned by {mpmath.nstr(angle, 6)} rad against axis {k} on "
+                f"{joint.parent!r}; axes [{_list(axes[k])}], child_axes [{_list(there)}]"
             )
 
 
@@ -226,16 +231,19 @@ def _check_inertia(mechanism: Mechanism, body: Body) -> mpmath.mpf | None:
     limit = -INERTIA_TOLERANCE * scale
     if moments[0] < limit:
         raise DescriptionError(
-            f"{where}.inertia: expected principal moments of at least 0, got {shown} kg m^2; check signs and axes"
+            f"{where}.inertia: expected principal moments of at least 0, got {shown} kg m^2; check signs "
+            "and axes"
         )
     if moments[0] + moments[1] - moments[2] < limit:
         raise DescriptionError(
-            f"{where}.inertia: no body has the principal moments {shown} kg m^2: the largest exceeds the sum of the "
-            f"other two by {mpmath.nstr(moments[2] - moments[0] - moments[1], 6)}; check units and axes, and that "
-            "the inertia is about the centre of mass"
+            f"{where}.inertia: no body has the principal moments {shown} kg m^2: the largest exceeds the sum "
+            f"of the other two by {mpmath.nstr(moments[2] - moments[0] - moments[1], 6)}; check units and "
+            "axes, and that the inertia is about the centre of mass"
         )
     if mass == 0:
-        raise DescriptionError(f"{where}.mass: expected a positive mass with the inertia {shown} kg m^2, got 0")
+        raise DescriptionError(
+            f"{where}.mass: expected a positive mass with the inertia {shown} kg m^2, got 0"
+        )
     return moments[2]
 
 
@@ -253,7 +261,8 @@ def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None)
         return None
     return (
         f"bodies.{name}: the radius of gyration {mpmath.nstr(radius, 4)} m exceeds the body's extent "
-        f"{mpmath.nstr(extent, 4)} m (joint points, named points and centre of mass); are inertia and units right?"
+        f"{mpmath.nstr(extent, 4)} m (joint points, named points and centre of mass); are inertia and units "
+        "right?"
     )
 
 

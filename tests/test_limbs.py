@@ -86,8 +86,9 @@ def test_explicit_names_drive_and_inertia():
     built = (
         pendulum()
         .limb(
-            "leg", "UPS", joints=["u", "p", "s"], bodies=["low", "high"], driven=[0], points=[[0, 0, 0], [0, 0, 1]],
-            axes=[U_AXES, [], []], mass=[1, "2"], com=[[0, 0, "1/4"], [0, 0, "3/4"]], reference=[[], ["0.5"], []],
+            "leg", "UPS", joints=["u", "p", "s"], bodies=["low", "high"], driven=[0],
+            points=[[0, 0, 0], [0, 0, 1]], axes=[U_AXES, [], []], mass=[1, "2"],
+            com=[[0, 0, "1/4"], [0, 0, "3/4"]], reference=[[], ["0.5"], []],
             inertia=[["0.01", "0.01", 0], [[0, 0, 0], [0, 0, 0], [0, 0, 0]]],
         )
         .build()
@@ -115,20 +116,32 @@ def test_leading_slider_sits_at_its_neighbour():
     ("options", "message"),
     [
         ({}, "limbs.leg: the key 'points' is missing"),
-        ({"points": [[0, 0, 0]]}, r"one point per joint of UPS \(3\) or one per joint other than P \(2\), got 1"),
+        (
+            {"points": [[0, 0, 0]]},
+            r"one point per joint of UPS \(3\) or one per joint other than P \(2\), got 1",
+        ),
         ({"points": "abc"}, "expected a list of points"),
         ({"points": [[0, 0, 0], [0, 0, 1]]}, r"joint 1 of UPS \(U\) needs 2 axes; none is given"),
         ({"points": [[0, 0, 0], [0, 0, 0]], "axes": [U_AXES, [], []]}, "two points that coincide"),
-        ({"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES]}, "expected one entry per joint of UPS, that is 3, got 1"),
+        (
+            {"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES]},
+            "expected one entry per joint of UPS, that is 3, got 1",
+        ),
         ({"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES, [], []], "mass": [1]}, "one entry per body"),
-        ({"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES, [], []], "driven": [3]}, "joints from 0 to 2, got 3"),
-        ({"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES, [], []], "mas": [1]}, "unknown key 'mas'; did you mean 'mass'"),
+        (
+            {"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES, [], []], "driven": [3]},
+            "joints from 0 to 2, got 3",
+        ),
+        (
+            {"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES, [], []], "mas": [1]},
+            "unknown key 'mas'; did you mean 'mass'",
+        ),
         (
             {"points": [[0, 0, 0], [0, 0, 1]], "axes": [U_AXES, [], []], "tip_point": [0, 0, "1.25"]},
             "joints.leg_S3: the loop does not close .* 0.25 m away from its place on 'leg_2'",
         ),
     ],
-)  # fmt: skip
+)
 def test_bad_limbs(options, message):
     with pytest.raises(DescriptionError, match=message):
         pendulum().limb("leg", "UPS", **options).build()
