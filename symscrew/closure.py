@@ -50,8 +50,10 @@ class Row:
 class Cut:
     """A cut joint: its links, its point in both, the axes it has in both, and its rows.
 
-    `reference` is hub_R_tip in the reference configuration; `triad` holds in its rows two unit vectors across
-    the joint's single axis and the axis (tip axes).
+    `hub_point` is the joint's point in the hub, `contact` the hub's point that is now at the tip's point: the
+    same unless the joint slides. `reference` is hub_R_tip in the reference configuration; `triad` holds in its rows two unit vectors across
+    the joint's single axis and the axis (tip axes); `parent_axes` in its rows the absolute axes of the reference
+    configuration, carried by the joint's parent, in that link's axes.
     """
 
     joint: Joint
@@ -59,10 +61,12 @@ class Cut:
     hub: int
     tip_point: Vector
     hub_point: Vector
+    contact: Vector
     tip_axes: tuple[Vector, ...]
     hub_axes: tuple[Vector, ...]
     triad: Matrix
     reference: Matrix
+    parent_axes: Matrix
     tip_is_parent: bool
     rows: tuple[Row, ...] = ()
 
@@ -103,8 +107,11 @@ def _cut(
     (tip_point, tip_axes), (hub_point, hub_axes) = local
     tip_is_parent = tree.link_of_body[joint.parent] == tip
     triad = _triad(geometry, joint, tip_axes)
+    parent_axes = frames[tip if tip_is_parent else hub].axes
     reference = geometry.settle_matrix(product(transpose(frames[hub].axes), frames[tip].axes))
-    cut = Cut(joint, tip, hub, tip_point, hub_point, tip_axes, hub_axes, triad, reference, tip_is_parent)
+    slides = any(m.kind in "PH" for m in JOINT_TYPES[joint.type].motions)
+    contact = carry_point(tree, placed, tip, hub, tip_point) if slides else hub_point
+    cut = Cut(joint, tip, hub, tip_point, hub_point, contact, tip_axes, hub_axes, triad, reference, parent_axes, tip_is_parent)
     return replace(cut, rows=reciprocal_rows(cut, geometry, tree, placed))
 
 
@@ -162,6 +169,21 @@ def reciprocal_rows(cut: Cut, geometry: Geometry, tree: Tree, placed: Sequence[P
     return tuple(rows)
 
 
+def drive_row(cut: Cut, freedom: int, tree: Tree, placed: Sequence[Placement]) -> Row:
+    """The unit wrench of a drive on a freedom of a cut joint: a force along, or a couple about its axis."""
+    motions = JOINT_TYPES[cut.joint.type].freedoms
+    motion = motions[freedom]
+    if motion.kind == "S":
+        axis = cut.parent_axes[freedom - motions.index(motion)]
+        axis = axis if cut.tip_is_parent else carry(tree, placed, cut.hub, cut.tip, axis)
+    elif sum(m.kind == "R" for m in motions) == 2:
+        axis = universal_axes(cut, tree, placed)[motion.axis or 0]
+    else:
+        axis = cut.tip_axes[motion.axis or 0]
+    name = f"{cut.joint.name}.drive{freedom}"
+    return Row(name, "N", axis, ZERO) if motion.kind == "P" else Row(name, "N m", ZERO, axis)
+
+
 def universal_axes(cut: Cut, tree: Tree, placed: Sequence[Placement]) -> tuple[Vector, Vector]:
     """Present axes of a cut universal joint in tip axes: the first is carried by the parent, the second by
     the child."""
@@ -191,6 +213,19 @@ def carry(
     return vector
 
 
+def carry_point(tree: Tree, placed: Sequence[Placement], source: int, target: int, point: Vector) -> Vector:
+    """A point from the coordinates of one link to those of another, along the tree's path between them."""
+    down, up = tree.path(source), tree.path(target)
+    common = set(down) & set(up)
+    for link in down:
+        if link in common:
+            break
+        point = add(placed[link].inwards(point), placed[link].offset)
+    for link in reversed([u for u in up if u not in common]):
+        point = placed[link].outwards(subtract(point, placed[link].offset))
+    return point
+
+
 def closure_bias(
     cut: Cut,
     tree: Tree,
@@ -210,11 +245,11 @@ def closure_bias(
     tip, hub = rate[cut.tip], rate[cut.hub]
     omega = subtract(seen(hub.omega), tip.omega)
     alpha = subtract(subtract(seen(hub.alpha), tip.alpha), cross(tip.omega, omega))
-    linear = subtract(seen(hub.at(cut.hub_point)), tip.at(cut.tip_point))
+    linear = subtract(seen(hub.at(cut.contact)), tip.at(cut.tip_point))
     if any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions):
         # the hub's point that is now at the tip's point slides relative to it
         slide = subtract(
-            seen(twist[cut.hub].velocity_at(cut.hub_point)), twist[cut.tip].velocity_at(cut.tip_point)
+            seen(twist[cut.hub].velocity_at(cut.contact)), twist[cut.tip].velocity_at(cut.tip_point)
         )
         linear = subtract(linear, cross(add(scale(2, tip.omega), omega), slide))
     result = []

@@ -12,11 +12,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from symscrew.closure import Cut, carry
-from symscrew.elimination import Affine, Column, Guard, choose_pivot, combine, solve_for, substitute
+from symscrew.closure import Cut, Row, carry
+from symscrew.elimination import Affine, Column, Guard, choose_pivot, solve_for, substitute
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
-from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.screws import Vector, add, cross, dot, scale, transform
 from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND, Link, Tree
 
@@ -34,6 +34,7 @@ class Setting:
     placed: Sequence[Placement]
     cuts: Sequence[Cut]
     drives: Mapping[int, int]  # index into v -> index into u
+    cut_drives: Mapping[int, Sequence[tuple[int, Row]]]  # cut -> (index into u, unit drive wrench on its child)
     length: float  # characteristic length [m]
 
     def row_scale(self, v_index: int) -> float:
@@ -47,6 +48,19 @@ class Setting:
             for c, cut in enumerate(self.cuts)
             for r, row in enumerate(cut.rows)
         }
+
+    def cut_wrench(self, c: int, multipliers: Mapping[Column, Affine], drive: Callable[[int], Affine]) -> Wrenches:
+        """What a cut joint exerts on its tip, at its point in tip axes, per column: multipliers and drives."""
+        cut = self.cuts[c]
+        total: Wrenches = {}
+        for r, row in enumerate(cut.rows):
+            for column, factor in multipliers["multiplier", c, r].items():
+                accumulate(total, column, scale(factor, row.force), scale(factor, row.couple))
+        sign = -1 if cut.tip_is_parent else 1
+        for u, row in self.cut_drives.get(c, ()):
+            for column, factor in drive(u).items():
+                accumulate(total, column, scale(sign * factor, row.force), scale(sign * factor, row.couple))
+        return total
 
     def drive_scale(self, v_index: int) -> float:
         """Unit scale of a drive's column."""
@@ -90,9 +104,8 @@ class _Elimination:
         for c, cut in enumerate(setting.cuts):
             if cut.tip != GROUND:
                 here = self.waiting[cut.tip]
-                for r, row in enumerate(cut.rows):
-                    moment = add(cross(cut.tip_point, row.force), row.couple)
-                    _accumulate(here, ("multiplier", c, r), scale(-1, row.force), scale(-1, moment))
+                for column, (f, m) in self._cut_wrench(c).items():
+                    accumulate(here, column, scale(-1, f), scale(-1, add(cross(cut.tip_point, f), m)))
         self.result = Balance(self.solved, [], [], [])
 
     def run(self) -> Balance:
@@ -124,7 +137,7 @@ class _Elimination:
     def _process(self, link: Link) -> None:
         here = self.waiting.pop(link.index)
         force, moment = self.wrench(link)
-        _accumulate(here, ONE, force, moment)
+        accumulate(here, ONE, force, moment)
         before = self._before_motion(link, here)
         assert link.motion is not None
         for k, v_index in enumerate(range(link.v.start, link.v.stop)):
@@ -140,7 +153,7 @@ class _Elimination:
         placed = self.setting.placed[link.index]
         for column, (f, m) in before.items():
             f, m = transform(placed.rotation, f), transform(placed.rotation, m)
-            _accumulate(self.waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
+            accumulate(self.waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
@@ -160,24 +173,21 @@ class _Elimination:
         result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
         if link.index in self.loads:
             force, moment = self.loads[link.index]
-            _accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
         for c, cut in enumerate(setting.cuts):
             if cut.hub != link.index:
                 continue
-            arm = placed.before(cut.hub_point)
-            for column, (f, m) in self._cut_wrench(c, cut).items():
+            arm = placed.before(cut.contact)
+            for column, (f, m) in self._cut_wrench(c).items():
                 f = carry(setting.tree, setting.placed, cut.tip, cut.hub, f, before=True)
                 m = carry(setting.tree, setting.placed, cut.tip, cut.hub, m, before=True)
-                _accumulate(result, column, f, add(m, cross(arm, f)))
+                accumulate(result, column, f, add(m, cross(arm, f)))
         return result
 
-    def _cut_wrench(self, c: int, cut: Cut) -> Wrenches:
-        """The cut joint's wrench at its point, tip axes, per column that is still unknown."""
-        total: Wrenches = {}
-        for r, row in enumerate(cut.rows):
-            for column, factor in self.solved["multiplier", c, r].items():
-                _accumulate(total, column, scale(factor, row.force), scale(factor, row.couple))
-        return total
+    def _cut_wrench(self, c: int) -> Wrenches:
+        """The cut joint's wrench on its tip at its point, tip axes, per column that is still unknown."""
+        one = self.setting.tape.one
+        return self.setting.cut_wrench(c, self.solved, lambda u: {("drive", u): one})
 
     def _use_row(self, v_index: int, row: Affine, before: Wrenches) -> Wrenches:
         """Solve one multiplier from the row, or keep the row for the end; returns the updated wrenches."""
@@ -223,7 +233,8 @@ class _Elimination:
             self.result.unbalanced.append(v_index)
 
 
-def _accumulate(here: Wrenches, column: Column, force: Vector, moment: Vector) -> None:
+def accumulate(here: Wrenches, column: Column, force: Vector, moment: Vector) -> None:
+    """Add a wrench to a column of `here`, which the caller owns."""
     if column in here:
         f, m = here[column]
         force, moment = add(f, force), add(m, moment)
@@ -236,8 +247,5 @@ def _substitute_wrench(here: Wrenches, pivot: Column, solution: Affine) -> Wrenc
     force, moment = here[pivot]
     result = {c: w for c, w in here.items() if c != pivot}
     for column, factor in solution.items():
-        _accumulate(result, column, scale(factor, force), scale(factor, moment))
+        accumulate(result, column, scale(factor, force), scale(factor, moment))
     return result
-
-
-__all__ = ["ONE", "ZERO", "Balance", "Setting", "balance", "combine", "transpose"]

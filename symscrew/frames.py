@@ -135,6 +135,9 @@ def link_frames(mechanism: Mechanism, tree: Tree, geometry: Geometry) -> tuple[F
         if motion.kind == "S":
             frames.append(_place(geometry, parent, IDENTITY, point, transpose(parent.axes), ZERO, tape.zero))
             continue
+        if motion.kind == "F":
+            frames.append(_place(geometry, parent, parent.axes, point, IDENTITY, ZERO, tape.zero))
+            continue
         axis = geometry.motion_axes(joint)[motion.axis or 0]
         axis = scale(-1, axis) if link.inverted else axis
         reference = _reference(geometry, joint, motion)

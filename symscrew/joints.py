@@ -15,9 +15,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Motion:
-    """One elementary motion: its kind ("R", "P", "H" or "S") and how its axis is found.
+    """One elementary motion: its kind ("R", "P", "H", "S", or "F" for none) and how its axis is found.
 
-    `axis` is the index into the axes of `frame_axes` (see `JointType`); "S" has none.
+    `axis` is the index into the joint's axes (see `JointType`); "S" and "F" have none.
     """
 
     kind: str
@@ -40,7 +40,12 @@ class JointType:
     @property
     def freedom(self) -> int:
         """Number of freedoms: 3 for each spherical motion, 1 for any other."""
-        return sum(3 if motion.kind == "S" else 1 for motion in self.motions)
+        return len(self.freedoms)
+
+    @property
+    def freedoms(self) -> tuple[Motion, ...]:
+        """The motion that each freedom belongs to: three times the same for a spherical motion."""
+        return tuple(m for m in self.motions for _ in range(3 if m.kind == "S" else 1))
 
 
 R, P, H, S = (lambda axis: Motion("R", axis)), (lambda axis: Motion("P", axis)), Motion("H", 0), Motion("S")

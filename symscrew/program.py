@@ -98,10 +98,9 @@ class Program:
         count = dict.fromkeys(CLASSES, 0)
         for instruction in self.instructions:
             count[COUNTED[instruction.op]] += 1
-        if self.guards:
-            checked = sum(port.size for port in self.outputs)
-            count["compare"] += 2 * len(self.guards) + 1
-            count["add"] += checked
+        # each guard costs an absolute value and a comparison; the sum of all outputs is tested for NaN and Inf
+        count["compare"] += 2 * len(self.guards) + 1
+        count["add"] += sum(port.size for port in self.outputs) - 1
         count["total"] = sum(count.values())
         return count
 
@@ -112,8 +111,56 @@ class Program:
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
     def __call__(self, *arguments: object) -> tuple[np.ndarray, ...]:
-        """Evaluate on NumPy arrays of shape (*batch, size) or the port's shape; see `evaluate`."""
-        return evaluate(self, arguments)
+        """Results only; see `evaluate`."""
+        return evaluate(self, arguments)[0]
+
+
+@dataclass(frozen=True)
+class Iteration:
+    """A function that repeats a straight-line step: assembly of the loops from independent coordinates.
+
+    Inputs are y (the independent coordinates), guess (a configuration q) and the run-time parameters if there
+    are any; the output is q. `step` takes (q, y, parameters) and gives (q_next, residual, step, orientation):
+    one guarded Newton step, the largest loop opening without units at q, the size of the step without units,
+    and a number whose sign tells the assembly branch (the determinant of the dependent part of the closure).
+
+    How to run it: y0 = guess[independent]. For n = 1, 2, 4, ... max_substeps: start at guess; for k = 1 ... n
+    take y_k = y0 + (y - y0) k / n and repeat the step until residual and step are below `tolerance`, at most
+    `max_steps` times; give up this n if the step fails, does not converge, or if the sign of the orientation
+    differs from that at the guess. The first n that succeeds is the answer. Status 0 success, 3 not converged,
+    4 converged, but on another branch than the guess.
+    """
+
+    name: str
+    description: str
+    inputs: tuple[Port, ...]
+    outputs: tuple[Port, ...]
+    step: Program
+    independent: tuple[int, ...]
+    tolerance: float = 1e-13
+    max_steps: int = 25
+    max_substeps: int = 64
+    notes: tuple[str, ...] = ()
+
+    @property
+    def operations(self) -> dict[str, int]:
+        """Operations of one step; the number of steps depends on the guess."""
+        return self.step.operations
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of everything that determines the printed code, 16 hex digits."""
+        text = repr((self.name, self.step.hash, self.independent, self.tolerance, self.max_steps, self.max_substeps))
+        return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+STATUS = {
+    0: "success",
+    1: "near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN",
+    2: "not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN",
+    3: "not converged: the loops could not be closed from this guess; all outputs are NaN",
+    4: "other branch: the loops close only on another assembly branch than the guess; all outputs are NaN",
+}
 
 
 def lower(function: Function) -> Program:
@@ -264,10 +311,10 @@ class _Lowering:
         return self.made[key]
 
 
-def evaluate(program: Program, arguments: Sequence[object]) -> tuple[np.ndarray, ...]:
-    """Run a program on NumPy: arguments of shape (*batch, size) or (size,); results (*batch, size).
+def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Run a program on NumPy: arguments of shape (*batch, size) or (size,); results (*batch, size), status (*batch).
 
-    All states of a batch go through each instruction at once.
+    All states of a batch go through each instruction at once. Where the status is not 0 the results are NaN.
     """
     if len(arguments) != len(program.inputs):
         names = ", ".join(p.name for p in program.inputs)
@@ -292,13 +339,58 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[np.ndarray,
         for slots in program.results:
             columns = [values[s] if isinstance(s, int) else s for s in slots]
             results.append(np.stack([np.broadcast_to(c, batch) for c in columns], axis=-1) if columns else np.zeros((*batch, 0)))
-        if program.guards:
-            bad = np.zeros(batch, dtype=bool)
-            for guard, threshold in program.guards:
-                bad |= ~(np.abs(values[guard]) > threshold)
-            for result in results:
-                result[bad] = np.nan
-    return tuple(results)
+        status = np.zeros(batch, dtype=int)
+        for guard, threshold in program.guards:
+            status = np.where((status == 0) & ~(np.abs(values[guard]) > threshold), 1, status)
+        total = sum((result.sum(axis=-1) for result in results), start=np.zeros(batch))
+        status = np.where((status == 0) & ~np.isfinite(total), 2, status)
+        for result in results:
+            result[status != 0] = np.nan
+    return tuple(results), status
+
+
+def evaluate_iteration(iteration: Iteration, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Run an iteration as its docstring says, state by state; results (*batch, size) and status (*batch)."""
+    arrays = [np.atleast_1d(np.asarray(a, dtype=float)) for a in arguments]
+    batch = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
+    full = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
+    q = np.empty_like(full[1], dtype=float)
+    status = np.empty(len(q), dtype=int)
+    for i in range(len(q)):
+        q[i], status[i] = _iterate(iteration, full[0][i], full[1][i], [a[i] for a in full[2:]])
+    q[status != 0] = np.nan
+    return (q.reshape(*batch, -1),), status.reshape(batch)
+
+
+def _iterate(
+    iteration: Iteration, y: np.ndarray, guess: np.ndarray, parameters: Sequence[np.ndarray]
+) -> tuple[np.ndarray, int]:
+    start = guess[list(iteration.independent)]
+    (_, _, _, sign), _ = evaluate(iteration.step, [guess, start, *parameters])
+    substeps, outcome = 1, 3
+    while substeps <= iteration.max_substeps:
+        q, outcome = np.array(guess), 0
+        for k in range(1, substeps + 1):
+            target = start + (y - start) * (k / substeps)
+            q, outcome = _newton(iteration, q, target, parameters, float(sign[0]))
+            if outcome:
+                break
+        if outcome == 0:
+            return q, 0
+        substeps *= 2
+    return np.array(guess), outcome
+
+
+def _newton(
+    iteration: Iteration, q: np.ndarray, y: np.ndarray, parameters: Sequence[np.ndarray], sign: float
+) -> tuple[np.ndarray, int]:
+    for _ in range(iteration.max_steps):
+        (q, residual, step, orientation), status = evaluate(iteration.step, [q, y, *parameters])
+        if status:
+            return q, 3
+        if residual[0] < iteration.tolerance and step[0] < iteration.tolerance:
+            return q, 0 if orientation[0] * sign > 0 else 4
+    return q, 3
 
 
 def sample_inputs(tape: Tape, function: Function, values: Mapping[str, np.ndarray]) -> dict[Node, np.ndarray]:

@@ -124,6 +124,8 @@ def placements(
         if kind == "S":
             w, x, y, z = q[link.q]
             turn = quaternion_matrix(w, x, y, z)
+        elif kind == "F":
+            pass
         elif kind == "P":
             # offset along the sliding direction and q are one sum: phase + q + constant
             along = q[link.q.start] + frame.phase
@@ -171,6 +173,8 @@ def own_screws(link: Link, frame: Frame, v: Sequence[Node]) -> Twist:
     """What the joint adds: angular part in link axes, linear part in parent axes."""
     assert link.motion is not None
     kind = link.motion.kind
+    if kind == "F":
+        return Twist(ZERO, ZERO)
     if kind == "S":
         x, y, z = v[link.v]
         return Twist((x, y, z), ZERO)
@@ -197,7 +201,7 @@ def rates(
         carried = add(parent.at(here.offset), gain.linear)
         if speed.linear is not ZERO:
             carried = add(carried, cross(scale(2, parent.omega), speed.linear))
-        if link.motion is not None and link.motion.kind == "P":
+        if link.motion is not None and link.motion.kind in "PF":
             result.append(Rates(parent.omega, parent.alpha, carried, parent.matrix))
             continue
         before = here.outwards(parent.omega)
@@ -282,6 +286,9 @@ def regrouped(tree: Tree, frames: Sequence[Frame], inertia: Sequence[Inertia], g
             moved = _line_on_axis(frame, own.mass, own.first[2], line)
             left = ((xx, xy, xz), (xy, yy, yz), (xz, yz, -geometry.tape.node(yy)))
             result[link.index] = Inertia(zero, (own.first[0], own.first[1], zero), left)
+        elif link.motion.kind == "F":
+            moved = _shifted(frame, own)
+            result[link.index] = Inertia(zero, ZERO, ((0, 0, 0),) * 3)
         elif link.motion.kind == "S":
             moved = _line_on_axis(frame, own.mass, zero, zero)
             result[link.index] = Inertia(zero, own.first, own.second)
@@ -304,6 +311,16 @@ def _line_on_axis(frame: Frame, mass: Node, first: Node, second: Node) -> Inerti
         for i in range(3)
     )
     return Inertia(mass, add(scale(mass, r), scale(first, e)), spread)  # type: ignore[arg-type]
+
+
+def _shifted(frame: Frame, inertia: Inertia) -> Inertia:
+    """The inertia of a link that is fixed to its parent (equal axes), about the parent's origin."""
+    r, s = frame.offset, inertia.first
+    spread = tuple(
+        tuple(inertia.second[i][j] + r[i] * s[j] + s[i] * r[j] + inertia.mass * (r[i] * r[j]) for j in range(3))
+        for i in range(3)
+    )
+    return Inertia(inertia.mass, add(s, scale(inertia.mass, r)), spread)  # type: ignore[arg-type]
 
 
 def inertial_wrench(inertia: Inertia, rate: Rates) -> tuple[Vector, Vector]:

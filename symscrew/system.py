@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from symscrew.closure import Cut, carry, closure_bias, closure_residual, cuts
+from symscrew.closure import Cut, Row, carry, closure_bias, closure_residual, cuts, drive_row
 from symscrew.frames import Frame, Geometry, link_frames
 from symscrew.joints import JOINT_TYPES
 from symscrew.mechanism import Mechanism
@@ -108,6 +108,17 @@ class System:
                 rows[self.tree.velocity_indices(joint)[freedom]] = u
         return rows
 
+    def cut_drives(self) -> dict[int, list[tuple[int, Row]]]:
+        """Cut joint -> (index into u, unit drive wrench on its child, tip axes), for drives of cut joints."""
+        index = {cut.joint.name: c for c, cut in enumerate(self.cuts)}
+        result: dict[int, list[tuple[int, Row]]] = {}
+        for u, (joint, freedom) in enumerate(self.drives):
+            if joint in index:
+                cut = self.cuts[index[joint]]
+                row = drive_row(cut, freedom, self.tree, self.placed)
+                result.setdefault(index[joint], []).append((u, row))
+        return result
+
     # -- closure ----------------------------------------------------------------------------------------
 
     @cached_property
@@ -124,7 +135,7 @@ class System:
                 force, couple = (
                     carry(self.tree, self.placed, cut.tip, cut.hub, v, before=True) for v in (row.force, row.couple)
                 )
-                arm = self.placed[cut.hub].before(cut.hub_point)
+                arm = self.placed[cut.hub].before(cut.contact)
                 self._push_before(entries, cut.hub, force, add(couple, cross(arm, force)), -1)
             rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
         return rows
@@ -140,7 +151,9 @@ class System:
         while True:
             link, frame, placed = self.tree.links[index], self.frames[index], self.placed[index]
             assert link.motion is not None
-            if link.motion.kind == "S":
+            if link.motion.kind == "F":
+                values = ()
+            elif link.motion.kind == "S":
                 values = moment
             elif link.motion.kind == "P":
                 values = (dot(frame.axis, force),)
@@ -229,7 +242,7 @@ class System:
         ports = tuple(Port(f"x{i}", (len(n),), (), (), "") for i, (n, _) in enumerate(pairs))
         function = Function("numeric", "", ports, (Port("y", (len(nodes),), (), (), ""),),
                             tuple(tuple(n) for n, _ in pairs), (tuple(nodes),))
-        return evaluate(lower(function), [a for _, a in pairs])[0]
+        return evaluate(lower(function), [a for _, a in pairs])[0][0]
 
     def dense_jacobian(self) -> list[Node]:
         """The closure Jacobian in w as a full matrix, row-major."""

@@ -15,6 +15,8 @@ from symscrew.joints import JOINT_TYPES, Motion
 from symscrew.mechanism import Joint, Mechanism
 
 GROUND = 0
+FIXED = Motion("F")  # the single, immobile link of a fixed joint
+SIZES = {"S": (4, 3), "F": (0, 0)}  # entries in q and v of a motion, where they are not 1
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,7 @@ class Coordinate:
 class Link:
     """One elementary motion of the tree and what it carries.
 
-    `parent` is the index of the parent link (0 is the ground), `bodies` are rigidly attached to it (none
+    `parent` is the index of the parent link (0 is the ground), `bodies` are its body (none
     for the intermediate part of a universal joint), `q` and `v` are slices into the coordinates. `inverted`
     says that the tree passes the joint from child to parent: its axis is then negated.
     """
@@ -192,10 +194,10 @@ def _links(
                 continue
             del waiting[body]
             current = link_of_body[inner]
-            motions = list(enumerate(JOINT_TYPES[joint.type].motions))
+            motions = list(enumerate(JOINT_TYPES[joint.type].motions or (FIXED,)))
             q_at, v_at = _offsets(joint, q_start[name], v_start[name])
             for position, motion in reversed(motions) if inverted else motions:
-                q_size, v_size = (4, 3) if motion.kind == "S" else (1, 1)
+                q_size, v_size = SIZES.get(motion.kind, (1, 1))
                 q, v = slice(q_at[position], q_at[position] + q_size), slice(v_at[position], v_at[position] + v_size)
                 links.append(Link(len(links), current, name, motion, inverted, (), q, v))
                 current = len(links) - 1
@@ -210,8 +212,9 @@ def _links(
 def _offsets(joint: Joint, q: int, v: int) -> tuple[list[int], list[int]]:
     """Where each motion of a joint starts in q and v."""
     q_at, v_at = [], []
-    for motion in JOINT_TYPES[joint.type].motions:
+    for motion in JOINT_TYPES[joint.type].motions or (FIXED,):
         q_at.append(q)
         v_at.append(v)
-        q, v = q + (4 if motion.kind == "S" else 1), v + (3 if motion.kind == "S" else 1)
+        q_size, v_size = SIZES.get(motion.kind, (1, 1))
+        q, v = q + q_size, v + v_size
     return q_at, v_at

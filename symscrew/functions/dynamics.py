@@ -1,0 +1,356 @@
+"""Dynamic functions: mass matrix, bias, inverse dynamics with redundant drives, all joint reactions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from symscrew.closure import carry
+from symscrew.drives import DriveSolution, solve_drives
+from symscrew.effects import Effect, ExternalWrench, Gravity
+from symscrew.equilibrium import Balance, Setting, accumulate, balance
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.functions.closure import guarded
+from symscrew.functions.kinematics import local_point
+from symscrew.functions.ports import (
+    WRENCH_LABELS,
+    WRENCH_UNITS,
+    a_port,
+    columns_port,
+    drive_is_force,
+    drive_label,
+    function,
+    q_port,
+    u_port,
+    v_port,
+)
+from symscrew.program import Function, Port
+from symscrew.reactions import joint_wrenches, numeric_multipliers, solve_reactions
+from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, regrouped
+from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree import GROUND, Link
+
+Loads = dict[int, tuple[Vector, Vector]]
+
+
+@dataclass(frozen=True)
+class Forces:
+    """What the effects contribute: the ground's acceleration (gravity), loads per link, further inputs."""
+
+    ground_acceleration: Vector
+    loads: Loads
+    inputs: tuple[tuple[Port, tuple[Node, ...]], ...]
+
+
+def forces(system: System, effects: Sequence[Effect]) -> Forces:
+    """The effects of a scene, as the recursions take them."""
+    ground: Vector = ZERO
+    loads: Loads = {}
+    inputs = []
+    for effect in effects:
+        if isinstance(effect, Gravity):
+            ground = scale(-1, system.geometry.vector(effect.exact))
+        elif isinstance(effect, ExternalWrench):
+            inputs.append(_external(system, effect, loads))
+    return Forces(ground, loads, tuple(inputs))
+
+
+def _external(system: System, effect: ExternalWrench, loads: Loads) -> tuple[Port, tuple[Node, ...]]:
+    points = system.mechanism.points
+    if effect.point not in points:
+        raise DescriptionError(
+            f"external wrench: expected a named point of the mechanism, got {effect.point!r}"
+            + did_you_mean(effect.point, points)
+        )
+    point = points[effect.point]
+    port = Port(
+        effect.port, (6,), WRENCH_UNITS, WRENCH_LABELS, f"force and moment on {point.body} at {point.name}, absolute axes"
+    )
+    nodes = tuple(
+        system.tape.symbol(f"{effect.port}_{label}", unit, f"external load {label} at {point.name}")
+        for label, unit in zip(WRENCH_LABELS, WRENCH_UNITS, strict=True)
+    )
+    link = system.tree.link_of_body[point.body]
+    if link != GROUND:
+        force, moment = (
+            carry(system.tree, system.placed, GROUND, link, vector, before=True)
+            for vector in ((nodes[0], nodes[1], nodes[2]), (nodes[3], nodes[4], nodes[5]))
+        )
+        arm = system.placed[link].before(local_point(system, link, system.geometry.vector(point.at)))
+        here = {"": loads.get(link, (ZERO, ZERO))}
+        accumulate(here, "", force, add(moment, cross(arm, force)))
+        loads[link] = here[""]
+    return port, nodes
+
+
+class Equations:
+    """Equilibrium of a system under effects, eliminated once for all dynamic functions."""
+
+    def __init__(self, system: System, effects: Sequence[Effect]) -> None:
+        self.system = system
+        self.forces = forces(system, effects)
+        self.setting = Setting(
+            system.tape,
+            system.tree,
+            system.frames,
+            system.placed,
+            system.cuts,
+            system.drive_rows(),
+            system.cut_drives(),
+            system.length,
+        )
+        self.inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
+        self.rates = system.rates(system.inputs.a, self.forces.ground_acceleration)
+        self.balance: Balance = balance(self.setting, self.lean_wrench, self.forces.loads)
+        self.solution = self.drives()
+
+    def lean_wrench(self, link: Link) -> tuple[Vector, Vector]:
+        """Inertial wrench with regrouped inertias: right for drives and cut joints, not inside the tree."""
+        return inertial_wrench(self.inertia[link.index], self.rates[link.index])
+
+    def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
+        """Inertial wrench of the bodies as given."""
+        return inertial_wrench(self.system.inertia[link.index], self.rates[link.index])
+
+    @property
+    def drive_scales(self) -> dict[int, float]:
+        """Unit scale of every drive's column."""
+        return {
+            k: 1.0 if drive_is_force(self.system, k) else self.system.length for k in range(len(self.system.drives))
+        }
+
+    def drives(self, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None) -> DriveSolution:
+        """Drives from the equations at the hub."""
+        return solve_drives(
+            self.system.tape, self.balance.finals, self.drive_scales, weights=weights, preload=preload
+        )
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a user of the drives must know."""
+        notes = []
+        if self.solution.redundancy:
+            notes.append(
+                f"{self.solution.redundancy} more drives than freedoms: the drives of smallest sum of squares; "
+                "inverse_dynamics_preload takes weights and an internal preload"
+            )
+        passive = len(self.balance.unbalanced) + self.solution.unreachable
+        if passive:
+            notes.append(f"{passive} freedoms carry no drive: the motion must obey their own equations")
+        return tuple(notes)
+
+
+def dynamic_functions(system: System, effects: Sequence[Effect]) -> list[Function]:
+    """Mass matrix, bias and, where there are drives, inverse dynamics and reactions."""
+    functions = [_mass_matrix(system), _bias(system, effects)]
+    equations = Equations(system, effects)
+    if system.drives:
+        functions.append(_inverse_dynamics(equations))
+        if equations.solution.redundancy:
+            functions.append(_with_preload(equations))
+    functions.append(_joint_reactions(equations))
+    return functions
+
+
+def _inputs(equations: Equations) -> list[tuple[Port, Sequence[Node]]]:
+    system = equations.system
+    state = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), (a_port(system), system.inputs.a)]
+    return [*state, *equations.forces.inputs]
+
+
+def _inverse_dynamics(equations: Equations) -> Function:
+    system = equations.system
+    text = "Drives from a consistent state of the tree, by the rates of the momentum screws."
+    guards = guarded((*equations.balance.guards, *equations.solution.guards))
+    return function(
+        system,
+        "inverse_dynamics",
+        text,
+        _inputs(equations),
+        [(u_port(system), equations.solution.u)],
+        guards,
+        equations.notes,
+    )
+
+
+def _with_preload(equations: Equations) -> Function:
+    system = equations.system
+    count = len(system.drives)
+    weights, preload = (
+        tuple(
+            system.tape.symbol(f"{name}_{drive_label(system, k).replace('.', '_')}", unit, f"{what} of drive {k + 1}")
+            for k in range(count)
+        )
+        for name, unit, what in (("weight", "1", "weight"), ("preload", "N", "preload"))
+    )
+    solution = equations.drives(weights, preload)
+    labels = tuple(drive_label(system, k) for k in range(count))
+    units = u_port(system).units
+    inputs = [
+        *_inputs(equations),
+        (Port("weights", (count,), ("1",) * count, labels, "positive weights of the squares"), weights),
+        (Port("preload", (count,), units, labels, "drives to stay close to: their internal part is kept"), preload),
+    ]
+    text = "Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives."
+    guards = guarded((*equations.balance.guards, *solution.guards))
+    return function(
+        system, "inverse_dynamics_preload", text, inputs, [(u_port(system), solution.u)], guards, equations.notes
+    )
+
+
+def _joint_reactions(equations: Equations) -> Function:
+    system, setting = equations.system, equations.setting
+    u = equations.solution.u
+    multipliers = numeric_multipliers(equations.balance, u)
+    found = joint_wrenches(setting, system.pose, equations.true_wrench, equations.forces.loads, multipliers, u)
+    reactions = solve_reactions(setting, found, equations.balance.free)
+    names = list(system.mechanism.joints)
+    values: list[object] = []
+    for name in names:
+        force, moment = reactions.wrenches.get(name, (ZERO, ZERO))
+        values += [*force, *moment]
+    port = columns_port(
+        "reactions", names, WRENCH_LABELS, WRENCH_UNITS, "wrench (f ; m_O) from parent on child without the drive's share"
+    )
+    notes = list(equations.notes)
+    if reactions.free:
+        notes.append(
+            f"overconstrained: {reactions.free} internal loads are undetermined and take the minimum-norm values "
+            f"(moments divided by the characteristic length {system.length!r} m); not unique: "
+            + ", ".join(reactions.not_unique)
+        )
+    outputs = [(port, values)]
+    if system.drives:
+        outputs.insert(0, (u_port(system), list(u)))
+    guards = guarded((*equations.balance.guards, *equations.solution.guards, *reactions.guards))
+    text = "Drives and all joint reactions at once, at O in absolute axes."
+    return function(system, "joint_reactions", text, _inputs(equations), outputs, guards, notes)
+
+
+# -- the tree's own equations ------------------------------------------------------------------------------
+
+
+def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], loads: Loads) -> list[Node]:
+    """Generalised forces (for v) of wrenches on the links (link axes, at their origins), less the loads."""
+    tree, tape = system.tree, system.tape
+    result = [tape.zero] * len(tree.v)
+    waiting = dict(wrench)
+    for link in reversed(tree.links[1:]):
+        placed, frame = system.placed[link.index], system.frames[link.index]
+        if link.index not in waiting and link.index not in loads:
+            continue
+        force, moment = waiting.get(link.index, (ZERO, ZERO))
+        if link.index in loads:
+            f, m = loads[link.index]
+            back = transpose(placed.turn)
+            force, moment = add(force, scale(-1, transform(back, f))), add(moment, scale(-1, transform(back, m)))
+        for k, value in enumerate(_projected(link, frame, force, moment)):
+            result[link.v.start + k] = tape.node(value)
+        if link.parent != GROUND:
+            force, moment = placed.inwards(force), placed.inwards(moment)
+            here = {"": waiting.get(link.parent, (ZERO, ZERO))}
+            accumulate(here, "", force, add(moment, cross(placed.offset, force)))
+            waiting[link.parent] = here[""]
+    return result
+
+
+def _projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple:
+    """S . W of the link's freedoms for v, link axes."""
+    assert link.motion is not None
+    if link.motion.kind == "F":
+        return ()
+    if link.motion.kind == "S":
+        return moment
+    if link.motion.kind == "P":
+        return (dot(frame.axis, force),)  # type: ignore[attr-defined]
+    if link.motion.kind == "H":
+        return (moment[2] + frame.pitch * force[2],)  # type: ignore[attr-defined]
+    return (moment[2],)
+
+
+def _bias(system: System, effects: Sequence[Effect]) -> Function:
+    acting = forces(system, effects)
+    inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
+    rates = system.rates([system.tape.zero] * len(system.tree.v), acting.ground_acceleration)
+    wrench = {link.index: inertial_wrench(inertia[link.index], rates[link.index]) for link in system.tree.links[1:]}
+    values = _generalised(system, wrench, acting.loads)
+    units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
+    port = Port("bias", (len(values),), units, tuple(c.label for c in system.tree.v), "generalised forces at a = 0")
+    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
+    text = "Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers."
+    return function(system, "bias", text, inputs, [(port, values)])
+
+
+def _mass_matrix(system: System) -> Function:
+    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint."""
+    tree, tape = system.tree, system.tape
+    composite: list[Inertia] = list(regrouped(tree, system.frames, system.inertia, system.geometry))
+    n = len(tree.v)
+    matrix = [[tape.zero] * n for _ in range(n)]
+    for link in reversed(tree.links[1:]):
+        for k in range(link.v.start, link.v.stop):
+            wrench = _unit_wrench(system, link, k - link.v.start, composite[link.index])
+            for j, value in _pushed(system, link, wrench):
+                matrix[j][k] = matrix[k][j] = value
+        if link.parent != GROUND:
+            moved = _moved_inertia(system, link, composite[link.index])
+            composite[link.parent] = Inertia(
+                composite[link.parent].mass + moved.mass,
+                add(composite[link.parent].first, moved.first),
+                tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
+            )
+    labels = tuple(f"{a.label}|{b.label}" for b in tree.v for a in tree.v)
+    kinds = [c.kind == "length" for c in tree.v]
+    units = tuple(("kg m^2", "kg m", "kg")[int(a) + int(b)] for b in kinds for a in kinds)
+    port = Port("mass_matrix", (n, n), units, labels, "symmetric; kinetic energy = v.M.v / 2")
+    text = "Mass matrix of the tree (cut joints open)."
+    values = [matrix[i][j] for j in range(n) for i in range(n)]
+    return function(system, "mass_matrix", text, [(q_port(system), system.inputs.q)], [(port, values)])
+
+
+def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
+    """Inertial wrench of a composite body at rest under a unit acceleration of one freedom of its joint."""
+    assert link.motion is not None
+    frame = system.frames[link.index]
+    alpha: Vector = ZERO
+    origin: Vector = ZERO
+    if link.motion.kind == "S":
+        alpha = (int(k == 0), int(k == 1), int(k == 2))
+    elif link.motion.kind == "P":
+        origin = frame.axis
+    else:
+        alpha = (0, 0, 1)
+        if frame.pitch is not None:
+            origin = (0, 0, frame.pitch)
+    return inertial_wrench(inertia, Rates(ZERO, alpha, origin, acceleration_matrix(ZERO, alpha)))
+
+
+def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[tuple[int, Node]]:
+    """Generalised forces of one wrench on its link, down to the ground."""
+    force, moment = wrench
+    result = []
+    while True:
+        for k, value in enumerate(_projected(link, system.frames[link.index], force, moment)):
+            result.append((link.v.start + k, system.tape.node(value)))
+        placed = system.placed[link.index]
+        force, moment = placed.inwards(force), placed.inwards(moment)
+        moment = add(moment, cross(placed.offset, force))
+        if link.parent == GROUND:
+            return result
+        link = system.tree.links[link.parent]
+
+
+def _moved_inertia(system: System, link: Link, inertia: Inertia) -> Inertia:
+    """A composite inertia in the parent's axes about the parent's origin."""
+    placed = system.placed[link.index]
+    rows = [placed.inwards(row) for row in inertia.second]
+    columns = [placed.inwards(column) for column in transpose((rows[0], rows[1], rows[2]))]
+    turned = transpose((columns[0], columns[1], columns[2]))
+    first, r = placed.inwards(inertia.first), placed.offset
+    second = tuple(
+        tuple(turned[i][j] + r[i] * first[j] + first[i] * r[j] + inertia.mass * (r[i] * r[j]) for j in range(3))
+        for i in range(3)
+    )
+    return Inertia(inertia.mass, add(first, scale(inertia.mass, r)), second)  # type: ignore[arg-type]

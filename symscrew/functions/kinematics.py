@@ -1,0 +1,394 @@
+"""Kinematic functions: poses, twists, screws, Jacobians, joint displacements and rates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.closure import Cut, carry, hub_angle, relative_rotation
+from symscrew.functions.ports import (
+    TWIST_LABELS,
+    TWIST_RATE_UNITS,
+    TWIST_UNITS,
+    a_port,
+    columns_port,
+    function,
+    joint_freedom_names,
+    q_port,
+    v_port,
+)
+from symscrew.joints import JOINT_TYPES
+from symscrew.kinematics import BodyMotion, body_motions, displacement, joint_screws
+from symscrew.mechanism import Joint
+from symscrew.program import Function, Port
+from symscrew.screws import (
+    Twist,
+    Vector,
+    add,
+    cross,
+    dot,
+    helical,
+    prismatic,
+    product,
+    revolute,
+    subtract,
+    transform,
+    transpose,
+)
+from symscrew.system import System
+from symscrew.tape import Node
+
+SMALL_ANGLE = 1e-8
+
+
+class Motion:
+    """Screws, twists and their rates of a system at O in absolute axes, derived once for all functions."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.screws = joint_screws(system.tree, system.frames, system.placed, system.pose)
+        self.w = system.joint_rates(system.inputs.v)
+        self.w_dot = system.joint_rates(system.inputs.a)
+        self.links: tuple[BodyMotion, ...] = body_motions(system.tree, self.screws, self.w, self.w_dot)
+
+    def body(self, name: str) -> BodyMotion:
+        """Motion of a body."""
+        return self.links[self.system.tree.link_of_body[name]]
+
+
+def kinematic_functions(system: System, motion: Motion) -> list[Function]:
+    """All kinematic functions that need no loop to be solved."""
+    return [
+        _body_poses(system),
+        _body_twists(system, motion),
+        _body_twist_rates(system, motion),
+        *_points(system, motion),
+        _joint_screws(system, motion),
+        *_jacobians(system, motion),
+        _joint_displacements(system),
+        _joint_rates(system, motion),
+    ]
+
+
+def moving_bodies(system: System) -> list[str]:
+    """All bodies but the ground, in the order of the description."""
+    return [name for name in system.mechanism.bodies if name != system.mechanism.ground]
+
+
+def _body_poses(system: System) -> Function:
+    bodies = moving_bodies(system)
+    values: list[object] = []
+    for name in bodies:
+        link = system.tree.link_of_body[name]
+        moved = displacement(system.frames[link], system.pose[link])
+        values += [*(c for column in transpose(moved.rotation) for c in column), *moved.translation]
+    labels = [f"R{i}{j}" for j in "xyz" for i in "xyz"] + ["x", "y", "z"]
+    port = columns_port(
+        "poses", bodies, labels, ("1",) * 9 + ("m",) * 3, "per body: rotation (column-major) and translation"
+    )
+    text = "Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes."
+    return function(system, "body_poses", text, [(q_port(system), system.inputs.q)], [(port, values)])
+
+
+def _state(system: System) -> list[tuple[Port, Sequence[Node]]]:
+    return [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
+
+
+def _full_state(system: System) -> list[tuple[Port, Sequence[Node]]]:
+    return [*_state(system), (a_port(system), system.inputs.a)]
+
+
+def _body_twists(system: System, motion: Motion) -> Function:
+    bodies = moving_bodies(system)
+    values = [c for name in bodies for c in motion.body(name).twist.components]
+    port = columns_port("twists", bodies, TWIST_LABELS, TWIST_UNITS, "twist (omega ; v_O) of every body")
+    return function(system, "body_twists", "Twists at O in absolute axes, eq. (6).", _state(system), [(port, values)])
+
+
+def _body_twist_rates(system: System, motion: Motion) -> Function:
+    bodies = moving_bodies(system)
+    values = [c for name in bodies for c in motion.body(name).rate.components]
+    port = columns_port("twist_rates", bodies, TWIST_LABELS, TWIST_RATE_UNITS, "rate of every body's twist")
+    text = "Componentwise time derivatives of the twists at O, by the screw bracket."
+    return function(system, "body_twist_rates", text, _full_state(system), [(port, values)])
+
+
+def _points(system: System, motion: Motion) -> list[Function]:
+    points = system.mechanism.points
+    if not points:
+        return []
+    positions, velocities, accelerations = [], [], []
+    for point in points.values():
+        link = system.tree.link_of_body[point.body]
+        local = local_point(system, link, system.geometry.vector(point.at))
+        at = system.pose[link].point(local)
+        positions += at
+        velocities += motion.links[link].twist.velocity_at(at)
+        accelerations += acceleration_at(motion.links[link], at)
+    names = list(points)
+    position = columns_port("positions", names, "xyz", ("m",) * 3, "absolute positions of the named points")
+    velocity = columns_port("velocities", names, "xyz", ("m/s",) * 3, "their velocities")
+    acceleration = columns_port("accelerations", names, "xyz", ("m/s^2",) * 3, "their accelerations")
+    return [
+        function(
+            system,
+            "forward_kinematics",
+            "Positions of the named points in absolute axes.",
+            [(q_port(system), system.inputs.q)],
+            [(position, positions)],
+        ),
+        function(
+            system,
+            "point_motion",
+            "Positions, velocities and accelerations of the named points in absolute axes.",
+            _full_state(system),
+            [(position, positions), (velocity, velocities), (acceleration, accelerations)],
+        ),
+    ]
+
+
+def local_point(system: System, link: int, point: Vector) -> Vector:
+    """A point given in the reference configuration, in link coordinates."""
+    frame = system.frames[link]
+    return system.geometry.settle(transform(transpose(frame.axes), subtract(point, frame.origin)))
+
+
+def acceleration_at(motion: BodyMotion, at: Vector) -> Vector:
+    """Acceleration of the body's material point at `at`, from twist and twist rate at O."""
+    field = motion.rate.velocity_at(at)
+    return add(field, cross(motion.twist.angular, motion.twist.velocity_at(at)))
+
+
+def all_joint_screws(system: System, motion: Motion) -> dict[str, tuple[Twist, ...]]:
+    """Unit screws of every joint of the description, cut ones included, from parent to child."""
+    cut = {c.joint.name: c for c in system.cuts}
+    result = {}
+    for name, joint in system.mechanism.joints.items():
+        if name in cut:
+            result[name] = _cut_screws(system, cut[name])
+        else:
+            result[name] = _tree_screws(system, motion, joint)
+    return result
+
+
+def _tree_screws(system: System, motion: Motion, joint: Joint) -> tuple[Twist, ...]:
+    links = system.tree.links_of(joint.name)
+    if links and links[0].inverted:
+        return tuple(-1 * screw for link in reversed(links) for screw in motion.screws[link.index])
+    return tuple(screw for link in links for screw in motion.screws[link.index])
+
+
+def _cut_screws(system: System, cut: Cut) -> tuple[Twist, ...]:
+    tip, hub = system.pose[cut.tip], system.pose[cut.hub]
+    parent, child = (tip, hub) if cut.tip_is_parent else (hub, tip)
+    parent_axes, child_axes = (cut.tip_axes, cut.hub_axes) if cut.tip_is_parent else (cut.hub_axes, cut.tip_axes)
+    at = child.point(cut.hub_point if cut.tip_is_parent else cut.tip_point)
+    motions = JOINT_TYPES[cut.joint.type].motions
+    screws = []
+    turns = 0
+    for m in motions:
+        if m.kind == "S":
+            link = cut.tip if cut.tip_is_parent else cut.hub
+            carried = displacement(system.frames[link], system.pose[link]).rotation
+            screws += [revolute(axis, at) for axis in transpose(carried)]
+            continue
+        second = m.kind == "R" and turns == 1
+        axis = child.direction(child_axes[m.axis or 0]) if second else parent.direction(parent_axes[m.axis or 0])
+        turns += m.kind == "R"
+        if m.kind == "P":
+            screws.append(prismatic(axis))
+        elif m.kind == "H":
+            screws.append(helical(axis, at, system.geometry.scalar(cut.joint.pitch)))
+        else:
+            screws.append(revolute(axis, at))
+    return tuple(screws)
+
+
+def joint_freedom_labels(system: System) -> list[tuple[str, str, str]]:
+    """(label, kind, joint) of every freedom of every joint of the description."""
+    return [
+        (label, "length" if m.kind == "P" else "angle", name)
+        for name, joint in system.mechanism.joints.items()
+        for label, m in zip(joint_freedom_names(joint), JOINT_TYPES[joint.type].freedoms, strict=True)
+    ]
+
+
+def _joint_screws(system: System, motion: Motion) -> Function:
+    values = [c for screws in all_joint_screws(system, motion).values() for s in screws for c in s.components]
+    labels = [label for label, _, _ in joint_freedom_labels(system)]
+    units = ("1", "1", "1", "m", "m", "m")
+    port = columns_port("screws", labels, TWIST_LABELS, units, "unit screw (e ; r x e) of every joint freedom")
+    text = "Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes."
+    return function(system, "joint_screws", text, [(q_port(system), system.inputs.q)], [(port, values)])
+
+
+def _jacobians(system: System, motion: Motion) -> list[Function]:
+    """Tree Jacobian of the platform (or last body): its twist at O as a matrix on v."""
+    tree = system.tree
+    body = system.mechanism.platform or moving_bodies(system)[-1]
+    columns: dict[int, Twist] = {}
+    for index in tree.path(tree.link_of_body[body]):
+        link = tree.links[index]
+        screws = motion.screws[index]
+        if link.motion is not None and link.motion.kind == "S":
+            # columns for v (child axes): the screws along the parent's axes combined by the rotation
+            turn = system.placed[index].turn
+            for k, column in enumerate(transpose(turn)):
+                columns[link.v.start + k] = screws[0] * column[0] + screws[1] * column[1] + screws[2] * column[2]
+        else:
+            for k, screw in zip(range(link.v.start, link.v.stop), screws, strict=True):
+                columns[k] = screw
+    zero = (0,) * 6
+    values = [c for k in range(len(tree.v)) for c in (columns[k].components if k in columns else zero)]
+    labels = [c.label for c in tree.v]
+    port = columns_port("jacobian", labels, TWIST_LABELS, ("1",) * 6, f"twist of {body} at O per rate of the tree")
+    text = f"Screw Jacobian of {body}: twist at O = jacobian v."
+    return [function(system, "platform_jacobian", text, [(q_port(system), system.inputs.q)], [(port, values)])]
+
+
+# -- displacements and rates of all joints --------------------------------------------------------------
+
+
+def _joint_displacements(system: System) -> Function:
+    values = []
+    cut = {c.joint.name: c for c in system.cuts}
+    for name, joint in system.mechanism.joints.items():
+        values += _cut_displacement(system, cut[name]) if name in cut else _tree_displacement(system, joint)
+    labels = joint_freedom_labels(system)
+    units = tuple("m" if kind == "length" else "rad" for _, kind, _ in labels)
+    port = Port("displacements", (len(labels),), units, tuple(label for label, _, _ in labels), "all joints")
+    text = "Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes."
+    return function(system, "joint_displacements", text, [(q_port(system), system.inputs.q)], [(port, values)])
+
+
+def _tree_displacement(system: System, joint: Joint) -> list[Node]:
+    links = system.tree.links_of(joint.name)
+    values: list[Node] = []
+    for link in links[::-1] if links and links[0].inverted else links:
+        entries = list(system.inputs.q[link.q])
+        values += rotation_vector(system, *entries) if len(entries) == 4 else entries
+    return values
+
+
+def rotation_vector(system: System, w: Node, x: Node, y: Node, z: Node) -> list[Node]:
+    """Rotation vector [rad] of a unit quaternion, smooth through the identity; angle up to pi."""
+    tape = system.tape
+    half_sine = tape.sqrt(x * x + y * y + z * z)
+    small = tape.function("less", half_sine, tape.constant(SMALL_ANGLE))
+    safe = tape.function("select", small, tape.one, half_sine)
+    negative = tape.function("less", w, tape.zero)
+    sign = tape.function("select", negative, -tape.one, tape.one)
+    angle = 2 * tape.function("atan2", half_sine, sign * w)
+    factor = sign * tape.function("select", small, tape.node(2), angle / safe)
+    return [factor * x, factor * y, factor * z]
+
+
+def matrix_rotation_vector(system: System, m: Sequence[Vector]) -> list[Node]:
+    """Rotation vector [rad] of a rotation matrix by angle atan2(|axial|, trace - 1); not for angles near pi."""
+    tape = system.tape
+    half = tape.reciprocal(tape.node(2))
+    axial = [half * (m[2][1] - m[1][2]), half * (m[0][2] - m[2][0]), half * (m[1][0] - m[0][1])]
+    sine = tape.sqrt(axial[0] * axial[0] + axial[1] * axial[1] + axial[2] * axial[2])
+    cosine = half * (m[0][0] + m[1][1] + m[2][2] - 1)
+    small = tape.function("less", sine, tape.constant(SMALL_ANGLE))
+    safe = tape.function("select", small, tape.one, sine)
+    factor = tape.function("select", small, tape.one, tape.function("atan2", sine, cosine) / safe)
+    return [factor * c for c in axial]
+
+
+def _cut_displacement(system: System, cut: Cut) -> list[Node]:
+    """Displacements of a cut joint from the relative pose of its bodies."""
+    tape, tree, placed = system.tape, system.tree, system.placed
+    motions = JOINT_TYPES[cut.joint.type].motions
+    kinds = [m.kind for m in motions]
+    references = cut.joint.reference or (0,) * len(motions)
+    offset = [system.geometry.scalar(r) if r != 0 else tape.zero for r in references]
+    if kinds == ["S"]:
+        relative = relative_rotation(cut, tree, placed)
+        reference_axes = system.frames[cut.tip].axes
+        in_body = product(product(reference_axes, relative), transpose(reference_axes))
+        return matrix_rotation_vector(system, in_body if cut.tip_is_parent else transpose(in_body))
+    gap = _gap_child_from_parent(system, cut)
+    sign = 1 if cut.tip_is_parent else -1
+    values: list[Node] = []
+    turns = iter(_universal_angles(system, cut) if kinds.count("R") == 2 else [])
+    axes = cut.tip_axes
+    for position, m in enumerate(motions):
+        if m.kind == "P":
+            value = dot(axes[m.axis or 0], gap)
+        elif kinds.count("R") == 2:
+            value = next(turns)
+        else:
+            value = sign * hub_angle(cut, tree, placed, system.geometry)
+        values.append(tape.node(value) + offset[position])
+    return values
+
+
+def _gap_child_from_parent(system: System, cut: Cut) -> Vector:
+    """From the parent's joint point to the child's, tip axes."""
+    back = transpose(system.pose[cut.tip].rotation)
+    tip, hub = system.pose[cut.tip].point(cut.tip_point), system.pose[cut.hub].point(cut.hub_point)
+    return transform(back, subtract(hub, tip) if cut.tip_is_parent else subtract(tip, hub))
+
+
+def _universal_angles(system: System, cut: Cut) -> list[Node]:
+    """Both angles of a cut universal joint, parent's axis first, each from how it turns the other's axis."""
+    tape = system.tape
+    first_reference, second_reference = cut.tip_axes
+    carried = [carry(system.tree, system.placed, cut.hub, cut.tip, axis) for axis in cut.hub_axes]
+    # seen from the tip, the hub's copies of the two axes; the own axis of the tip stays
+    if cut.tip_is_parent:
+        theta1 = _angle_about(tape, first_reference, second_reference, carried[1])
+        back = [carry(system.tree, system.placed, cut.tip, cut.hub, axis) for axis in cut.tip_axes]
+        theta2 = -1 * _angle_about(tape, cut.hub_axes[1], cut.hub_axes[0], back[0])
+    else:
+        back = [carry(system.tree, system.placed, cut.tip, cut.hub, axis) for axis in cut.tip_axes]
+        theta1 = _angle_about(tape, cut.hub_axes[0], cut.hub_axes[1], back[1])
+        theta2 = -1 * _angle_about(tape, second_reference, first_reference, carried[0])
+    return [theta1, theta2]
+
+
+def _angle_about(tape: object, axis: Vector, start: Vector, end: Vector) -> Node:
+    """Angle about `axis` that turns `start` into `end` (their components across the axis)."""
+    sine = dot(axis, cross(start, end))
+    cosine = dot(start, end) - dot(axis, start) * dot(axis, end)
+    return tape.function("atan2", sine, cosine)  # type: ignore[attr-defined]
+
+
+def _joint_rates(system: System, motion: Motion) -> Function:
+    values: list[Node] = []
+    cut = {c.joint.name: c for c in system.cuts}
+    for name, joint in system.mechanism.joints.items():
+        if name in cut:
+            values += _cut_rates(system, motion, cut[name])
+            continue
+        links = system.tree.links_of(name)
+        for link in links[::-1] if links and links[0].inverted else links:
+            values += motion.w[link.v]
+    labels = joint_freedom_labels(system)
+    units = tuple("m/s" if kind == "length" else "rad/s" for _, kind, _ in labels)
+    port = Port("rates", (len(labels),), units, tuple(label for label, _, _ in labels), "all joints")
+    text = "Rates of all joints, cut ones included; spherical joints along the parent's axes."
+    return function(system, "joint_rates", text, _state(system), [(port, values)])
+
+
+def _cut_rates(system: System, motion: Motion, cut: Cut) -> list[Node]:
+    """Relative twist of child against parent, resolved along the joint's screws."""
+    parent = motion.links[cut.tip if cut.tip_is_parent else cut.hub].twist
+    child = motion.links[cut.hub if cut.tip_is_parent else cut.tip].twist
+    relative = child - parent
+    screws = _cut_screws(system, cut)
+    kinds = ["R" if m.kind in "RH" else m.kind for m in JOINT_TYPES[cut.joint.type].motions]
+    if kinds == ["S"]:
+        return [dot(screw.angular, relative.angular) for screw in screws]
+    if kinds.count("R") == 2:
+        e1, e2 = screws[0].angular, screws[1].angular
+        skew = dot(e1, e2)
+        one, two = dot(e1, relative.angular), dot(e2, relative.angular)
+        scale_back = 1 / (1 - skew * skew) if skew is not system.tape.zero else 1
+        return [(one - skew * two) * scale_back, (two - skew * one) * scale_back]
+    at = system.pose[cut.tip].point(cut.tip_point)
+    slide = relative.velocity_at(at)
+    return [
+        dot(screw.linear, slide) if kind == "P" else dot(screw.angular, relative.angular)
+        for kind, screw in zip(kinds, screws, strict=True)
+    ]

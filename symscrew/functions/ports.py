@@ -1,0 +1,107 @@
+"""Ports that many functions share: coordinates, rates, screws, with their units and labels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.joints import JOINT_TYPES
+from symscrew.mechanism import Joint
+from symscrew.program import Function, Port
+from symscrew.system import System
+from symscrew.tape import Node
+
+TWIST_UNITS = ("rad/s",) * 3 + ("m/s",) * 3
+TWIST_LABELS = ("wx", "wy", "wz", "vx", "vy", "vz")
+TWIST_RATE_UNITS = ("rad/s^2",) * 3 + ("m/s^2",) * 3
+WRENCH_UNITS = ("N",) * 3 + ("N m",) * 3
+WRENCH_LABELS = ("fx", "fy", "fz", "mx", "my", "mz")
+MOMENTUM_UNITS = ("kg m/s",) * 3 + ("kg m^2/s",) * 3
+MOMENTUM_LABELS = ("px", "py", "pz", "Lx", "Ly", "Lz")
+
+
+def q_port(system: System, name: str = "q", description: str = "configuration of the tree") -> Port:
+    """Coordinates of the tree."""
+    tree = system.tree
+    return Port(name, (len(tree.q),), tuple(c.unit for c in tree.q), tuple(c.label for c in tree.q), description)
+
+
+def v_port(system: System, name: str = "v", description: str = "rates of the tree") -> Port:
+    """Rates of the tree."""
+    tree = system.tree
+    return Port(name, (len(tree.v),), tuple(c.unit for c in tree.v), tuple(c.label for c in tree.v), description)
+
+
+def a_port(system: System, name: str = "a", description: str = "accelerations of the tree (rates of v)") -> Port:
+    """Accelerations of the tree."""
+    tree = system.tree
+    units = tuple(f"{c.unit}^2" for c in tree.v)
+    return Port(name, (len(tree.v),), units, tuple(c.label for c in tree.v), description)
+
+
+def drive_label(system: System, index: int) -> str:
+    """Name of a drive: its joint, with the freedom where the joint has several."""
+    joint, freedom = system.drives[index]
+    kinds = [m.kind for m in JOINT_TYPES[system.mechanism.joints[joint].type].motions]
+    single = len(kinds) == 1 and kinds != ["S"]
+    return joint if single else joint_freedom_names(system.mechanism.joints[joint])[freedom]
+
+
+def joint_freedom_names(joint: Joint) -> list[str]:
+    """A label for every freedom of a joint: `name`, `name.i`, or `name.x` ... for a spherical motion."""
+    motions = JOINT_TYPES[joint.type].motions
+    labels: list[str] = []
+    for position, m in enumerate(motions):
+        if m.kind == "S":
+            labels += [f"{joint.name}.{c}" for c in "xyz"]
+        else:
+            labels.append(joint.name if len(motions) == 1 else f"{joint.name}.{position}")
+    return labels
+
+
+def u_port(system: System, name: str = "u", description: str = "drive forces and torques") -> Port:
+    """Drives in the order of the description."""
+    count = len(system.drives)
+    units = tuple("N" if drive_is_force(system, k) else "N m" for k in range(count))
+    return Port(name, (count,), units, tuple(drive_label(system, k) for k in range(count)), description)
+
+
+def drive_is_force(system: System, index: int) -> bool:
+    """Whether a drive acts on a sliding freedom."""
+    joint, freedom = system.drives[index]
+    return JOINT_TYPES[system.mechanism.joints[joint].type].freedoms[freedom].kind == "P"
+
+
+def columns_port(
+    name: str, columns: Sequence[str], labels: Sequence[str], units: Sequence[str], description: str
+) -> Port:
+    """A matrix with one column per named object (body, joint, point), column-major."""
+    return Port(
+        name,
+        (len(labels), len(columns)),
+        tuple(units) * len(columns),
+        tuple(f"{column}.{label}" for column in columns for label in labels),
+        description,
+    )
+
+
+def function(
+    system: System,
+    name: str,
+    description: str,
+    inputs: Sequence[tuple[Port, Sequence[Node]]],
+    outputs: Sequence[tuple[Port, Sequence[object]]],
+    guards: Sequence[tuple[Node, float]] = (),
+    notes: Sequence[str] = (),
+) -> Function:
+    """A function of (inputs..., run-time parameters); outputs may hold plain 0 and 1."""
+    ports, nodes = system.parameter_ports()
+    return Function(
+        name,
+        description,
+        tuple(p for p, _ in inputs) + ports,
+        tuple(p for p, _ in outputs),
+        tuple(tuple(n) for _, n in inputs) + nodes,
+        tuple(tuple(system.tape.node(n) for n in values) for _, values in outputs),
+        tuple(guards),
+        tuple(notes),
+    )

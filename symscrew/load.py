@@ -1,0 +1,266 @@
+"""Compiled functions of a model, called from Python on NumPy arrays.
+
+    model = load(directory_or_model)
+    u = model.inverse_dynamics(q, v, a)              # arrays (*batch, *shape)
+    u, status = model.inverse_dynamics(q, v, a, check=False)
+
+The generated C is compiled by the system's compiler and called through ctypes; a whole batch is one call.
+Without a C compiler the same functions run in CasADi (`backend` says which).
+"""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew.export.c import print_c
+from symscrew.manifest import read_manifest, read_port
+from symscrew.model import Model
+from symscrew.names import check_name
+from symscrew.program import STATUS, Port
+
+COMPILERS = ("cc", "gcc", "clang")
+FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-shared", "-fPIC")
+Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]
+
+
+class EvaluationError(ArithmeticError):
+    """A function reported a status other than success; `status` holds it per state."""
+
+    def __init__(self, message: str, status: np.ndarray) -> None:
+        """The error of a call whose states ended in `status`."""
+        super().__init__(message)
+        self.status = status
+
+
+class CompileError(RuntimeError):
+    """The C compiler refused the generated code; the message holds what it said."""
+
+
+@dataclass(frozen=True)
+class CompiledFunction:
+    """One function of the model: call it with arrays (*batch, *shape), by position or by name.
+
+    It returns an array per output (the array itself if there is one output only). A status other than 0
+    raises `EvaluationError`; with `check=False` the status (*batch) is returned as a last value instead, and
+    outputs of failed states are NaN.
+    """
+
+    name: str
+    inputs: tuple[Port, ...]
+    outputs: tuple[Port, ...]
+    evaluator: Evaluator
+
+    def __call__(self, *arguments: object, check: bool = True, **named: object) -> object:
+        """Evaluate; see the class."""
+        arrays, batch = self._arrays(self._ordered(arguments, named))
+        count = int(np.prod(batch)) if batch else 1
+        flat = [np.ascontiguousarray(np.broadcast_to(a, (*batch, a.shape[-1]))) for a in arrays]
+        results = [np.empty((count, port.size)) for port in self.outputs]
+        status = np.zeros(count, dtype=np.intc)
+        self.evaluator(flat, results, status)
+        shaped = tuple(_unflatten(r, batch, p.shape) for r, p in zip(results, self.outputs, strict=True))
+        status = status.reshape(batch)
+        if not check:
+            return (*shaped, status)
+        if status.any():
+            raise EvaluationError(self._failure(status), status)
+        return shaped[0] if len(shaped) == 1 else shaped
+
+    def _ordered(self, arguments: Sequence[object], named: Mapping[str, object]) -> list[object]:
+        names = [port.name for port in self.inputs]
+        given = dict(zip(names, arguments, strict=False))
+        twice = [name for name in named if name in given]
+        if len(arguments) > len(names) or twice or sorted({**given, **named}) != sorted(names):
+            got = ", ".join([*(str(n) for n in given), *named]) or "nothing"
+            raise TypeError(
+                f"{self.name} expects ({', '.join(names)}), got {len(arguments)} arrays and {got}"
+            )
+        return [{**given, **named}[name] for name in names]
+
+    def _arrays(self, arguments: Sequence[object]) -> tuple[list[np.ndarray], tuple[int, ...]]:
+        arrays = []
+        for port, argument in zip(self.inputs, arguments, strict=True):
+            array = np.asarray(argument, dtype=float)
+            shape = port.shape if port.shape != (1,) or array.shape[-1:] == (1,) else ()
+            depth = array.ndim - len(shape)
+            if depth < 0 or array.shape[depth:] != shape:
+                raise ValueError(
+                    f"{self.name}: {port.name} has shape {port.shape} (after batch dimensions), got {array.shape}"
+                )
+            if len(shape) > 1:  # column-major
+                array = np.moveaxis(array, range(depth, array.ndim), range(array.ndim - 1, depth - 1, -1))
+            arrays.append(array.reshape(*array.shape[:depth], port.size))
+        batch = np.broadcast_shapes(*(a.shape[:-1] for a in arrays)) if arrays else ()
+        return arrays, batch
+
+    def _failure(self, status: np.ndarray) -> str:
+        if not status.shape:
+            return f"{self.name}: {STATUS[int(status)]}"
+        failed = np.argwhere(status != 0)
+        first = tuple(int(i) for i in failed[0])
+        return (
+            f"{self.name}: {len(failed)} of {status.size} states failed; the first is state {first}: "
+            f"{STATUS[int(status[first])]}"
+        )
+
+
+class CompiledModel:
+    """The functions of a model as attributes and items; `backend` is "c" or "casadi"."""
+
+    def __init__(self, name: str, backend: str, functions: Mapping[str, CompiledFunction]) -> None:
+        """Functions by name, as `load` makes them."""
+        self.name, self.backend, self.functions = name, backend, dict(functions)
+
+    def __getattr__(self, name: str) -> CompiledFunction:
+        """The function of this name."""
+        functions = self.__dict__.get("functions", {})
+        if name not in functions:
+            raise AttributeError(f"the model has no function {name}; it has {', '.join(functions)}")
+        return functions[name]
+
+    def __getitem__(self, name: str) -> CompiledFunction:
+        """The function of this name."""
+        return self.functions[name]
+
+    def __dir__(self) -> list[str]:
+        """Attributes and functions."""
+        return [*super().__dir__(), *self.functions]
+
+
+def load(
+    source: Model | str | Path, *, build_dir: str | Path | None = None, backend: str | None = None
+) -> CompiledModel:
+    """The compiled functions of a model, or of a directory that `generate` wrote.
+
+    Args:
+        source: a model, or the directory with manifest.json.
+        build_dir: where the compiled library goes; by default a temporary directory that is gone afterwards.
+        backend: "c" or "casadi"; by default "c" if there is a C compiler.
+
+    Raises:
+        CompileError: the compiler refused the code.
+    """
+    if backend not in (None, "c", "casadi"):
+        raise ValueError(f"expected the backend 'c' or 'casadi', got {backend!r}")
+    name, ports = _interface(source)
+    chosen = backend or ("c" if find_compiler() else "casadi")
+    if chosen == "c":
+        evaluators = _c_evaluators(source, name, ports, build_dir)
+    else:
+        evaluators = _casadi_evaluators(source, ports)
+    functions = {
+        function: CompiledFunction(function, inputs, outputs, evaluators[function])
+        for function, (inputs, outputs) in ports.items()
+    }
+    return CompiledModel(name, chosen, functions)
+
+
+def find_compiler() -> str | None:
+    """Path of the system's C compiler, or None."""
+    return next((path for path in map(shutil.which, COMPILERS) if path), None)
+
+
+def compile_c(source: Path, library: Path, *, compiler: str | None = None) -> None:
+    """Compile a C file into a shared library, for this processor where the compiler knows it."""
+    command = compiler or find_compiler()
+    if command is None:
+        raise CompileError(f"no C compiler ({', '.join(COMPILERS)}); install one or use backend='casadi'")
+    for native in (("-march=native",), ()):
+        arguments = [command, *FLAGS, *native, str(source), "-o", str(library), "-lm"]
+        result = subprocess.run(arguments, capture_output=True, text=True, check=False)
+        if result.returncode == 0:
+            return
+    raise CompileError(f"{command} refused {source.name}:\n{result.stderr[-4000:]}")
+
+
+Interface = dict[str, tuple[tuple[Port, ...], tuple[Port, ...]]]
+
+
+def _interface(source: Model | str | Path) -> tuple[str, Interface]:
+    if isinstance(source, Model):
+        return source.name, {name: (p.inputs, p.outputs) for name, p in source.programs.items()}
+    content = read_manifest(Path(source))
+    name = check_name(content["mechanism"], "manifest.json, mechanism")
+    functions = {check_name(f, "manifest.json, function"): entry for f, entry in content["functions"].items()}
+    return name, {
+        f: (tuple(map(read_port, entry["inputs"])), tuple(map(read_port, entry["outputs"])))
+        for f, entry in functions.items()
+    }
+
+
+def _c_evaluators(
+    source: Model | str | Path, name: str, ports: Interface, build_dir: str | Path | None
+) -> dict[str, Evaluator]:
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        folder = Path(build_dir) if build_dir is not None else Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        sources = Path(temporary) if isinstance(source, Model) else Path(source)
+        if isinstance(source, Model):
+            for file, text in print_c(source).items():
+                (sources / file).write_text(text, encoding="utf-8")
+        library = folder / f"lib{name}.so"
+        compile_c(sources / f"{name}.c", library)
+        loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
+    return {
+        function: _c_evaluator(loaded, f"{name}_{function}", len(inputs) + len(outputs))
+        for function, (inputs, outputs) in ports.items()
+    }
+
+
+def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int) -> Evaluator:
+    batch = getattr(library, f"{symbol}_batch")
+    batch.argtypes = [ctypes.c_size_t, *([ctypes.c_void_p] * (arrays + 1))]
+    batch.restype = ctypes.c_int
+
+    def evaluate(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
+        batch(
+            len(status),
+            *[a.ctypes.data for a in inputs],
+            *[a.ctypes.data for a in outputs],
+            status.ctypes.data,
+        )
+
+    return evaluate
+
+
+def _casadi_evaluators(source: Model | str | Path, ports: Interface) -> dict[str, Evaluator]:
+    import casadi
+
+    from symscrew.export.casadi import casadi_functions
+
+    if isinstance(source, Model):
+        functions = casadi_functions(source)
+    else:
+        functions = {name: casadi.Function.load(str(Path(source) / f"{name}.casadi")) for name in ports}
+    return {name: casadi_evaluator(function) for name, function in functions.items()}
+
+
+def casadi_evaluator(function: Any) -> Evaluator:
+    """A CasADi function (its last output the status) on rows of arrays; failed states become NaN."""
+
+    def evaluate(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
+        count = len(status)
+        columns = [np.reshape(a, (count, -1)).T for a in inputs]
+        mapped = function if count == 1 else function.map(count)
+        *results, codes = mapped.call(columns)
+        status[:] = np.asarray(codes, dtype=float).ravel().astype(status.dtype)
+        for target, result in zip(outputs, results, strict=True):
+            target[:] = np.asarray(result, dtype=float).T.reshape(target.shape)
+            target[status != 0] = np.nan
+
+    return evaluate
+
+
+def _unflatten(array: np.ndarray, batch: tuple[int, ...], shape: tuple[int, ...]) -> np.ndarray:
+    """Rows of column-major entries as arrays (*batch, *shape)."""
+    full, depth = array.reshape(*batch, *reversed(shape)), len(batch)
+    return np.moveaxis(full, range(depth, full.ndim), range(full.ndim - 1, depth - 1, -1))

@@ -1,0 +1,215 @@
+"""Solving the loops: independent coordinates, rates and accelerations of all others, Newton steps.
+
+The closure J w = 0 is eliminated once, with the independent rates left over; the same elimination serves
+velocities, accelerations, the null space and the Newton step of the assembly. Independent coordinates are
+entries of q: a spherical joint contributes components of its quaternion's vector part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symscrew.elimination import Elimination, Guard, eliminate
+from symscrew.errors import DescriptionError
+from symscrew.screws import Vector, add, cross, dot, scale
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree import Link
+
+
+@dataclass(frozen=True)
+class Independent:
+    """One independent coordinate: its index in q, the joint rate (index into v) that goes with it, its link."""
+
+    q: int
+    v: int
+    link: Link
+    component: int | None  # of a quaternion's vector part
+
+
+class Loops:
+    """The closure of a system, solved for the rates that depend on the independent ones."""
+
+    def __init__(self, system: System, independent: Sequence[str] | None = None) -> None:
+        self.system = system
+        tree = system.tree
+        n = len(tree.v)
+        unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
+        scales = [
+            1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows
+        ]
+        preferred = self._named(independent) if independent else self._preferred()
+        self.elimination: Elimination = eliminate(system.tape, system.jacobian, unknowns, scales, last=preferred)
+        solved = {column for _, column, _, _ in self.elimination.steps}
+        free = [k for k in range(n) if k not in solved]
+        if independent and set(free) != set(preferred):
+            names = ", ".join(tree.q[i.q].label for i in self._entries(free))
+            raise DescriptionError(
+                f"independent coordinates: expected {len(free)} that determine all others, got "
+                f"{', '.join(independent)}; a possible choice is {names}"
+            )
+        order = {k: i for i, k in enumerate(preferred)}
+        self.free = sorted(free, key=lambda k: order.get(k, n + k)) if independent else free
+        self.entries = self._entries(self.free)
+        self.small = self._quaternion_elimination()
+
+    # -- choice ------------------------------------------------------------------------------------------
+
+    def _entries(self, free: Sequence[int]) -> list[Independent]:
+        entries = []
+        for k in free:
+            link = next(link for link in self.system.tree.links[1:] if link.v.start <= k < link.v.stop)
+            spherical = link.motion is not None and link.motion.kind == "S"
+            component = k - link.v.start if spherical else None
+            q = link.q.start + (1 + component if component is not None else 0)
+            entries.append(Independent(q, k, link, component))
+        return entries
+
+    def _named(self, labels: Sequence[str]) -> list[int]:
+        known = {entry_label: k for k, entry_label in enumerate(self._labels())}
+        chosen = []
+        for label in labels:
+            if label not in known:
+                raise DescriptionError(
+                    f"independent coordinates: expected labels of q among {', '.join(known)}, got {label!r}"
+                )
+            chosen.append(known[label])
+        return chosen
+
+    def _labels(self) -> list[str]:
+        """Label of the entry of q that goes with each entry of v."""
+        return [self.system.tree.q[entry.q].label for entry in self._entries(range(len(self.system.tree.v)))]
+
+    def _preferred(self) -> list[int]:
+        """The platform's own coordinates where it hangs on one joint with rotations, else the drives."""
+        tree, platform = self.system.tree, self.system.mechanism.platform
+        if platform is not None and platform in tree.link_of_body:
+            path = tree.path(tree.link_of_body[platform])
+            joints = {tree.links[i].joint for i in path}
+            if len(joints) == 1 and any(tree.links[i].motion.kind == "S" for i in path if tree.links[i].motion):  # type: ignore[union-attr]
+                return [k for i in sorted(path) for k in range(tree.links[i].v.start, tree.links[i].v.stop)]
+        return list(self.system.drive_rows())
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of the independent coordinates y."""
+        return tuple(self.system.tree.q[entry.q].label for entry in self.entries)
+
+    # -- linear solutions --------------------------------------------------------------------------------
+
+    def dependent(self, right: Sequence[Node], free: Sequence[Node]) -> list[Node]:
+        """All joint rates w with J w = right and the given free ones."""
+        system = self.system
+        values = list(right)
+        for i, row in enumerate(system.jacobian):
+            for k, value in zip(self.free, free, strict=True):
+                if k in row:
+                    values[i] = values[i] - row[k] * value
+        solution = self.elimination.solve(values)
+        result = [system.tape.zero] * len(system.tree.v)
+        for k, value in solution.items():
+            result[k] = value  # type: ignore[index]
+        for k, value in zip(self.free, free, strict=True):
+            result[k] = value
+        return result
+
+    def with_rates(self, particular: Sequence[Node], wanted: Sequence[Node]) -> list[Node]:
+        """w = particular + N f, with f such that the independent coordinates change at the wanted rates.
+
+        `particular` solves J w = right with the free rates zero.
+        """
+        tape = self.system.tape
+        zero_right = [tape.zero] * len(self.system.jacobian)
+        free = list(wanted)
+        if self.small.steps:
+            right = [
+                rate - self.quaternion_rate(entry, particular) if entry.component is not None else rate
+                for rate, entry in zip(wanted, self.entries, strict=True)
+            ]
+            solution = self.small.solve(right)
+            free = [solution.get(j, tape.zero) for j in range(len(self.free))]
+        if all(p is tape.zero for p in particular):
+            return self.dependent(zero_right, free)
+        moved = self.dependent(zero_right, free)
+        return [p + m for p, m in zip(particular, moved, strict=True)]
+
+    def _quaternion_elimination(self) -> Elimination:
+        """From rates of the independent coordinates to free joint rates, where some are quaternion components."""
+        tape, count = self.system.tape, len(self.free)
+        if all(entry.component is None for entry in self.entries):
+            return Elimination()
+        zero_right = [tape.zero] * len(self.system.jacobian)
+        unit = [[tape.one if i == j else tape.zero for j in range(count)] for i in range(count)]
+        columns = [self.dependent(zero_right, unit[j]) for j in range(count)]
+        rows = []
+        for i, entry in enumerate(self.entries):
+            rates = unit[i] if entry.component is None else [self.quaternion_rate(entry, c) for c in columns]
+            rows.append({j: rate for j, rate in enumerate(rates) if rate is not tape.zero})
+        return eliminate(tape, rows, dict.fromkeys(range(count), 1.0), [1.0] * count)
+
+    def quaternion(self, link: Link) -> tuple[Node, Vector]:
+        """Scalar and vector part of a spherical link's quaternion."""
+        w, x, y, z = self.system.inputs.q[link.q]
+        return w, (x, y, z)
+
+    def quaternion_rate(self, entry: Independent, w: Sequence[Node]) -> Node:
+        """Rate of a component of the vector part: half of (q_w w + w x q_v)."""
+        scalar, vector = self.quaternion(entry.link)
+        x, y, z = w[entry.link.v]
+        rate = add(scale(scalar, (x, y, z)), cross((x, y, z), vector))
+        half = self.system.tape.reciprocal(self.system.tape.node(2))
+        assert entry.component is not None
+        return half * rate[entry.component]
+
+    # -- solutions for the functions of the model --------------------------------------------------------------
+
+    def rates_from(self, y_dot: Sequence[Node]) -> list[Node]:
+        """w from the rates of the independent coordinates."""
+        return self.with_rates([self.system.tape.zero] * len(self.system.tree.v), y_dot)
+
+    def accelerations_from(self, y_ddot: Sequence[Node], bias: Sequence[Node]) -> list[Node]:
+        """dw/dt from the second rates of the independent coordinates; `bias` is (dJ/dt) w per row."""
+        system = self.system
+        zeros = [system.tape.zero] * len(self.free)
+        particular = self.dependent([-b for b in bias], zeros)
+        w = system.joint_rates(system.inputs.v)
+        wanted = [
+            second - self._quaternion_bias(entry, w) if entry.component is not None else second
+            for entry, second in zip(self.entries, y_ddot, strict=True)
+        ]
+        return self.with_rates(particular, wanted)
+
+    def _quaternion_bias(self, entry: Independent, w: Sequence[Node]) -> Node:
+        """Second rate of a quaternion component at dw/dt = 0."""
+        half = self.system.tape.reciprocal(self.system.tape.node(2))
+        scalar, vector = self.quaternion(entry.link)
+        x, y, z = w[entry.link.v]
+        turn = (x, y, z)
+        scalar_rate = -half * dot(turn, vector)
+        vector_rate = scale(half, add(scale(scalar, turn), cross(turn, vector)))
+        assert entry.component is not None
+        return half * add(scale(scalar_rate, turn), cross(turn, vector_rate))[entry.component]
+
+    def newton_step(self, y: Sequence[Node]) -> list[Node]:
+        """The step in joint rates that closes the loops to first order and moves y to the wanted values."""
+        system = self.system
+        particular = self.dependent([-g for g in system.residual], [system.tape.zero] * len(self.free))
+        missing = [wanted - system.inputs.q[entry.q] for wanted, entry in zip(y, self.entries, strict=True)]
+        return self.with_rates(particular, missing)
+
+    @property
+    def pivots(self) -> tuple[Node, ...]:
+        """All pivots: their product is, up to sign, the determinant of the dependent part."""
+        return tuple(pivot for _, _, pivot, _ in (*self.elimination.steps, *self.small.steps))
+
+    @property
+    def guards(self) -> tuple[Guard, ...]:
+        """Pivots to watch."""
+        return (*self.elimination.guards, *self.small.guards)
+
+    @property
+    def redundant(self) -> tuple[str, ...]:
+        """Labels of the constraint rows that depend on the others on the closure manifold."""
+        labels = [row.label for cut in self.system.cuts for row in cut.rows]
+        return tuple(labels[i] for i in self.elimination.redundant)

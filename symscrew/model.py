@@ -1,0 +1,89 @@
+"""The pipeline on one page: from a mechanism and its effects to a model, a set of named programs.
+
+    mechanism --System--> tape, tree, frames, closure
+              --functions of kinematics, momentum, dynamics--> nodes
+              --lower--> straight-line programs --> export
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew.effects import Effect, Gravity
+from symscrew.functions.closure import assembly, closure_functions
+from symscrew.functions.dynamics import dynamic_functions
+from symscrew.functions.kinematics import Motion, kinematic_functions
+from symscrew.functions.momentum import momentum_functions
+from symscrew.loops import Loops
+from symscrew.mechanism import Mechanism
+from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
+from symscrew.system import System
+
+
+@dataclass(frozen=True)
+class Model:
+    """Named programs of a mechanism with the effects that were asked for.
+
+    `test_inputs[name]` holds, per input of function `name`, an array (states, size) of consistent states;
+    `notes` says what a user must know (redundant constraints, passive freedoms, warnings of the description).
+    """
+
+    name: str
+    mechanism: Mechanism
+    effects: tuple[Effect, ...]
+    programs: Mapping[str, Program | Iteration]
+    test_inputs: Mapping[str, tuple[np.ndarray, ...]]
+    system: System
+    notes: tuple[str, ...] = ()
+
+    def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+        """Evaluate a function on NumPy arrays (*batch, size): its results and the status."""
+        program = self.programs[function]
+        if isinstance(program, Iteration):
+            return evaluate_iteration(program, arguments)
+        return evaluate(program, arguments)
+
+
+def derive(
+    mechanism: Mechanism, effects: Sequence[Effect] = (Gravity(),), *, independent: Sequence[str] | None = None
+) -> Model:
+    """The model of a mechanism: every function, for every mechanism, by the same path.
+
+    `independent` names the independent coordinates y by labels of q (default: the platform's own where it
+    hangs on one joint, else the drives). Raises DescriptionError for names that do not exist.
+    """
+    system = System(mechanism)
+    system.use_samples()
+    loops = Loops(system, independent)
+    motion = Motion(system)
+    functions = [
+        *kinematic_functions(system, motion),
+        *closure_functions(system, loops),
+        *momentum_functions(system, motion, tuple(effects)),
+        *dynamic_functions(system, effects),
+    ]
+    programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
+    if system.cuts:
+        programs["assemble"] = assembly(system, loops)
+    inputs = {name: _test_inputs(system, loops, program) for name, program in programs.items()}
+    notes = (*mechanism.warnings, *dict.fromkeys(n for p in programs.values() for n in p.notes))
+    return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes)
+
+
+def _test_inputs(system: System, loops: Loops, program: Program | Iteration) -> tuple[np.ndarray, ...]:
+    """Consistent states for every input of a function: the sample states of the system."""
+    q, v, a = system.sample_states
+    entries = [entry.q for entry in loops.entries]
+    random = np.random.default_rng(7)
+    known = {"q": q, "v": v, "a": a, "y": q[:, entries], "guess": np.repeat(system.reference[None, :], len(q), 0)}
+    known["p"] = np.repeat(system.parameter_values[None, :], len(q), 0)
+    result = []
+    for port in program.inputs:
+        if port.name not in known:
+            low = 0.5 if port.name == "weights" else -1.0
+            known[port.name] = random.uniform(low, 1.5, (len(q), port.size))
+        result.append(known[port.name])
+    return tuple(result)

@@ -1,0 +1,184 @@
+"""Every function of every model against identities and against method B."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from model_states import ALL, body_states, by_joint, model, output, relative, run
+
+from symscrew.newton_euler import constraint_residuals, joint_displacements, joint_rates, newton_euler, numeric
+
+EXACT = 1e-9
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_bodies_obey_every_joint(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    residuals = constraint_residuals(numeric(found.mechanism), body_states(found, q, v, a))
+    for joint, levels in residuals.items():
+        for level, order in zip(levels, ("position", "velocity", "acceleration"), strict=True):
+            assert np.abs(level).max() < EXACT, (joint, order)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_rates_and_displacements_of_all_joints(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    states = body_states(found, q, v, a)
+    numbers = numeric(found.mechanism)
+    expected = np.concatenate([r for r in joint_rates(numbers, states).values()], axis=-1)
+    assert relative(run(name, "joint_rates", q, v), expected) < EXACT
+    expected = np.concatenate([d for d in joint_displacements(numbers, states).values()], axis=-1)
+    assert relative(run(name, "joint_displacements", q), expected) < EXACT
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_drives_and_reactions_equal_method_b(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    states = body_states(found, q, v, a)
+    expected = newton_euler(numeric(found.mechanism), states)
+    if found.system.drives:
+        assert relative(run(name, "inverse_dynamics", q, v, a), expected.drives) < EXACT
+    reactions = by_joint(output(found, "joint_reactions", "reactions", q, v, a), list(found.mechanism.joints))
+    free = int(expected.reaction_redundancy.max())
+    difference = np.concatenate([reactions[j] - expected.reactions[j] for j in reactions], axis=-1)
+    scale = max(np.abs(expected.reactions[j]).max() for j in reactions)
+    internal = np.concatenate([expected.null_wrenches[j] for j in reactions], axis=-2)
+    for k in range(len(q)):
+        basis, _ = np.linalg.qr(internal[k]) if free else (np.zeros((difference.shape[1], 0)), None)
+        rest = difference[k] - basis @ (basis.T @ difference[k])
+        assert np.abs(rest).max() < EXACT * scale, name
+    note = " ".join(found.programs["joint_reactions"].notes)
+    assert (f"overconstrained: {free} internal loads" in note) == bool(free)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_components_reported_as_not_unique(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    expected = newton_euler(numeric(found.mechanism), body_states(found, q, v, a))
+    labels = ("fx", "fy", "fz", "mx", "my", "mz")
+    changing = {
+        f"{joint}.{labels[k]}"
+        for joint, mask in expected.unique.items()
+        for k in range(6)
+        if not mask[..., k].all()
+    }
+    reported = {
+        label.strip()
+        for note in found.programs["joint_reactions"].notes
+        if "not unique: " in note
+        for label in note.split("not unique: ")[1].split(",")
+    }
+    assert reported == changing
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_closure_of_rates_and_accelerations(name: str) -> None:
+    found = model(name)
+    if not found.system.cuts:
+        return
+    q, v, a = found.system.sample_states
+    n = v.shape[1]
+    jacobian = run(name, "closure_jacobian", q).reshape(len(q), n, -1).transpose(0, 2, 1)
+    bias = run(name, "closure_bias", q, v)
+    assert np.abs(run(name, "closure", q)).max() < 1e-12
+    assert np.abs(np.einsum("sij,sj->si", jacobian, v)).max() < 1e-11
+    assert np.abs(np.einsum("sij,sj->si", jacobian, a) + bias).max() < 1e-10
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_everything_follows_from_the_independent_coordinates(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    y_dot, y_ddot = independent_rates(found, q, v, a)
+    assert relative(run(name, "velocity", q, y_dot), v) < EXACT
+    assert relative(run(name, "acceleration", q, v, y_ddot), a) < EXACT
+
+
+def independent_rates(found, q, v, a):
+    """First and second rates of y by definition: entries of v, or quaternion kinematics."""
+    labels = [c.label for c in found.system.tree.q]
+    y = found.programs["velocity"].inputs[1].labels
+    first, second = np.zeros((len(q), len(y))), np.zeros((len(q), len(y)))
+    q_dot, q_ddot = np.zeros_like(q), np.zeros_like(q)
+    for link in found.system.tree.links[1:]:
+        if link.motion.kind != "S":
+            q_dot[:, link.q], q_ddot[:, link.q] = v[:, link.v], a[:, link.v]
+            continue
+        for k in range(len(q)):
+            q_dot[k, link.q] = 0.5 * times(q[k, link.q], v[k, link.v])
+            q_ddot[k, link.q] = 0.5 * (times(q_dot[k, link.q], v[k, link.v]) + times(q[k, link.q], a[k, link.v]))
+    for i, label in enumerate(y):
+        first[:, i], second[:, i] = q_dot[:, labels.index(label)], q_ddot[:, labels.index(label)]
+    return first, second
+
+
+def times(quaternion, vector):
+    """Quaternion product with a pure vector on the right (child axes)."""
+    w, r = quaternion[0], quaternion[1:]
+    return np.r_[-r @ vector, w * vector + np.cross(r, vector)]
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_assembly_returns_to_the_sampled_configuration(name: str) -> None:
+    found = model(name)
+    if "assemble" not in found.programs:
+        return
+    y, guess = found.test_inputs["assemble"][:2]
+    (q,), status = found("assemble", y, guess)
+    assert np.all(status == 0)
+    assert np.abs(run(name, "closure", q)).max() < 1e-12
+    labels = [c.label for c in found.system.tree.q]
+    index = [labels.index(label) for label in found.programs["assemble"].inputs[0].labels]
+    assert np.abs(q[:, index] - y).max() < 1e-12
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_kinetic_energy_mass_matrix_and_momentum_agree(name: str) -> None:
+    found = model(name)
+    q, v, _ = found.system.sample_states
+    n = v.shape[1]
+    mass = run(name, "mass_matrix", q).reshape(len(q), n, n)
+    energy = run(name, "energy", q, v)[:, 0]
+    assert np.allclose(mass, mass.transpose(0, 2, 1), rtol=0, atol=0)
+    assert relative(0.5 * np.einsum("si,sij,sj->s", v, mass, v), energy) < EXACT
+    momenta, total = found("momentum_screws", q, v)[0]
+    assert relative(momenta.reshape(len(q), -1, 6).sum(axis=1), total) < EXACT
+    twists = run(name, "body_twists", q, v).reshape(len(q), -1, 6)
+    bodies = [b for b in found.mechanism.bodies if b != found.mechanism.ground]
+    with_mass = [label.rsplit(".", 1)[0] for label in found.programs["momentum_screws"].outputs[0].labels[::6]]
+    twists = twists[:, [bodies.index(b) for b in with_mass]]
+    screws = momenta.reshape(len(q), -1, 6)
+    power = (twists[..., :3] * screws[..., 3:]).sum((1, 2)) + (twists[..., 3:] * screws[..., :3]).sum((1, 2))
+    assert relative(0.5 * power, energy) < EXACT
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_power_balance(name: str) -> None:
+    """d(kinetic + potential)/dt = power of the drives: by momentum rates, and by a step along the motion."""
+    found = model(name)
+    if not found.system.drives:
+        return
+    q, v, a = found.system.sample_states
+    u = run(name, "inverse_dynamics", q, v, a)
+    rates = run(name, "joint_rates", q, v)
+    labels = found.programs["joint_rates"].outputs[0].labels
+    columns = [labels.index(label) for label in found.programs["inverse_dynamics"].outputs[0].labels]
+    power = (u * rates[:, columns]).sum(axis=1)
+    h = 1e-5
+    energies = []
+    for sign in (1, -1):
+        w = found.system.numeric(
+            found.system.joint_rates(found.system.inputs.v), (found.system.inputs.q, q), (found.system.inputs.v, v)
+        )
+        w_dot = found.system.numeric(
+            found.system.joint_rates(found.system.inputs.v), (found.system.inputs.q, q), (found.system.inputs.v, a)
+        )
+        moved = found.system.advance(q, sign * h * w + 0.5 * h * h * w_dot)
+        energies.append(run(name, "energy", moved, v + sign * h * a).sum(axis=1))
+    derivative = (energies[0] - energies[1]) / (2 * h)
+    scale = np.abs(u * rates[:, columns]).sum(axis=1).max()
+    assert np.abs(derivative - power).max() < 1e-6 * scale
