@@ -93,9 +93,8 @@ class CompiledFunction:
             shape = port.shape if port.shape != (1,) or array.shape[-1:] == (1,) else ()
             depth = array.ndim - len(shape)
             if depth < 0 or array.shape[depth:] != shape:
-                raise ValueError(
-                    f"{self.name}: {port.name} has shape {port.shape} (after batch dimensions), got {array.shape}"
-                )
+                expected = f"{port.name} of shape {port.shape} after batch dimensions"
+                raise ValueError(f"{self.name} expects {expected}, got {array.shape}")
             if len(shape) > 1:  # column-major
                 array = np.moveaxis(array, range(depth, array.ndim), range(array.ndim - 1, depth - 1, -1))
             arrays.append(array.reshape(*array.shape[:depth], port.size))
