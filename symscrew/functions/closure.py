@@ -42,6 +42,7 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
             notes,
         )
     )
+    functions.append(_null_space(system, loops, q))
     bias = system.bias(system.rates([system.tape.zero] * len(system.tree.v)))
     gains = loops.accelerations_from(_inputs(system, loops, "yddot"), bias)
     functions.append(
@@ -56,6 +57,18 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
         )
     )
     return functions
+
+
+def _null_space(system: System, loops: Loops, q: tuple) -> Function:
+    tape, count, n = system.tape, len(loops.entries), len(system.tree.v)
+    values = []
+    for k in range(count):
+        unit = [tape.one if i == k else tape.zero for i in range(count)]
+        values += system.tree_rates(loops.rates_from(unit))
+    labels = tuple(f"{c.label}|{y}" for y in loops.labels for c in system.tree.v)
+    port = Port("null_space", (n, count), ("1",) * (n * count), labels, "columns: v for a unit rate of each y")
+    text = "Null space of the closure: v = null_space y_dot."
+    return function(system, "null_space", text, [q], [(port, values)], guarded(loops.guards), _notes(system, loops))
 
 
 def _notes(system: System, loops: Loops) -> tuple[str, ...]:
