@@ -16,7 +16,7 @@ import mpmath
 from symscrew.joints import JOINT_TYPES, Motion
 from symscrew.mechanism import Joint, Mechanism
 from symscrew.screws import IDENTITY, ZERO, Matrix, Vector, add, cross, dot, scale, subtract, transform, transpose
-from symscrew.tape import CONTEXT, Node, Tape
+from symscrew.tape import CONTEXT, Node, Tape, high_precision
 from symscrew.tree import GROUND, Link, Tree
 
 UNITS: tuple[Vector, Vector, Vector] = IDENTITY
@@ -58,7 +58,7 @@ class Geometry:
             # Trial 0 is the nominal value; the others are off it by factors that no identity survives.
             trial = {}
             for i, p in enumerate(p for p in mechanism.parameters.values() if p.run_time):
-                nominal = CONTEXT.mpf(p.value.evalf(60)._mpf_)
+                nominal = high_precision(p.value)
                 shift = CONTEXT.mpf(k) * CONTEXT.sqrt(i + 2) / 97
                 trial[self.parameters[p.symbol]] = nominal * (1 + shift) + shift / 89
             trials.append(trial)

@@ -117,7 +117,7 @@ class Tape:
         """The constant `value` (int, mpf, SymPy number); `exact` says how to print it exactly."""
         if isinstance(value, sympy.Basic):
             exact = value
-            value = CONTEXT.mpf(value.evalf(60)._mpf_) if not value.is_Integer else CONTEXT.mpf(int(value))
+            value = high_precision(value)
         number = CONTEXT.mpf(value)
         if not CONTEXT.isfinite(number):
             raise ZeroDivisionError("a constant of the model is not finite: check the geometry for a division by 0")
@@ -343,6 +343,11 @@ class Tape:
             else:
                 done[current.index] = _build_sympy(current, done)
         return done[self.node(node).index]
+
+
+def high_precision(number: sympy.Expr) -> Any:
+    """An exact SymPy number as a 60-digit float of `CONTEXT`."""
+    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(number.evalf(60)._mpf_)
 
 
 def _rounded(number: Any) -> tuple:
