@@ -248,7 +248,8 @@ def casadi_evaluator(function: Any) -> Evaluator:
 
     def evaluate(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
         count = len(status)
-        columns = [np.reshape(a, (count, -1)).T for a in inputs]
+        sizes = [function.size_in(i) for i in range(function.n_in())]
+        columns = [np.reshape(a, (count * c, r)).T for a, (r, c) in zip(inputs, sizes, strict=True)]
         mapped = function if count == 1 else function.map(count)
         *results, codes = mapped.call(columns)
         status[:] = np.asarray(codes, dtype=float).ravel().astype(status.dtype)

@@ -36,12 +36,21 @@ def manifest(model: Model, *, targets: Sequence[str], files: Sequence[str]) -> d
         "description": getattr(model.mechanism, "description", ""),
         "hash": model_hash(model),
         "effects": [effect_to_json(effect) for effect in model.effects],
+        "independent": _independent(model),
         "parameters": _parameters(model),
         "notes": list(model.notes),
         "targets": list(targets),
         "files": sorted(files),
         "functions": {name: _function(model, name, program) for name, program in model.programs.items()},
     }
+
+
+def _independent(model: Model) -> list[str]:
+    """Labels of the independent coordinates, as `derive` takes them; none for an open chain."""
+    for program in model.programs.values():
+        if isinstance(program, Iteration):
+            return [program.inputs[1].labels[k] for k in program.independent]
+    return []
 
 
 def _parameters(model: Model) -> dict[str, Any]:
@@ -104,6 +113,11 @@ def read_manifest(directory: Path) -> dict[str, Any]:
     ours = isinstance(content, dict) and content.get("tool") == TOOL
     if not ours or not isinstance(content.get("functions"), dict):
         raise OutputError(f"{directory}: expected a manifest.json written by {TOOL}; generate into it first")
+    for key in ("effects", "targets", "files"):
+        if not isinstance(content.get(key), list):
+            raise OutputError(
+                f"{directory}/manifest.json: expected a list {key!r}, got {content.get(key)!r:.60}"
+            )
     return content
 
 

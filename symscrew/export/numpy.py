@@ -1,0 +1,179 @@
+"""A NumPy module of a model: one self-contained file, a function per program, whole batches at once.
+
+    (u,), status = inverse_dynamics(q, v, a)
+
+Arrays have the shape (*batch, size), matrices column by column as in the C code; the statuses are the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.export.listing import (
+    banner,
+    check_names,
+    checked_slots,
+    decimal,
+    expressions,
+    function_lines,
+    input_entries,
+    live_instructions,
+    wrapped,
+)
+from symscrew.model import Model
+from symscrew.program import Iteration, Program
+
+TABLE = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "neg": "-{0}",
+    "reciprocal": "1.0 / {0}",
+    "div": "{0} / {1}",
+    "sqrt": "np.sqrt({0})",
+    "sin": "np.sin({0})",
+    "cos": "np.cos({0})",
+    "tan": "np.tan({0})",
+    "atan2": "np.arctan2({0}, {1})",
+    "abs": "np.abs({0})",
+    "less": "np.where({0} < {1}, 1.0, 0.0)",
+    "select": "np.where({0} != 0.0, {1}, {2})",
+}
+
+RUNTIME = '''
+def _entries(name, sizes, arguments):
+    """Every entry of every argument as an array over the batch, and the shape of the batch."""
+    if len(arguments) != len(sizes):
+        raise TypeError(f"{name} expects {len(sizes)} arrays, got {len(arguments)}")
+    entries, batch = [], ()
+    for (port, size), argument in zip(sizes.items(), arguments):
+        array = np.asarray(argument, dtype=float)
+        if array.shape[-1:] != (size,):
+            raise ValueError(f"{name}: {port} has {size} entries in its last dimension, got {array.shape}")
+        batch = np.broadcast_shapes(batch, array.shape[:-1])
+        entries += [array[..., k] for k in range(size)]
+    return entries, batch
+
+
+def _finish(batch, outputs, guards, checked):
+    """Outputs as arrays (*batch, size), NaN where the status (*batch) is not 0."""
+    results = []
+    for columns in outputs:
+        shape = (*batch, len(columns))
+        result = np.empty(shape)
+        for k, column in enumerate(columns):
+            result[..., k] = column
+        results.append(result)
+    status = np.zeros(batch, dtype=int)
+    for value, threshold in guards:
+        status = np.where((status == 0) & ~(np.abs(value) > threshold), 1, status)
+    status = np.where((status == 0) & ~np.isfinite(sum(checked)), 2, status)
+    for result in results:
+        result[status != 0] = np.nan
+    return tuple(results), status
+
+
+def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, parameters):
+    """Newton's iteration from `guess`, with more and more substeps from the guess to `y`."""
+    if not all(np.isfinite(array).all() for array in (y, guess, *parameters)):
+        return np.full_like(guess, np.nan), 2
+    start = guess[independent]
+    branch = step(guess, start, *parameters)[0][3][0]
+    substeps, outcome = 1, 3
+    while substeps <= max_substeps:
+        q = guess
+        for k in range(1, substeps + 1):
+            target = start + (y - start) * (k / substeps)
+            outcome = 3
+            for _ in range(max_steps):
+                (following, residual, change, orientation), status = step(q, target, *parameters)
+                if status:
+                    break
+                q = following
+                if residual[0] < tolerance and change[0] < tolerance:
+                    outcome = 0 if orientation[0] * branch > 0.0 else 4
+                    break
+            if outcome:
+                break
+        if outcome == 0:
+            return q, 0
+        substeps *= 2
+    return np.full_like(guess, np.nan), outcome
+
+
+def _iterate_batch(arguments, *settings):
+    """`_iterate` state by state."""
+    arrays = [np.asarray(argument, dtype=float) for argument in arguments]
+    batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
+    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
+    found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
+    q = np.array([state for state, _ in found]).reshape(*batch, rows[1].shape[-1])
+    return (q,), np.array([status for _, status in found], dtype=int).reshape(batch)
+'''
+
+
+def print_numpy(model: Model) -> dict[str, str]:
+    """File name to text: `<name>_numpy.py`."""
+    check_names(model)
+    lines = ['"""' + banner(model)[0], "", *banner(model)[1:], ""]
+    lines += wrapped(
+        "Each function takes arrays (*batch, size) and returns (outputs, status): a tuple of arrays "
+        "(*batch, size), matrices column by column, and the status (*batch). Outputs are NaN where the status "
+        "is not 0."
+    )
+    lines += ['"""', "", "import numpy as np", "", *RUNTIME.splitlines()]
+    for name, program in model.programs.items():
+        if isinstance(program, Iteration):
+            lines += ["", "", *_iteration(name, program)]
+        else:
+            lines += ["", "", *_function(name, function_lines(name, program), program)]
+    return {f"{model.name}_numpy.py": "\n".join([*lines, ""])}
+
+
+def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
+    def operand(value: int | float) -> str:
+        return f"x{value}" if isinstance(value, int) else decimal(value)
+
+    def several(terms: Sequence[str]) -> str:
+        return "(" + ", ".join(terms) + ("," if len(terms) == 1 else "") + ")"
+
+    sizes = ", ".join(f'"{port.name}": {port.size}' for port in program.inputs)
+    unpacked = "".join(f"x{k}, " for k in range(len(input_entries(program))))
+    guards = several([f"({operand(slot)}, {decimal(threshold)})" for slot, threshold in program.guards])
+    checked = several([operand(slot) for slot in checked_slots(program)])
+    outputs = [several([operand(slot) for slot in slots]) for slots in program.results]
+    body = [f"{target} = {text}" for target, text in _statements(program, operand)]
+    return [
+        f"def {name}(*arguments):",
+        *_docstring(about),
+        f'    entries, batch = _entries("{name}", {{{sizes}}}, arguments)',
+        *([f"    {unpacked.rstrip()} = entries"] if unpacked else []),
+        '    with np.errstate(all="ignore"):',
+        *(f"        {line}" for line in body),
+        f"        return _finish(batch, {several(outputs)}, {guards}, {checked})",
+    ]
+
+
+def _statements(program: Program, operand) -> list[tuple[str, str]]:
+    live, _ = live_instructions(program)
+    return [(f"x{target}", text) for target, text in expressions(live, TABLE, operand)]
+
+
+def _iteration(name: str, iteration: Iteration) -> list[str]:
+    step = _function(f"_{name}_step", ["One step of the iteration and its measures."], iteration.step)
+    independent = "[" + ", ".join(str(k) for k in iteration.independent) + "]"
+    limits = f"{decimal(iteration.tolerance)}, {iteration.max_steps}, {iteration.max_substeps}"
+    return [
+        *step,
+        "",
+        "",
+        f"def {name}(*arguments):",
+        *_docstring(function_lines(name, iteration)),
+        f"    return _iterate_batch(arguments, _{name}_step, {independent}, {limits})",
+    ]
+
+
+def _docstring(lines: Sequence[str]) -> list[str]:
+    if len(lines) == 1:
+        return [f'    """{lines[0]}"""']
+    return [f'    """{lines[0]}', *((f"    {line}").rstrip() for line in lines[1:]), '    """']

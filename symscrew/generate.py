@@ -1,0 +1,155 @@
+"""A model as files: C, CasADi, NumPy, and what a user or `check` needs beside them.
+
+    <name>.h  <name>.c  example.c  CMakeLists.txt         target "c"
+    <function>.casadi                                     target "casadi"
+    <name>_numpy.py                                       target "numpy"
+    manifest.json  ops.json  test_vectors.json  mechanism.toml
+
+Equal input gives equal bytes. Everything is written beside the directory first and moved into place at the
+end, and no file is replaced that the tool did not write.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import re
+import secrets
+import shutil
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew import description
+from symscrew.export.c import print_c
+from symscrew.export.example import print_cmake, print_example
+from symscrew.export.numpy import print_numpy
+from symscrew.manifest import OutputError, manifest, read_manifest
+from symscrew.model import Model
+
+TARGETS = ("c", "casadi", "numpy")
+_PLAIN_FILE = re.compile(r"[A-Za-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", re.ASCII)
+
+
+def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = TARGETS) -> tuple[Path, ...]:
+    """Write the files of a model into `out_dir` and return their paths, sorted.
+
+    Args:
+        model: what to print.
+        out_dir: a directory that does not exist, is empty, or holds earlier output of this tool.
+        targets: any of "c", "casadi", "numpy".
+
+    Raises:
+        OutputError: the directory holds something else; nothing has been written then.
+    """
+    directory = Path(os.path.abspath(out_dir))
+    earlier = _earlier_files(directory)
+    files = render(model, targets)
+    foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
+    if foreign:
+        raise OutputError(
+            f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory"
+        )
+    _write(directory, files, stale=earlier - set(files))
+    return tuple(directory / file for file in sorted(files))
+
+
+def render(model: Model, targets: Sequence[str] = TARGETS) -> dict[str, bytes]:
+    """File name to content of everything that `generate` writes."""
+    unknown = [target for target in targets if target not in TARGETS]
+    if unknown:
+        raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {unknown[0]!r}")
+    texts: dict[str, str] = {}
+    files: dict[str, bytes] = {}
+    if "c" in targets:
+        texts |= print_c(model)
+        texts |= {"example.c": print_example(model), "CMakeLists.txt": print_cmake(model)}
+    if "numpy" in targets:
+        texts |= print_numpy(model)
+    if "casadi" in targets:
+        files |= _casadi_files(model)
+    texts["ops.json"] = _table_text({name: p.operations for name, p in model.programs.items()})
+    texts["test_vectors.json"] = _vectors_text(model)
+    texts["mechanism.toml"] = description.dumps(model.mechanism)
+    files |= {name: text.encode("utf-8") for name, text in texts.items()}
+    chosen = [target for target in TARGETS if target in targets]
+    content = manifest(model, targets=chosen, files=[*files, "manifest.json"])
+    files["manifest.json"] = (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")
+    return files
+
+
+def _casadi_files(model: Model) -> dict[str, bytes]:
+    from symscrew.export.casadi import casadi_functions
+
+    files = {}
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        for name, function in casadi_functions(model).items():
+            path = Path(temporary) / f"{name}.casadi"
+            function.save(str(path))
+            files[path.name] = path.read_bytes()
+    return files
+
+
+def _table_text(table: Mapping[str, Any]) -> str:
+    """JSON with one line per entry."""
+    rows = [f" {json.dumps(key)}: {json.dumps(value)}" for key, value in table.items()]
+    return "{\n" + ",\n".join(rows) + "\n}\n"
+
+
+def _vectors_text(model: Model) -> str:
+    """Inputs, outputs and status of every function at the test states; NaN as null."""
+    blocks = []
+    for name, program in model.programs.items():
+        results, status = model(name, *model.test_inputs[name])
+        inputs = {p.name: _rows(x) for p, x in zip(program.inputs, model.test_inputs[name], strict=True)}
+        outputs = {p.name: _rows(x) for p, x in zip(program.outputs, results, strict=True)}
+        entry = {"inputs": inputs, "outputs": outputs, "status": np.atleast_1d(status).tolist()}
+        rows = [f"  {json.dumps(k)}: {json.dumps(v, separators=(',', ':'))}" for k, v in entry.items()]
+        blocks.append(f" {json.dumps(name)}: {{\n" + ",\n".join(rows) + "\n }")
+    return "{\n" + ",\n".join(blocks) + "\n}\n"
+
+
+def _rows(array: np.ndarray) -> list[list[float | None]]:
+    rows = np.atleast_2d(np.asarray(array, dtype=float)).tolist()
+    return [[x if math.isfinite(x) else None for x in row] for row in rows]
+
+
+def _earlier_files(directory: Path) -> set[str]:
+    """Files in `directory` that this tool wrote.
+
+    Raises:
+        OutputError: it is no directory, or holds files but no manifest of this tool.
+    """
+    if not directory.exists() and not directory.is_symlink():
+        return set()
+    if not directory.is_dir():
+        raise OutputError(f"{directory}: expected a directory, found a file; use another place")
+    if not any(directory.iterdir()):
+        return set()
+    if not (directory / "manifest.json").is_file():
+        raise OutputError(f"{directory}: holds files that this tool did not write; use an empty directory")
+    listed = read_manifest(directory).get("files", [])
+    return {f for f in listed if isinstance(f, str) and _PLAIN_FILE.fullmatch(f)} | {"manifest.json"}
+
+
+def _write(directory: Path, files: Mapping[str, bytes], *, stale: set[str]) -> None:
+    """Write beside `directory`, then move into place; the manifest goes last."""
+    directory.parent.mkdir(parents=True, exist_ok=True)
+    staging = directory.parent / f".{directory.name}.{secrets.token_hex(6)}"
+    staging.mkdir()
+    try:
+        for name, content in files.items():
+            (staging / name).write_bytes(content)
+        if directory.exists():
+            for name in sorted(files, key=lambda name: (name == "manifest.json", name)):
+                os.replace(staging / name, directory / name)
+            for name in sorted(stale):
+                (directory / name).unlink(missing_ok=True)
+        else:
+            os.replace(staging, directory)
+    finally:
+        shutil.rmtree(staging, ignore_errors=True)  # our own staging directory
