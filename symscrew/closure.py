@@ -213,6 +213,11 @@ def carry(
     return vector
 
 
+def carry_before(tree: Tree, placed: Sequence[Placement], source: int, target: int, vector: Vector) -> Vector:
+    """A vector from the axes that a link has before its own motion to the axes of another link outside it."""
+    return carry(tree, placed, tree.links[source].parent, target, transform(placed[source].rotation, vector))
+
+
 def carry_point(tree: Tree, placed: Sequence[Placement], source: int, target: int, point: Vector) -> Vector:
     """A point from the coordinates of one link to those of another, along the tree's path between them."""
     down, up = tree.path(source), tree.path(target)
@@ -243,9 +248,10 @@ def closure_bias(
         return carry(tree, placed, cut.hub, cut.tip, vector)
 
     tip, hub = rate[cut.tip], rate[cut.hub]
+    at_contact = _hub_acceleration(cut, tree, placed, hub)
     omega = subtract(seen(hub.omega), tip.omega)
     alpha = subtract(subtract(seen(hub.alpha), tip.alpha), cross(tip.omega, omega))
-    linear = subtract(seen(hub.at(cut.contact)), tip.at(cut.tip_point))
+    linear = subtract(at_contact, tip.at(cut.tip_point))
     if any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions):
         # the hub's point that is now at the tip's point slides relative to it
         slide = subtract(
@@ -262,6 +268,35 @@ def closure_bias(
             value = value + dot(moving, omega)
         result.append(-value)
     return tuple(result)
+
+
+def _hub_acceleration(cut: Cut, tree: Tree, placed: Sequence[Placement], hub: Rates) -> Vector:
+    """Acceleration of the hub's point at the cut joint, tip axes.
+
+    Where several limbs meet on a spherical hub, its acceleration matrix is rotated once for all of them.
+    """
+    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":  # type: ignore[union-attr]
+        return carry(tree, placed, cut.hub, cut.tip, hub.at(cut.contact))
+    turn = placed[cut.hub].turn
+    before = add(transform(turn, hub.origin), transform(product(turn, hub.matrix), cut.contact))
+    return carry_before(tree, placed, cut.hub, cut.tip, before)
+
+
+def closure_rate(cut: Cut, tree: Tree, placed: Sequence[Placement], twist: Sequence[Twist]) -> tuple[Node, ...]:
+    """w_k . (V_tip - V_hub) per row, from twists of the links at their origins in their axes."""
+    hub, tip = twist[cut.hub], twist[cut.tip]
+    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":  # type: ignore[union-attr]
+        velocity = carry(tree, placed, cut.hub, cut.tip, hub.velocity_at(cut.contact))
+        omega = carry(tree, placed, cut.hub, cut.tip, hub.angular)
+    else:
+        turn = placed[cut.hub].turn
+        spin = transform(turn, hub.angular)
+        before = add(transform(turn, hub.linear), cross(spin, transform(turn, cut.contact)))
+        velocity = carry_before(tree, placed, cut.hub, cut.tip, before)
+        omega = carry_before(tree, placed, cut.hub, cut.tip, spin)
+    slide = subtract(tip.velocity_at(cut.tip_point), velocity)
+    turning = subtract(tip.angular, omega)
+    return tuple(dot(row.force, slide) + dot(row.couple, turning) for row in cut.rows)
 
 
 def closure_residual(

@@ -17,6 +17,8 @@ from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.dynamics import dynamic_functions
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.momentum import momentum_functions
+from symscrew.functions.platform import platform_functions
+from symscrew.limb_solutions import hub_links
 from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
 from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
@@ -64,6 +66,7 @@ def derive(
         *closure_functions(system, loops),
         *momentum_functions(system, motion, tuple(effects)),
         *dynamic_functions(system, effects),
+        *platform_functions(system, effects),
     ]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
     if system.cuts:
@@ -73,12 +76,20 @@ def derive(
     return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes)
 
 
+def _hub_entries(system: System, of_q: bool) -> list[int]:
+    links = hub_links(system) or ()
+    slices = [link.q if of_q else link.v for link in links]
+    return [k for part in slices for k in range(part.start, part.stop)]
+
+
 def _test_inputs(system: System, loops: Loops, program: Program | Iteration) -> tuple[np.ndarray, ...]:
     """Consistent states for every input of a function: the sample states of the system."""
     q, v, a = system.sample_states
     entries = [entry.q for entry in loops.entries]
     random = np.random.default_rng(7)
     known = {"q": q, "v": v, "a": a, "y": q[:, entries], "guess": np.repeat(system.reference[None, :], len(q), 0)}
+    for name, source in (("pose", known["q"]), ("rate", v), ("gain", a)):
+        known[name] = source[:, _hub_entries(system, name == "pose")]
     known["p"] = np.repeat(system.parameter_values[None, :], len(q), 0)
     result = []
     for port in program.inputs:

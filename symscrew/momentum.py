@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symscrew.kinematics import BodyMotion
-from symscrew.screws import Matrix, Momentum, Scalar, Twist, Vector, Wrench, add, cross, dot, scale, transform
+from symscrew.screws import Matrix, Momentum, Scalar, Twist, Vector, Wrench, add, cross, scale, transform
 
 
 @dataclass(frozen=True)
@@ -32,17 +32,3 @@ def momentum_rate(body: MassProperties, motion: BodyMotion) -> Wrench:
     carried = momentum_screw(body, motion.twist).rate_along(motion.twist)
     gained = momentum_screw(body, motion.rate)
     return Wrench(add(carried.force, gained.linear), add(carried.moment, gained.angular))
-
-
-def kinetic_energy(body: MassProperties, twist: Twist) -> Scalar:
-    """Half of V . M [J]."""
-    momentum = momentum_screw(body, twist)
-    twice = dot(twist.angular, momentum.angular) + dot(twist.linear, momentum.linear)
-    return twice * _half(twice)
-
-
-def _half(like: Scalar) -> Scalar:
-    tape = getattr(like, "tape", None)
-    if tape is not None:
-        return tape.reciprocal(tape.node(2))
-    return 1 / type(like)(2) if not isinstance(like, int) else 0.5

@@ -7,6 +7,7 @@ before its rotation (w = turn v), which is where the limbs' wrenches arrive.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -48,6 +49,22 @@ class System:
         self.inputs = self._inputs()
         self.placed: tuple[Placement, ...] = placements(self.tape, self.tree, self.frames, self.inputs.q)
         self.cuts: tuple[Cut, ...] = cuts(self.tree, self.frames, self.geometry, self.placed)
+
+    def at(
+        self,
+        q: Sequence[Node],
+        turns: dict[int, tuple[Node, Node]],
+        v: Sequence[Node] | None = None,
+        a: Sequence[Node] | None = None,
+    ) -> System:
+        """The same system with other nodes for q, v, a; `turns` gives cosines and sines that are known."""
+        other = copy.copy(self)
+        for name in ("pose", "twist", "jacobian", "residual"):
+            other.__dict__.pop(name, None)
+        other.inputs = Coordinates(tuple(q), tuple(v or self.inputs.v), tuple(a or self.inputs.a))
+        other.placed = placements(self.tape, self.tree, self.frames, other.inputs.q, turns)
+        other.cuts = cuts(self.tree, self.frames, self.geometry, other.placed)
+        return other
 
     def _inputs(self) -> Coordinates:
         def make(prefix: str, coordinates: Sequence, unit: str, what: str) -> tuple[Node, ...]:

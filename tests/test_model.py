@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from model_states import ALL, body_states, by_joint, model, output, relative, run
 
+from symscrew.program import evaluate
 from symscrew.newton_euler import constraint_residuals, joint_displacements, joint_rates, newton_euler, numeric
 
 EXACT = 1e-9
@@ -182,3 +183,41 @@ def test_power_balance(name: str) -> None:
     derivative = (energies[0] - energies[1]) / (2 * h)
     scale = np.abs(u * rates[:, columns]).sum(axis=1).max()
     assert np.abs(derivative - power).max() < 1e-6 * scale
+
+
+SPOKED = [name for name in ALL if "inverse_kinematics" in model(name).programs]
+
+
+def test_which_mechanisms_have_closed_forms() -> None:
+    assert set(SPOKED) >= {"three_ups_upu_s", "three_ups_upu_s_physical", "stewart_6ups"}
+
+
+@pytest.mark.parametrize("name", SPOKED)
+def test_platform_functions_equal_those_of_the_tree(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    pose, rate, gain = found.test_inputs["inverse_dynamics_platform"]
+    assert np.abs(run(name, "inverse_kinematics", pose) - q).max() < 1e-12
+    assert relative(run(name, "inverse_velocity", pose, rate), v) < EXACT
+    expected = run(name, "inverse_dynamics", q, v, a)
+    assert relative(run(name, "inverse_dynamics_platform", pose, rate, gain), expected) < EXACT
+
+
+@pytest.mark.parametrize("name", SPOKED)
+def test_assembly_with_closed_forms_needs_few_steps_and_stays_on_the_branch(name: str) -> None:
+    found = model(name)
+    assemble = found.programs["assemble"]
+    y, guess = found.test_inputs["assemble"][:2]
+    q = guess.copy()
+    for _ in range(4):
+        (q, residual, step, _), status = evaluate(assemble.step, [q, y])
+        assert np.all(status == 0)
+    assert residual.max() < 1e-13 and step.max() < 1e-12
+    turned = guess.copy()
+    labels = [c.label for c in found.system.tree.q]
+    angle = next(i for i, c in enumerate(found.system.tree.q) if c.kind == "angle")
+    turned[:, angle] += 2 * np.pi  # the same configuration, counted one turn further: stays there
+    (q2,), status = found("assemble", y, turned)
+    (q1,), _ = found("assemble", y, guess)
+    assert np.all(status == 0), labels[angle]
+    assert np.abs(q2 - q1 - (turned - guess)).max() < 1e-11

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from symscrew.effects import Effect, Gravity
 from symscrew.functions.kinematics import Motion, moving_bodies
 from symscrew.functions.ports import (
@@ -16,10 +18,12 @@ from symscrew.functions.ports import (
     v_port,
 )
 from symscrew.kinematics import displacement
-from symscrew.momentum import MassProperties, kinetic_energy, momentum_rate, momentum_screw
+from symscrew.momentum import MassProperties, momentum_rate, momentum_screw
 from symscrew.program import Function, Port
-from symscrew.screws import ZERO, add, dot, product, transpose
+from symscrew.recursion import regrouped
+from symscrew.screws import ZERO, add, cross, dot, product, scale, transform, transpose
 from symscrew.system import System
+from symscrew.tape import Node
 
 
 def mass_properties(system: System, body: str) -> MassProperties | None:
@@ -41,7 +45,8 @@ def momentum_functions(system: System, motion: Motion, effects: tuple[Effect, ..
     if not names:
         return []
     bodies = {name: mass_properties(system, name) for name in names}
-    screws, rates, kinetic = [], [], system.tape.zero
+    screws: list[object] = []
+    rates: list[object] = []
     total_linear, total_angular = ZERO, ZERO
     for name, body in bodies.items():
         assert body is not None
@@ -50,14 +55,6 @@ def momentum_functions(system: System, motion: Motion, effects: tuple[Effect, ..
         screws += screw.components
         total_linear, total_angular = add(total_linear, screw.linear), add(total_angular, screw.angular)
         rates += momentum_rate(body, moving).components
-        kinetic = kinetic + kinetic_energy(body, moving.twist)
-    potential = system.tape.zero
-    for effect in effects:
-        if isinstance(effect, Gravity):
-            field = system.geometry.vector(effect.exact)
-            for body in bodies.values():
-                assert body is not None
-                potential = potential - body.mass * dot(field, body.com)
     q, v = (q_port(system), system.inputs.q), (v_port(system), system.inputs.v)
     momenta = columns_port("momenta", names, MOMENTUM_LABELS, MOMENTUM_UNITS, "momentum screw (p ; L_O) per body")
     total = Port("total", (6,), MOMENTUM_UNITS, MOMENTUM_LABELS, "sum over all bodies")
@@ -69,5 +66,31 @@ def momentum_functions(system: System, motion: Motion, effects: tuple[Effect, ..
         function(system, "momentum_rates", "Rates of the momentum screws: sums of all force screws, eq. (35).",
                  [q, v, (a_port(system), system.inputs.a)], [(rate, rates)]),
         function(system, "energy", "Kinetic energy and potential energy of gravity (zero at O).", [q, v],
-                 [(energy, (kinetic, potential))]),
+                 [(energy, (_kinetic(system), _potential(system, effects)))]),
     ]  # fmt: skip
+
+
+def _kinetic(system: System) -> Node:
+    """Half of (m v.v + 2 v.(omega x s) + omega.J omega) over all links, in link axes about their origins."""
+    tape = system.tape
+    total = tape.zero
+    lean = regrouped(system.tree, system.frames, system.inertia, system.geometry)
+    for twist, inertia in zip(system.twist[1:], lean[1:], strict=True):
+        v, w = twist.linear, twist.angular
+        total = total + dot(v, add(scale(inertia.mass, v), scale(2, cross(w, inertia.first))))
+        trace = inertia.second[0][0] + inertia.second[1][1] + inertia.second[2][2]
+        # omega . J omega with J = trace(Sigma) - Sigma
+        total = total + (trace * dot(w, w) - dot(w, transform(inertia.second, w)))
+    return total * tape.reciprocal(tape.node(2))
+
+
+def _potential(system: System, effects: Sequence[Effect]) -> Node:
+    """-sum g . (m o + R s) over all links."""
+    total = system.tape.zero
+    for effect in effects:
+        if isinstance(effect, Gravity):
+            field = system.geometry.vector(effect.exact)
+            for pose, inertia in zip(system.pose[1:], system.inertia[1:], strict=True):
+                moment = add(scale(inertia.mass, pose.translation), pose.direction(inertia.first))
+                total = total - dot(field, moment)
+    return total
