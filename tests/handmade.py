@@ -61,6 +61,7 @@ def every_operation() -> Program:
             t.function("abs", x[0]),
             t.function("select", t.function("less", x[0], x[1]), x[0], -x[1] - 2.5),
             x[2],
+            x[1] / (x[2] + 5),
             t.node(-3),
         ]
 
@@ -113,6 +114,27 @@ def circle() -> Iteration:
     )
 
 
+def far_target() -> Iteration:
+    """atan(s - 10 c) = 0 over c = y: Newton diverges from further away than 1.39, so it needs substeps."""
+
+    def step(t: Tape, q, y) -> tuple[list[Node], ...]:
+        away = q[1] - 10 * y[0]
+        opening = t.function("atan2", away, t.one)
+        change = opening * (1 + away * away)
+        return (
+            [y[0], q[1] - change],
+            [t.function("abs", opening) + t.function("abs", q[0] - y[0])],
+            [t.function("abs", change)],
+            [t.one],
+        )
+
+    names = ("q_next", "residual", "step", "orientation")
+    outputs = {n: (lambda t, q, y, i=i: step(t, q, y)[i]) for i, n in enumerate(names)}
+    newton = program("assembly_step", {"q": 2, "y": 1}, outputs)
+    ports = (port("y", 1), port("guess", 2))
+    return Iteration("assemble", "A line over y, far away", ports, (port("q", 2),), newton, (0,))
+
+
 def model(**extra: Program) -> Model:
     """A model of the functions above."""
     programs = {"every_operation": every_operation(), "guarded": guarded(), "assemble": circle(), **extra}
@@ -120,7 +142,9 @@ def model(**extra: Program) -> Model:
     states = {
         "every_operation": (rng.normal(size=(5, 3)), rng.normal(size=(5, 2))),
         "guarded": (rng.normal(size=(5, 2)),),
-        "assemble": (
+        "assemble": (np.array([[0.1], [0.7]]), np.zeros((2, 2)))
+        if "assemble" in extra
+        else (
             np.array([[0.1], [0.5], [-0.9], [0.95], [1.5]]),
             np.array([[0.0, 1.0], [0.6, -0.8], [0.0, 1.0], [math.sqrt(0.5), math.sqrt(0.5)], [0.0, 1.0]]),
             np.ones((5, 1)),

@@ -130,7 +130,7 @@ def _target(iteration: Iteration, newton: ca.Function) -> ca.Function:
 
 
 def _newton(iteration: Iteration, step: ca.Function) -> ca.Function:
-    """(state, y, branch, parameters) -> state after a step; the last entry is -1 while there is more to do."""
+    """(state, y, branch, parameters) -> state after a step; its last entry is -1 until it is done."""
     n = iteration.outputs[0].size
     state = ca.SX.sym("state", n + 1)
     q, outcome = state[:-1], state[-1]

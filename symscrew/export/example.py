@@ -20,18 +20,19 @@ SHOWN = (
     "joint_reactions",
 )
 
-PRINT = """static void print_array(const char *name, const double *array, size_t size, const char *const *entries)
+PRINT = """static void print_array(
+    const char *name, const double *array, size_t size, const char *const *entry)
 {
     printf("  %s\\n", name);
     for (size_t k = 0; k < size; ++k) {
-        printf("    %-32s % .12g\\n", entries[k], array[k]);
+        printf("    %-32s % .12g\\n", entry[k], array[k]);
     }
 }
 """
 
 
 def print_example(model: Model) -> str:
-    """`example.c`: calls what matters most at the first test state and prints results with labels and units."""
+    """`example.c`: calls what matters most at the first test state, prints results with labels and units."""
     names = [name for name in SHOWN if name in model.programs] or list(model.programs)[:3]
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " *"]
     lines += [

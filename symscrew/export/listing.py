@@ -119,7 +119,7 @@ def banner(model: Model) -> list[str]:
         plain(f"Mechanism: {model.name}" + (f", {about}" if about else "")),
         plain(f"Effects: {effects}"),
         f"Programs: {model_hash(model)}",
-        *(plain(f"Note: {note}") for note in model.notes),
+        *(line for note in model.notes for line in wrapped(f"Note: {note}", later="  ")),
     ]
 
 

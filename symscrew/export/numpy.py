@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.export.listing import (
+    Operand,
     banner,
     check_names,
     checked_slots,
@@ -118,8 +119,8 @@ def print_numpy(model: Model) -> dict[str, str]:
     lines = ['"""' + banner(model)[0], "", *banner(model)[1:], ""]
     lines += wrapped(
         "Each function takes arrays (*batch, size) and returns (outputs, status): a tuple of arrays "
-        "(*batch, size), matrices column by column, and the status (*batch). Outputs are NaN where the status "
-        "is not 0."
+        "(*batch, size), matrices column by column, and the status (*batch). Outputs are NaN where the "
+        "status is not 0."
     )
     lines += ['"""', "", "import numpy as np", "", *RUNTIME.splitlines()]
     for name, program in model.programs.items():
@@ -154,7 +155,7 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
     ]
 
 
-def _statements(program: Program, operand) -> list[tuple[str, str]]:
+def _statements(program: Program, operand: Operand) -> list[tuple[str, str]]:
     live, _ = live_instructions(program)
     return [(f"x{target}", text) for target, text in expressions(live, TABLE, operand)]
 
