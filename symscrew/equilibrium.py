@@ -36,6 +36,7 @@ class Setting:
     drives: Mapping[int, int]  # index into v -> index into u
     cut_drives: Mapping[int, Sequence[tuple[int, Row]]]  # cut -> (index into u, unit drive wrench on its child)
     length: float  # characteristic length [m]
+    virtual_directions: tuple[tuple[Vector, ...], tuple[Vector, ...]] = ((), ())  # forces, couples it cannot bear
 
     def row_scale(self, v_index: int) -> float:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
@@ -135,6 +136,7 @@ class _Elimination:
         return len(columns)
 
     def _process(self, link: Link) -> None:
+        setting = self.setting
         here = self.waiting.pop(link.index)
         force, moment = self.wrench(link)
         accumulate(here, ONE, force, moment)
@@ -147,6 +149,8 @@ class _Elimination:
                 if entry is not self.setting.tape.zero:
                     row[column] = entry
             before = self._use_row(v_index, row, before)
+        if link.joint == setting.tree.virtual and link.parent == GROUND:
+            before = self._virtual_rows(link, before)
         self.waiting[link.index] = {}
         if link.parent == GROUND:
             return
@@ -154,6 +158,21 @@ class _Elimination:
         for column, (f, m) in before.items():
             f, m = transform(placed.rotation, f), transform(placed.rotation, m)
             accumulate(self.waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
+
+    def _virtual_rows(self, link: Link, before: Wrenches) -> Wrenches:
+        """A virtual joint transmits nothing: rows also for the wrenches that are reciprocal to it."""
+        setting = self.setting
+        across = setting.virtual_directions
+        scales = [1.0] * len(across[0]) + [1.0 / setting.length] * len(across[1])
+        directions = [(d, 0) for d in across[0]] + [(d, 1) for d in across[1]]
+        for (direction, part), scale_ in zip(directions, scales, strict=True):
+            row: Affine = {}
+            for column, wrench in before.items():
+                entry = setting.tape.node(dot(direction, wrench[part]))
+                if entry is not setting.tape.zero:
+                    row[column] = entry
+            before = self._solve_row(row, before, scale_) or before
+        return before
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
@@ -196,12 +215,17 @@ class _Elimination:
         if drive is not None:
             row = dict(row)
             row["drive", drive] = -setting.tape.one
-        factor = setting.row_scale(v_index)
-        allowed = {c: factor * s for c, s in self.scales.items()}
-        pivot = choose_pivot(setting.tape, row, allowed, self._cost())
-        if pivot is None:
+        solved = self._solve_row(row, before, setting.row_scale(v_index))
+        if solved is None:
             self._keep(v_index, row)
-            return before
+        return solved if solved is not None else before
+
+    def _solve_row(self, row: Affine, before: Wrenches, factor: float) -> Wrenches | None:
+        """Solve a multiplier from sum(row) = 0 and put it in everywhere; None if there is none to solve."""
+        allowed = {c: factor * s for c, s in self.scales.items()}
+        pivot = choose_pivot(self.setting.tape, row, allowed, self._cost())
+        if pivot is None:
+            return None
         if row[pivot].value is None:
             self.result.guards.append(Guard(row[pivot], allowed[pivot]))
         solution = solve_for(row, pivot)

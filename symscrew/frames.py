@@ -119,8 +119,8 @@ class Geometry:
             if max(self.size(c) for c in rest) > 1e-9 * max(self.size(c) for c in towards):
                 return self.unit(rest)
         sizes = [self.size(c) for c in axis]
-        smallest = sizes.index(min(sizes))
-        return self.unit(cross(axis, UNITS[smallest]))
+        nearest = UNITS[sizes.index(min(sizes))]
+        return self.unit(subtract(nearest, scale(dot(nearest, axis), axis)))
 
 
 def link_frames(mechanism: Mechanism, tree: Tree, geometry: Geometry) -> tuple[Frame, ...]:

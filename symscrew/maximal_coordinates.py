@@ -275,8 +275,12 @@ def _extent(places: Array) -> float:
 
 
 def plane_axes(normal: Array) -> tuple[Array, Array]:
-    """Two unit vectors that complete a unit normal to a right-handed triad (first, second, normal)."""
-    first = cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])
+    """Two unit vectors that complete a unit normal to a right-handed triad (first, second, normal).
+
+    The first is the absolute axis that is least along the normal, projected onto the plane.
+    """
+    nearest = np.eye(3)[int(np.argmin(np.abs(normal)))]
+    first = nearest - (nearest @ normal) * normal
     first = first / np.linalg.norm(first)
     return first, cross(normal, first)
 

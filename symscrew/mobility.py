@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from symscrew.joints import JOINT_TYPES
 from symscrew.mechanism import Joint, Mechanism
-from symscrew.screws import IDENTITY, Vector, cross, dot, helical, prismatic, revolute, scale
+from symscrew.screws import IDENTITY, Vector, cross, dot, helical, prismatic, revolute, scale, subtract
 from symscrew.tape import CONTEXT, high_precision
 
 Row = list
@@ -142,7 +142,8 @@ def _axes(mechanism: Mechanism, joint: Joint) -> tuple[Vector, ...]:
         return given
     normal = given[0]
     sizes = [abs(c) for c in normal]
-    across = cross(normal, IDENTITY[sizes.index(min(sizes))])
+    nearest = IDENTITY[sizes.index(min(sizes))]
+    across = subtract(nearest, scale(dot(nearest, normal), normal))
     first = scale(1 / CONTEXT.sqrt(dot(across, across)), across)
     return (first, cross(normal, first), normal)
 

@@ -20,7 +20,7 @@ from symscrew.joints import JOINT_TYPES
 from symscrew.mechanism import Mechanism
 from symscrew.program import Function, Port, evaluate, lower
 from symscrew.recursion import Inertia, Placement, Rates, link_inertias, placements, poses, rates, twists
-from symscrew.screws import Pose, Twist, add, cross, dot, transform, transpose
+from symscrew.screws import Pose, Twist, Vector, add, cross, dot, transform, transpose
 from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND, Tree, spanning_tree
 
@@ -124,6 +124,14 @@ class System:
             if joint in self.tree.joints:
                 rows[self.tree.velocity_indices(joint)[freedom]] = u
         return rows
+
+    def virtual_directions(self) -> tuple[tuple[Vector, ...], tuple[Vector, ...]]:
+        """Directions of forces and couples reciprocal to the virtual joint: it must not transmit them."""
+        joint = self.tree.joints[self.tree.virtual] if self.tree.virtual else None
+        if joint is None or joint.type == "free":
+            return (), ()
+        first, second, normal = self.geometry.motion_axes(joint)
+        return (normal,), (first, second)
 
     def cut_drives(self) -> dict[int, list[tuple[int, Row]]]:
         """Cut joint -> (index into u, unit drive wrench on its child, tip axes), for drives of cut joints."""

@@ -1,18 +1,19 @@
 """From the graph of a mechanism to a spanning tree, its coordinates and the joints that are cut.
 
 The tree is grown from the ground breadth first; where several joints reach a body at the same depth, a
-driven joint wins, then the one with fewest freedoms: spherical joints are cut. If the path to the platform
-takes six or more freedoms and three or more joints meet there, the platform hangs on a virtual free joint
-instead and all its joints are cut: every limb is then an independent chain (as small as possible), and
-only the platform's own equations couple them.
+driven joint wins, then the one with fewest freedoms: spherical joints are cut. A platform that three or more
+limbs hold hangs on a virtual joint instead (free, or planar in a planar mechanism) and all its joints are
+cut: every limb is then a chain of its own, and only the platform's equations couple them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+import sympy
+
 from symscrew.joints import JOINT_TYPES, Motion
-from symscrew.mechanism import Joint, Mechanism
+from symscrew.mechanism import Joint, Mechanism, Vector
 
 GROUND = 0
 FIXED = Motion("F")  # the single, immobile link of a fixed joint
@@ -134,23 +135,53 @@ def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None)
 
 
 def _virtual_joint(mechanism: Mechanism) -> Joint | None:
-    """The free joint on which a platform hangs that many limbs of full mobility hold, or None."""
+    """The joint on which a platform hangs that three or more limbs hold, or None.
+
+    Free where the shortest path to the platform has five freedoms or more, planar where all joints of the
+    mechanism are planar in one plane and the path has three: the limbs then are chains of their own.
+    """
     platform = mechanism.platform
     if platform is None or platform == mechanism.ground:
         return None
     meeting = [j for j in mechanism.joints.values() if platform in (j.parent, j.child)]
     reached = _grow(mechanism, dict(mechanism.joints), None)
-    freedoms, body = 0, platform
+    freedoms, length, body = 0, 0, platform
     while body != mechanism.ground:
         name, inverted = reached[body]
         joint = mechanism.joints[name]
         freedoms += JOINT_TYPES[joint.type].freedom
+        length += 1
         body = joint.child if inverted else joint.parent
-    if len(meeting) < 3 or freedoms < 6:
+    if len(meeting) < 3 or length < 2:
         return None
     # At the centre of mass the platform's equations are shortest; q then holds its absolute position.
     point = mechanism.bodies[platform].com or meeting[0].point
-    return Joint(f"{platform}_pose", "free", mechanism.ground, platform, point, reference=point)
+    name = f"{platform}_pose"
+    if freedoms >= 5:
+        return Joint(name, "free", mechanism.ground, platform, point, reference=point)
+    normal = _common_normal(mechanism)
+    if freedoms >= 3 and normal is not None:
+        return Joint(name, "E", mechanism.ground, platform, point, axes=(normal,))
+    return None
+
+
+def _common_normal(mechanism: Mechanism) -> Vector | None:
+    """The axis that all revolute joints share and all sliders cross at right angles, or None."""
+    turning = [j.axes[0] for j in mechanism.joints.values() if j.type == "R"]
+    if not turning or any(j.type not in "RP" for j in mechanism.joints.values()):
+        return None
+    normal = tuple(mechanism.number(c) for c in turning[0])
+
+    def equal(a: sympy.Expr, b: sympy.Expr) -> bool:
+        return bool(abs((mechanism.number(a) - mechanism.number(b)).evalf(30)) < 1e-25)
+
+    for axis in turning:
+        if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):
+            return None
+    for joint in mechanism.joints.values():
+        if joint.type == "P" and not equal(sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero):
+            return None
+    return (normal[0], normal[1], normal[2])
 
 
 def _coordinates(joints: list[Joint]) -> dict[str, tuple[list[Coordinate], list[Coordinate]]]:

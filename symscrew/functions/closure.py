@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from symscrew.elimination import Guard
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.limb_solutions import hub_links, limb_coordinates, spoke_limbs
+from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
 from symscrew.loops import Loops
 from symscrew.program import Function, Iteration, Port, lower
 from symscrew.screws import Vector, add, cross, dot, scale
@@ -150,9 +150,10 @@ def assembly(system: System, loops: Loops) -> Iteration:
     small = tape.function("less", size, limit)
     factor = tape.function("select", small, tape.one, limit / tape.function("select", small, tape.one, size))
     moved = _moved(system, [factor * s for s in step])
-    limbs, hub = spoke_limbs(system), hub_links(system)
-    if limbs is not None and hub is not None:
+    limbs, hub = closed_limbs(system), hub_links(system)
+    if limbs is not None and hub is not None and all(entry.link in hub for entry in loops.entries):
         # Only the platform's coordinates are iterated; its limbs follow in closed form, on the guess's branch.
+        # Not where y are a limb's: the limb's closed form is singular where the platform turns back.
         known = {k: moved[k] for link in hub for k in range(link.q.start, link.q.stop)}
         moved = list(limb_coordinates(system, limbs, known, system.inputs.q).q)
     row_scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]

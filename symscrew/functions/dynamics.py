@@ -100,6 +100,7 @@ class Equations:
             system.drive_rows(),
             system.cut_drives(),
             system.length,
+            system.virtual_directions(),
         )
         self.inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
         self.rates = system.rates(system.inputs.a, self.forces.ground_acceleration)

@@ -10,7 +10,7 @@ from symscrew.elimination import Elimination, eliminate
 from symscrew.functions.closure import guarded
 from symscrew.functions.dynamics import Equations
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port
-from symscrew.limb_solutions import hub_links, limb_coordinates, spoke_limbs
+from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
 from symscrew.program import Function, Port
 from symscrew.system import System
 from symscrew.tape import Node
@@ -18,7 +18,7 @@ from symscrew.tape import Node
 
 def platform_functions(system: System, effects: Sequence[Effect]) -> list[Function]:
     """`inverse_kinematics`, `inverse_velocity`, `inverse_dynamics_platform`; none without closed forms."""
-    limbs, hub = spoke_limbs(system), hub_links(system)
+    limbs, hub = closed_limbs(system), hub_links(system)
     if limbs is None or hub is None:
         return []
     q_at = [k for link in hub for k in range(link.q.start, link.q.stop)]

@@ -1,0 +1,87 @@
+"""Closed form of a spoke: two crossing rotations and a slide along a line through their point (U-P, as in UPS
+and UPU)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symscrew.closure import Cut
+from symscrew.planar_limbs import Turn
+from symscrew.screws import Vector, add, dot, scale, subtract, transform, transpose
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree import Link
+
+
+@dataclass(frozen=True)
+class SpokeLimb:
+    """A limb ground - R - R - P - tip with all axes and the tip on lines through one point of the ground."""
+
+    cut: Cut
+    first: Link
+    second: Link
+    slider: Link
+    rest: Node  # distance of the tip from the centre at slider coordinate 0, along the slider's axis
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """The limb's links from the ground."""
+        return (self.first, self.second, self.slider)
+
+    def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
+        """Cosine and sine of both angles by link, the slide by its index into q; the length is positive."""
+        tape, frames = system.tape, system.frames
+        first, second = frames[self.first.index], frames[self.second.index]
+        d = transform(transpose(first.rotation), subtract(target, first.offset))
+        across = d[0] * d[0] + d[1] * d[1]
+        radius = tape.sqrt(across)
+        length = tape.sqrt(across + d[2] * d[2])
+        # The second axis b is perpendicular to d: turned by the first angle it is (-d_y, d_x)/radius.
+        bx, by = second.axis[0], second.axis[1]
+        inverse = _branch(system, self.first, (d[0] * by - d[1] * bx, d[0] * bx + d[1] * by), guess) / radius
+        cosine, sine = (d[0] * by - d[1] * bx) * inverse, (d[0] * bx + d[1] * by) * inverse
+        # After the first rotation, in the axes before the second: the leg's direction in the plane across b.
+        turned: Vector = (cosine * d[0] + sine * d[1], cosine * d[1] - sine * d[0], d[2])
+        flat = transform(transpose(second.rotation), turned)
+        ex, ey = frames[self.slider.index].axis[0], frames[self.slider.index].axis[1]
+        shorter = 1 / length
+        other = ((flat[0] * ex + flat[1] * ey) * shorter, (flat[1] * ex - flat[0] * ey) * shorter)
+        return {self.first.index: (cosine, sine), self.second.index: other}, {self.slider.q.start: length - self.rest}
+
+
+def spoke_limb(system: System, cut: Cut) -> SpokeLimb | None:
+    """The cut joint's limb if it is a spoke, else None."""
+    path = system.tree.path(cut.tip)
+    if len(path) != 3:
+        return None
+    slider, second, first = (system.tree.links[i] for i in path)
+    kinds = [link.motion.kind for link in (first, second, slider) if link.motion is not None]
+    if kinds != ["R", "R", "P"]:
+        return None
+    frames, settle = system.frames, system.geometry.settle
+    tip = settle(add(frames[slider.index].offset, cut.tip_point))
+    axis = frames[slider.index].axis
+    rest = system.tape.settle(dot(tip, axis))
+    conditions = (
+        *frames[second.index].offset,  # both rotations through one point
+        frames[second.index].axis[2],  # crossing at a right angle
+        axis[2],  # the slide at a right angle to the second axis
+        *settle(subtract(tip, scale(rest, axis))),  # the tip on the line of sliding
+    )
+    if any(system.tape.settle(c) is not system.tape.zero for c in conditions):
+        return None
+    return SpokeLimb(cut, first, second, slider, rest + frames[slider.index].phase)
+
+
+def _branch(system: System, link: Link, turn: Turn, guess: Sequence[Node]) -> Node:
+    """+1 or -1: which way round the first axis; constant where the guess is."""
+    tape = system.tape
+    angle = guess[link.q.start] + system.frames[link.index].phase
+    c, s = tape.function("cos", angle), tape.function("sin", angle)
+    near = turn[0] * c + turn[1] * s
+    if c.value is not None and s.value is not None:
+        # a fixed guess: decide now, so that the generated code does not have to
+        positive = float(system.numeric([near], (system.inputs.q, system.reference))[0]) > 0
+        return tape.one if positive else -tape.one
+    return tape.function("select", tape.function("less", near, tape.zero), -tape.one, tape.one)
