@@ -56,9 +56,7 @@ class MechanismBuilder:
         """Add a parameter; its value may refer to other parameters that are not run-time inputs."""
         where = f"parameters.{check_name(name, 'parameters')}"
         if name in FUNCTIONS or name in CONSTANTS:
-            raise DescriptionError(
-                f"{where}: {name!r} is a function or constant of expressions; use another name"
-            )
+            raise DescriptionError(f"{where}: {name!r} is a function or constant of expressions; use another name")
         if not isinstance(run_time, bool):
             raise DescriptionError(f"{where}.run_time: expected true or false, got {shorten(run_time)}")
         check_text(unit, f"{where}.unit", limit=40)
@@ -129,16 +127,12 @@ class MechanismBuilder:
             if options or base is not None or tip is not None or joints is None:
                 raise DescriptionError(f"{where}: the key 'type' is missing, such as type = \"UPS\"")
             if isinstance(joints, str) or not isinstance(joints, Sequence) or not joints:
-                raise DescriptionError(
-                    f"{where}.joints: expected a list of joint names, got {shorten(joints)}"
-                )
+                raise DescriptionError(f"{where}.joints: expected a list of joint names, got {shorten(joints)}")
             self._limbs[name] = tuple(check_name(joint, f"{where}.joints") for joint in joints)
             return self
         tip = tip if tip is not None else self._platform
         if tip is None:
-            raise DescriptionError(
-                f"{where}: no 'tip' body given and the mechanism has no platform; give one"
-            )
+            raise DescriptionError(f"{where}: no 'tip' body given and the mechanism has no platform; give one")
         if joints is not None:
             options["joints"] = joints
         plan = plan_limb(name, type, base=self._ground if base is None else base, tip=tip, **options)
@@ -178,18 +172,14 @@ class MechanismBuilder:
     def _add(parts: dict[str, dict[str, Any]], section: str, name: str, **values: Any) -> None:
         check_name(name, section)
         if name in parts:
-            raise DescriptionError(
-                f"{section}.{name}: this name is given twice; names of {section} must differ"
-            )
+            raise DescriptionError(f"{section}.{name}: this name is given twice; names of {section} must differ")
         parts[name] = values
 
 
 def _resolve(raw: Mapping[str, dict[str, Any]]) -> dict[str, Parameter]:
     """Parameters with values that are exact numbers; refuses cycles, however long."""
     symbols = {name: sympy.Symbol(name, real=True) for name in raw}
-    defined = {
-        name: exact(part["value"], symbols, where=f"parameters.{name}.value") for name, part in raw.items()
-    }
+    defined = {name: exact(part["value"], symbols, where=f"parameters.{name}.value") for name, part in raw.items()}
     values: dict[str, sympy.Expr] = {}
     waiting = list(raw)
     while waiting:
@@ -213,9 +203,7 @@ def _resolve(raw: Mapping[str, dict[str, Any]]) -> dict[str, Parameter]:
             values[name] = exact(raw[name]["value"], values, where=where)
             numeric(values[name], where=where)
             if node_count(values[name]) > MAX_NODES // 10:
-                raise DescriptionError(
-                    f"{where}: the value has too many terms once its parameters are put in"
-                )
+                raise DescriptionError(f"{where}: the value has too many terms once its parameters are put in")
         waiting = [name for name in waiting if name not in values]
     return {name: Parameter(name, **{**part, "value": values[name]}) for name, part in raw.items()}
 

@@ -243,7 +243,7 @@ def _run(command: Sequence[str], directory: Path, what: str) -> tuple[bool, str]
 
 
 def _c_results(directory: Path) -> Callable[[str, Sequence[np.ndarray]], Results]:
-    compiled = load(directory, backend="c")
+    compiled = load(directory, backend="c", flags=("-ffp-contract=off",))
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]

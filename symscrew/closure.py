@@ -50,10 +50,10 @@ class Row:
 class Cut:
     """A cut joint: its links, its point in both, the axes it has in both, and its rows.
 
-    `hub_point` is the joint's point in the hub, `contact` the hub's point that is now at the tip's point: the
-    same unless the joint slides. `reference` is hub_R_tip in the reference configuration; `triad` holds in its rows two unit vectors across
-    the joint's single axis and the axis (tip axes); `parent_axes` in its rows the absolute axes of the reference
-    configuration, carried by the joint's parent, in that link's axes.
+    `hub_point` is the joint's point in the hub, `contact` the hub's point that is now at the tip's point (the
+    same unless the joint slides). `triad` holds in its rows two unit vectors across the joint's single axis
+    and the axis, tip axes. `reference` is hub_R_tip in the reference configuration. The rows of `parent_axes`
+    are the absolute axes of the reference configuration, carried by the joint's parent, in that link's axes.
     """
 
     joint: Joint
@@ -71,9 +71,7 @@ class Cut:
     rows: tuple[Row, ...] = ()
 
 
-def cuts(
-    tree: Tree, frames: Sequence[Frame], geometry: Geometry, placed: Sequence[Placement]
-) -> tuple[Cut, ...]:
+def cuts(tree: Tree, frames: Sequence[Frame], geometry: Geometry, placed: Sequence[Placement]) -> tuple[Cut, ...]:
     """Every cut joint with its reciprocal wrenches, for given placements."""
     shared = [0] * len(tree.links)
     for joint in tree.cut:
@@ -111,7 +109,20 @@ def _cut(
     reference = geometry.settle_matrix(product(transpose(frames[hub].axes), frames[tip].axes))
     slides = any(m.kind in "PH" for m in JOINT_TYPES[joint.type].motions)
     contact = carry_point(tree, placed, tip, hub, tip_point) if slides else hub_point
-    cut = Cut(joint, tip, hub, tip_point, hub_point, contact, tip_axes, hub_axes, triad, reference, parent_axes, tip_is_parent)
+    cut = Cut(
+        joint,
+        tip,
+        hub,
+        tip_point,
+        hub_point,
+        contact,
+        tip_axes,
+        hub_axes,
+        triad,
+        reference,
+        parent_axes,
+        tip_is_parent,
+    )
     return replace(cut, rows=reciprocal_rows(cut, geometry, tree, placed))
 
 
@@ -254,9 +265,7 @@ def closure_bias(
     linear = subtract(at_contact, tip.at(cut.tip_point))
     if any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions):
         # the hub's point that is now at the tip's point slides relative to it
-        slide = subtract(
-            seen(twist[cut.hub].velocity_at(cut.contact)), twist[cut.tip].velocity_at(cut.tip_point)
-        )
+        slide = subtract(seen(twist[cut.hub].velocity_at(cut.contact)), twist[cut.tip].velocity_at(cut.tip_point))
         linear = subtract(linear, cross(add(scale(2, tip.omega), omega), slide))
     result = []
     turning = sum(1 for m in JOINT_TYPES[cut.joint.type].motions if m.kind == "R")
@@ -275,7 +284,7 @@ def _hub_acceleration(cut: Cut, tree: Tree, placed: Sequence[Placement], hub: Ra
 
     Where several limbs meet on a spherical hub, its acceleration matrix is rotated once for all of them.
     """
-    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":  # type: ignore[union-attr]
+    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":
         return carry(tree, placed, cut.hub, cut.tip, hub.at(cut.contact))
     turn = placed[cut.hub].turn
     before = add(transform(turn, hub.origin), transform(product(turn, hub.matrix), cut.contact))
@@ -285,7 +294,7 @@ def _hub_acceleration(cut: Cut, tree: Tree, placed: Sequence[Placement], hub: Ra
 def closure_rate(cut: Cut, tree: Tree, placed: Sequence[Placement], twist: Sequence[Twist]) -> tuple[Node, ...]:
     """w_k . (V_tip - V_hub) per row, from twists of the links at their origins in their axes."""
     hub, tip = twist[cut.hub], twist[cut.tip]
-    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":  # type: ignore[union-attr]
+    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":
         velocity = carry(tree, placed, cut.hub, cut.tip, hub.velocity_at(cut.contact))
         omega = carry(tree, placed, cut.hub, cut.tip, hub.angular)
     else:

@@ -73,16 +73,13 @@ def load(path: str | Path) -> Mechanism:
     try:
         if file.stat().st_size > MAX_BYTES:
             raise DescriptionError(
-                f"{file.name}: the file has {file.stat().st_size} bytes; a description has at most "
-                f"{MAX_BYTES}"
+                f"{file.name}: the file has {file.stat().st_size} bytes; a description has at most {MAX_BYTES}"
             )
         text = file.read_bytes().decode("utf-8")
     except OSError as error:
         raise DescriptionError(f"{file.name}: the file cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        raise DescriptionError(
-            f"{file.name}: expected a text file in UTF-8 with a TOML description"
-        ) from error
+        raise DescriptionError(f"{file.name}: expected a text file in UTF-8 with a TOML description") from error
     try:
         return loads(text)
     except DescriptionError as error:

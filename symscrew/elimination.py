@@ -8,8 +8,9 @@ of the characteristic length).
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from symscrew.tape import Node, Tape
 NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
 ACCEPTABLE = 0.1  # a pivot may be this much smaller than the best one if it saves operations
 
-Column = Hashable
+Column = Any  # hashable: a multiplier, a drive, an index into v, or column 1
 Affine = dict[Column, Node]
 
 

@@ -36,7 +36,10 @@ class Setting:
     drives: Mapping[int, int]  # index into v -> index into u
     cut_drives: Mapping[int, Sequence[tuple[int, Row]]]  # cut -> (index into u, unit drive wrench on its child)
     length: float  # characteristic length [m]
-    virtual_directions: tuple[tuple[Vector, ...], tuple[Vector, ...]] = ((), ())  # forces, couples it cannot bear
+    virtual_directions: tuple[tuple[Vector, ...], tuple[Vector, ...]] = (
+        (),
+        (),
+    )  # forces, couples it cannot bear
 
     def row_scale(self, v_index: int) -> float:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
@@ -79,7 +82,11 @@ class Balance:
     unbalanced: list[int] = field(default_factory=list)
 
 
-def balance(setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]], loads: Mapping[int, tuple[Vector, Vector]]) -> Balance:
+def balance(
+    setting: Setting,
+    wrench: Callable[[Link], tuple[Vector, Vector]],
+    loads: Mapping[int, tuple[Vector, Vector]],
+) -> Balance:
     """Eliminate all multipliers, limb by limb.
 
     `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
@@ -141,7 +148,6 @@ class _Elimination:
         force, moment = self.wrench(link)
         accumulate(here, ONE, force, moment)
         before = self._before_motion(link, here)
-        assert link.motion is not None
         for k, v_index in enumerate(range(link.v.start, link.v.stop)):
             row: Affine = {}
             for column, (f, m) in before.items():
@@ -176,7 +182,6 @@ class _Elimination:
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
-        assert link.motion is not None
         frame = self.setting.frames[link.index]
         if link.motion.kind == "S":
             return self.setting.tape.node(m[k])

@@ -58,9 +58,7 @@ _TOKEN = re.compile(
 )
 
 
-def parse(
-    text: str, names: Mapping[str, sympy.Expr] | None = None, *, where: str = "expression"
-) -> sympy.Expr:
+def parse(text: str, names: Mapping[str, sympy.Expr] | None = None, *, where: str = "expression") -> sympy.Expr:
     """The exact SymPy expression that `text` stands for.
 
     Args:
@@ -80,9 +78,7 @@ def parse(
     return _Parser(text, names or {}, where).run()
 
 
-def exact(
-    value: object, names: Mapping[str, sympy.Expr] | None = None, *, where: str = "number"
-) -> sympy.Expr:
+def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where: str = "number") -> sympy.Expr:
     """`value` as an exact expression: int, float, Decimal, Fraction, text or a SymPy expression.
 
     A float counts as its shortest decimal: 0.1 is 1/10. True, False, NaN and infinities are refused.
@@ -104,8 +100,7 @@ def exact(
     if isinstance(value, Decimal | float) or hasattr(value, "__float__"):
         return _from_decimal(value if isinstance(value, Decimal) else float(value), where)  # type: ignore[arg-type]
     raise DescriptionError(
-        f"{where}: expected a number or a text with an expression, got {shorten(value)} "
-        f"({type(value).__name__})"
+        f"{where}: expected a number or a text with an expression, got {shorten(value)} ({type(value).__name__})"
     )
 
 
@@ -192,8 +187,7 @@ def _checked_sympy(value: sympy.Basic, names: Mapping[str, sympy.Expr], where: s
 
 def _too_large(where: str) -> NoReturn:
     raise DescriptionError(
-        f"{where}: the number is too large or too long; at most 4000 digits, powers of ten up to "
-        f"{MAX_POWER_OF_TEN}"
+        f"{where}: the number is too large or too long; at most 4000 digits, powers of ten up to {MAX_POWER_OF_TEN}"
     )
 
 
@@ -239,9 +233,7 @@ class _Parser:
     def __init__(self, text: str, names: Mapping[str, sympy.Expr], where: str) -> None:
         self.text, self.names, self.where = text, names, where
         if len(text) > MAX_LENGTH:
-            raise DescriptionError(
-                f"{where}: the expression has {len(text)} characters; at most {MAX_LENGTH} are read"
-            )
+            raise DescriptionError(f"{where}: the expression has {len(text)} characters; at most {MAX_LENGTH} are read")
         self.tokens = self._tokenise()
         self.position = 0
         self.depth = 0
@@ -323,8 +315,7 @@ class _Parser:
         self.depth -= 1
         if not exponent.is_Rational or max(abs(exponent.p), exponent.q) > MAX_EXPONENT:
             self._fail(
-                f"expected an exponent that is a fraction with parts up to {MAX_EXPONENT}, got "
-                f"{shorten(str(exponent))}"
+                f"expected an exponent that is a fraction with parts up to {MAX_EXPONENT}, got {shorten(str(exponent))}"
             )
         if base.is_zero and exponent.is_negative:
             self._fail("division by zero")

@@ -12,10 +12,22 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import mpmath
+import numpy as np
 
 from symscrew.joints import JOINT_TYPES, Motion
 from symscrew.mechanism import Joint, Mechanism
-from symscrew.screws import IDENTITY, ZERO, Matrix, Vector, add, cross, dot, scale, subtract, transform, transpose
+from symscrew.screws import (
+    IDENTITY,
+    ZERO,
+    Matrix,
+    Vector,
+    cross,
+    dot,
+    scale,
+    subtract,
+    transform,
+    transpose,
+)
 from symscrew.tape import CONTEXT, Node, Tape, high_precision
 from symscrew.tree import GROUND, Link, Tree
 
@@ -93,13 +105,10 @@ class Geometry:
         node = self.tape.settle(node)
         if node.value is not None:
             return abs(float(node.value))
-        self.tape.set_samples({n: [float(v)] for n, v in self._nominal().items()})
+        self.tape.set_samples(
+            {n: np.array([float(self.mechanism.parameters[n.args[0].name].value)]) for n in self.parameters.values()}
+        )
         return abs(float(self.tape.sample(node)[0]))
-
-    def _nominal(self) -> dict[Node, object]:
-        return {
-            node: self.mechanism.parameters[node.args[0].name].value.evalf(30) for node in self.parameters.values()
-        }
 
     def motion_axes(self, joint: Joint) -> tuple[Vector, ...]:
         """Axes to which the motions of a joint refer, absolute, in the reference configuration."""
@@ -130,7 +139,6 @@ def link_frames(mechanism: Mechanism, tree: Tree, geometry: Geometry) -> tuple[F
     for link in tree.links[1:]:
         parent = frames[link.parent]
         joint, motion = tree.joints[link.joint], link.motion
-        assert motion is not None  # only the ground has none
         point = geometry.vector(joint.point)
         if motion.kind == "S":
             frames.append(_place(geometry, parent, IDENTITY, point, transpose(parent.axes), ZERO, tape.zero))
@@ -200,7 +208,13 @@ def _sparse_triad(geometry: Geometry, axis: Vector) -> Matrix:
 
 
 def _revolute_origin(
-    mechanism: Mechanism, tree: Tree, geometry: Geometry, link: Link, parent: Frame, axis: Vector, point: Vector
+    mechanism: Mechanism,
+    tree: Tree,
+    geometry: Geometry,
+    link: Link,
+    parent: Frame,
+    axis: Vector,
+    point: Vector,
 ) -> Vector:
     """A point of the axis: the given one, or the foot of the perpendicular from the parent's origin if that
     leaves fewer numbers in the offsets to the parent and to the joints further out."""
@@ -232,10 +246,10 @@ def _outboard_joints(mechanism: Mechanism, tree: Tree, link: Link) -> Iterator[t
     """(joint, index of its first axis seen from the link) for the joints that leave a link outwards."""
     if not link.bodies:  # inside a compound joint: its next motion
         following = next(other for other in tree.links if other.parent == link.index)
-        yield tree.joints[link.joint], following.motion.axis if following.motion else None
+        yield tree.joints[link.joint], following.motion.axis
         return
     for child in tree.links:
-        if child.parent == link.index and child.motion is not None:
+        if child.parent == link.index:
             yield tree.joints[child.joint], child.motion.axis
     for joint in tree.cut:
         for body, position in ((joint.parent, 0), (joint.child, -1)):

@@ -66,9 +66,7 @@ def constraint_residuals(
     return residuals
 
 
-def joint_displacements(
-    mechanism: Mechanism | NumericMechanism, states: Mapping[str, BodyState]
-) -> dict[str, Array]:
+def joint_displacements(mechanism: Mechanism | NumericMechanism, states: Mapping[str, BodyState]) -> dict[str, Array]:
     """Displacements (..., freedom) of each joint [rad or m] from the poses of its two bodies.
 
     Angles lie in (-pi, pi], a spherical motion is the rotation vector of the child relative to the parent (in

@@ -51,7 +51,6 @@ def joint_screws(
 
 
 def _link_screws(link: Link, frame: Frame, placed: Placement, parent: Pose, own: Pose) -> tuple[Twist, ...]:
-    assert link.motion is not None
     if link.motion.kind == "F":
         return ()
     if link.motion.kind == "S":
@@ -95,7 +94,9 @@ def spin_about(axis: Vector, cosine: Scalar, sine: Scalar) -> Matrix:
     rows = []
     for i in range(3):
         skew = cross(IDENTITY[i], axis)  # row i of [axis]x, transposed sign
-        rows.append(tuple((1 - cosine) * axis[i] * axis[j] + (cosine if i == j else 0) - sine * skew[j] for j in range(3)))
+        rows.append(
+            tuple((1 - cosine) * axis[i] * axis[j] + (cosine if i == j else 0) - sine * skew[j] for j in range(3))
+        )
     return (rows[0], rows[1], rows[2])  # type: ignore[return-value]
 
 

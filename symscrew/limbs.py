@@ -91,9 +91,7 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
     """
     where = "mechanism string"
     if not isinstance(text, str) or not text.strip() or len(text) > 500:
-        raise DescriptionError(
-            f"{where}: expected limbs such as '3UPS-UPU-S' or '6-UPS', got {shorten(text)}"
-        )
+        raise DescriptionError(f"{where}: expected limbs such as '3UPS-UPU-S' or '6-UPS', got {shorten(text)}")
     limbs: list[LimbType] = []
     count: int | None = None
     for part in re.split(r"[-+]", text):
@@ -106,9 +104,7 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
         digits, letters = match.groups()
         if digits:
             if count is not None:
-                raise DescriptionError(
-                    f"{where}: two counts in a row in {shorten(text)}; expected one per limb"
-                )
+                raise DescriptionError(f"{where}: two counts in a row in {shorten(text)}; expected one per limb")
             count = int(digits)
             if not 1 <= count <= MAX_COUNT:
                 raise DescriptionError(f"{where}: expected a count from 1 to {MAX_COUNT}, got {count}")
@@ -116,9 +112,7 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
             limbs += [parse_limb_string(letters, where=where)] * (count or 1)
             count = None
     if count is not None:
-        raise DescriptionError(
-            f"{where}: the count {count} at the end of {shorten(text)} has no limb after it"
-        )
+        raise DescriptionError(f"{where}: the count {count} at the end of {shorten(text)} has no limb after it")
     if len(limbs) > MAX_COUNT:
         raise DescriptionError(f"{where}: {len(limbs)} limbs; at most {MAX_COUNT} are allowed")
     return tuple(limbs)
@@ -219,9 +213,7 @@ def _per_joint(value: Any, count: int, where: str, letters: str) -> Sequence[Any
 
 def _points(letters: str, value: Any, where: str) -> list[Any]:
     others = [k for k, letter in enumerate(letters) if letter != "P"]
-    expected = (
-        f"one point per joint of {letters} ({len(letters)}) or one per joint other than P ({len(others)})"
-    )
+    expected = f"one point per joint of {letters} ({len(letters)}) or one per joint other than P ({len(others)})"
     if value is None:
         raise DescriptionError(f"{where}: the key 'points' is missing; give {expected}")
     given = list(_sequence(value, f"{where}.points", "a list of points"))
@@ -271,8 +263,7 @@ def _driven(limb: LimbType, value: Any, where: str) -> tuple[tuple[int, ...], ..
     for index in listed:
         if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < len(limb.letters):
             raise DescriptionError(
-                f"{where}.driven: expected indices of joints from 0 to {len(limb.letters) - 1}, got "
-                f"{shorten(index)}"
+                f"{where}.driven: expected indices of joints from 0 to {len(limb.letters) - 1}, got {shorten(index)}"
             )
     return tuple((0,) if k in listed else () for k in range(len(limb.letters)))
 
@@ -292,7 +283,5 @@ def _bodies(limb: str, count: int, options: dict[str, Any], where: str) -> list[
 def _per_body(value: Any, count: int, where: str) -> Sequence[Any]:
     listed = _sequence(value, where, f"a list with one entry per body of the limb ({count})")
     if len(listed) != count:
-        raise DescriptionError(
-            f"{where}: expected one entry per body of the limb ({count}), got {len(listed)}"
-        )
+        raise DescriptionError(f"{where}: expected one entry per body of the limb ({count}), got {len(listed)}")
     return listed

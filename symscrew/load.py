@@ -28,7 +28,7 @@ from symscrew.names import check_name
 from symscrew.program import STATUS, Port
 
 COMPILERS = ("cc", "gcc", "clang")
-FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-shared", "-fPIC")
+FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", "-fPIC")
 Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]
 
 
@@ -136,7 +136,11 @@ class CompiledModel:
 
 
 def load(
-    source: Model | str | Path, *, build_dir: str | Path | None = None, backend: str | None = None
+    source: Model | str | Path,
+    *,
+    build_dir: str | Path | None = None,
+    backend: str | None = None,
+    flags: Sequence[str] = (),
 ) -> CompiledModel:
     """The compiled functions of a model, or of a directory that `generate` wrote.
 
@@ -144,6 +148,7 @@ def load(
         source: a model, or the directory with manifest.json.
         build_dir: where the compiled library goes; by default a temporary directory that is gone afterwards.
         backend: "c" or "casadi"; by default "c" if there is a C compiler.
+        flags: further flags of the C compiler.
 
     Raises:
         CompileError: the compiler refused the code.
@@ -153,7 +158,7 @@ def load(
     name, ports = _interface(source)
     chosen = backend or ("c" if find_compiler() else "casadi")
     if chosen == "c":
-        evaluators = _c_evaluators(source, name, ports, build_dir)
+        evaluators = _c_evaluators(source, name, ports, build_dir, flags)
     else:
         evaluators = _casadi_evaluators(source, ports)
     functions = {
@@ -168,13 +173,13 @@ def find_compiler() -> str | None:
     return next((path for path in map(shutil.which, COMPILERS) if path), None)
 
 
-def compile_c(source: Path, library: Path, *, compiler: str | None = None) -> None:
+def compile_c(source: Path, library: Path, *, compiler: str | None = None, flags: Sequence[str] = ()) -> None:
     """Compile a C file into a shared library, for this processor where the compiler knows it."""
     command = compiler or find_compiler()
     if command is None:
         raise CompileError(f"no C compiler ({', '.join(COMPILERS)}); install one or use backend='casadi'")
     for native in (("-march=native",), ()):
-        arguments = [command, *FLAGS, *native, str(source), "-o", str(library), "-lm"]
+        arguments = [command, *FLAGS, *native, *flags, str(source), "-o", str(library), "-lm"]
         result = subprocess.run(arguments, capture_output=True, text=True, check=False)
         if result.returncode == 0:
             return
@@ -197,7 +202,11 @@ def _interface(source: Model | str | Path) -> tuple[str, Interface]:
 
 
 def _c_evaluators(
-    source: Model | str | Path, name: str, ports: Interface, build_dir: str | Path | None
+    source: Model | str | Path,
+    name: str,
+    ports: Interface,
+    build_dir: str | Path | None,
+    flags: Sequence[str],
 ) -> dict[str, Evaluator]:
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         folder = Path(build_dir) if build_dir is not None else Path(temporary)
@@ -207,7 +216,7 @@ def _c_evaluators(
             for file, text in print_c(source).items():
                 (sources / file).write_text(text, encoding="utf-8")
         library = folder / f"lib{name}.so"
-        compile_c(sources / f"{name}.c", library)
+        compile_c(sources / f"{name}.c", library, flags=flags)
         loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
     return {
         function: _c_evaluator(loaded, f"{name}_{function}", len(inputs) + len(outputs))

@@ -36,9 +36,7 @@ class Loops:
         tree = system.tree
         n = len(tree.v)
         unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
-        scales = [
-            1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows
-        ]
+        scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
         preferred = self._named(independent) if independent else self._preferred()
         self.elimination: Elimination = eliminate(system.tape, system.jacobian, unknowns, scales, last=preferred)
         solved = {column for _, column, _, _ in self.elimination.steps}
@@ -60,7 +58,7 @@ class Loops:
         entries = []
         for k in free:
             link = next(link for link in self.system.tree.links[1:] if link.v.start <= k < link.v.stop)
-            spherical = link.motion is not None and link.motion.kind == "S"
+            spherical = link.motion.kind == "S"
             component = k - link.v.start if spherical else None
             q = link.q.start + (1 + component if component is not None else 0)
             entries.append(Independent(q, k, link, component))
@@ -87,7 +85,7 @@ class Loops:
         if platform is not None and platform in tree.link_of_body:
             path = tree.path(tree.link_of_body[platform])
             joints = {tree.links[i].joint for i in path}
-            if len(joints) == 1 and any(tree.links[i].motion.kind == "S" for i in path if tree.links[i].motion):  # type: ignore[union-attr]
+            if len(joints) == 1 and any(tree.links[i].motion.kind == "S" for i in path if tree.links[i].motion):
                 return [k for i in sorted(path) for k in range(tree.links[i].v.start, tree.links[i].v.stop)]
         return list(self.system.drive_rows())
 

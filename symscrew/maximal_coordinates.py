@@ -152,9 +152,7 @@ def stack_states(numbers: NumericMechanism, states: Mapping[str, BodyState]) -> 
         arrays[part] = [np.asarray(getattr(state, part), dtype=float) for state in listed]
         for name, array in zip(numbers.bodies, arrays[part], strict=True):
             if array.shape[array.ndim - last :] != shape:
-                raise ValueError(
-                    f"expected {part} of body '{name}' with last axes {shape}, got shape {array.shape}"
-                )
+                raise ValueError(f"expected {part} of body '{name}' with last axes {shape}, got shape {array.shape}")
             if not np.isfinite(array).all():
                 raise ValueError(f"expected finite numbers in {part} of body '{name}', got NaN or infinity")
     leads = {array.shape[:-1] for part in arrays if part != "rotation" for array in arrays[part]}

@@ -188,7 +188,12 @@ def _limb(mechanism: Mechanism, name: str, joints: Sequence[str], screws: dict[s
     # the wrench (f ; m) is reciprocal to (omega ; v): omega . m + v . f = 0
     system = null_space([[*s[3:], *s[:3]] for s in chain], 6)
     basis = tuple(_normalised(w) for w in system.basis)
-    return LimbMobility(name, tuple(joints), chain, ScrewSystem(basis, system.rank, system.smallest_pivot, system.largest_zero))
+    return LimbMobility(
+        name,
+        tuple(joints),
+        chain,
+        ScrewSystem(basis, system.rank, system.smallest_pivot, system.largest_zero),
+    )
 
 
 def _swapped(row: Sequence) -> Row:
@@ -212,7 +217,9 @@ def null_space(rows: Sequence[Sequence], columns: int) -> ScrewSystem:
     pivots: list[int] = []
     smallest, residue = float("inf"), 0.0
     for r in range(len(matrix)):
-        candidates = [(abs(matrix[i][j]), i, j) for i in range(r, len(matrix)) for j in range(columns) if j not in pivots]
+        candidates = [
+            (abs(matrix[i][j]), i, j) for i in range(r, len(matrix)) for j in range(columns) if j not in pivots
+        ]
         size, i, j = max(candidates, key=lambda c: c[0], default=(CONTEXT.mpf(0), r, 0))
         if size < ZERO_BELOW * largest:
             residue = max(residue, float(size))
@@ -238,7 +245,9 @@ def null_space(rows: Sequence[Sequence], columns: int) -> ScrewSystem:
 
 def describe_wrench(wrench: Sequence) -> str:
     """A wrench in words: a force along a line, a couple, or a wrench with pitch."""
-    return f"{_words(wrench, 'force along', 'couple along', 'wrench along')}: ({_text(wrench[:3])}; {_text(wrench[3:])})"
+    return (
+        f"{_words(wrench, 'force along', 'couple along', 'wrench along')}: ({_text(wrench[:3])}; {_text(wrench[3:])})"
+    )
 
 
 def describe_twist(twist: Sequence) -> str:

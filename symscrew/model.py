@@ -1,8 +1,8 @@
 """The pipeline on one page: from a mechanism and its effects to a model, a set of named programs.
 
-    mechanism --System--> tape, tree, frames, closure
-              --functions of kinematics, momentum, dynamics--> nodes
-              --lower--> straight-line programs --> export
+mechanism --System--> tape, tree, frames, closure
+          --functions of kinematics, momentum, dynamics--> nodes
+          --lower--> straight-line programs --> export
 """
 
 from __future__ import annotations
@@ -50,7 +50,10 @@ class Model:
 
 
 def derive(
-    mechanism: Mechanism, effects: Sequence[Effect] = (Gravity(),), *, independent: Sequence[str] | None = None
+    mechanism: Mechanism,
+    effects: Sequence[Effect] = (Gravity(),),
+    *,
+    independent: Sequence[str] | None = None,
 ) -> Model:
     """The model of a mechanism: every function, for every mechanism, by the same path.
 
@@ -87,7 +90,13 @@ def _test_inputs(system: System, loops: Loops, program: Program | Iteration) -> 
     q, v, a = system.sample_states
     entries = [entry.q for entry in loops.entries]
     random = np.random.default_rng(7)
-    known = {"q": q, "v": v, "a": a, "y": q[:, entries], "guess": np.repeat(system.reference[None, :], len(q), 0)}
+    known = {
+        "q": q,
+        "v": v,
+        "a": a,
+        "y": q[:, entries],
+        "guess": np.repeat(system.reference[None, :], len(q), 0),
+    }
     for name, source in (("pose", known["q"]), ("rate", v), ("gain", a)):
         known[name] = source[:, _hub_entries(system, name == "pose")]
     known["p"] = np.repeat(system.parameter_values[None, :], len(q), 0)

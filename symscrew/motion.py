@@ -20,6 +20,9 @@ from symscrew.model import Model
 
 Array = np.ndarray
 
+ADAMS = (55 / 24, -59 / 24, 37 / 24, -9 / 24)
+"""Weights of the latest slopes in the Adams-Bashforth method of order 4, newest first."""
+
 
 class PlatformTwist(Protocol):
     """Components of the platform's twist (omega ; v_O) as functions of time.
@@ -64,8 +67,9 @@ def integrate(
     *,
     steps: Callable[[Sequence[int]], Iterable[int]] = iter,
 ) -> Motion:
-    """The motion from the reference configuration: Runge-Kutta of order 4 with the steps of `time`.
+    """The motion from the reference configuration, with the (equal) steps of `time`.
 
+    Adams-Bashforth of order 4, started by Runge-Kutta of order 4: one evaluation a step.
     Afterwards all states are projected on the closure by `assemble` at their independent coordinates, and
     rates and accelerations are those of the projected states. `steps` may wrap the loop, for progress.
 
@@ -85,13 +89,15 @@ def integrate(
     def q_dot(t: float, state: Array) -> Array:
         return coordinate_rates(model, state, _rates(functions, rows, wanted, t, state)[0])
 
+    slopes: list[Array] = []
     for k in steps(range(len(time) - 1)):
-        t, h = time[k], time[k + 1] - time[k]
-        k1 = q_dot(t, q[k])
-        k2 = q_dot(t + h / 2, q[k] + h / 2 * k1)
-        k3 = q_dot(t + h / 2, q[k] + h / 2 * k2)
-        k4 = q_dot(t + h, q[k] + h * k3)
-        q[k + 1] = _normalised(model, q[k] + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
+        h = time[k + 1] - time[k]
+        slopes = [q_dot(time[k], q[k]), *slopes[: len(ADAMS) - 1]]
+        if len(slopes) < len(ADAMS):
+            change = _runge_kutta(q_dot, time[k], h, q[k], slopes[0])
+        else:
+            change = h * sum((c * s for c, s in zip(ADAMS, slopes, strict=True)), np.zeros_like(q[0]))
+        q[k + 1] = _normalised(model, q[k] + change)
     projected = _assembled(model, functions, q)
     v, select = _rates(functions, rows, wanted, time, projected)
     a = _accelerations(model, functions, wanted.acceleration(time), rows, select, projected, v)
@@ -99,6 +105,14 @@ def integrate(
     jacobian = functions.platform_jacobian(projected)
     twist = np.einsum("nij,nj->ni", jacobian, v)
     return Motion(time, projected, v, a, twist, float(opening), float(np.abs(projected - q).max()))
+
+
+def _runge_kutta(slope: Callable[[float, Array], Array], t: float, h: float, q: Array, first: Array) -> Array:
+    """Change of q over a step, order 4; `first` is the slope at its start."""
+    second = slope(t + h / 2, q + h / 2 * first)
+    third = slope(t + h / 2, q + h / 2 * second)
+    fourth = slope(t + h, q + h * third)
+    return h / 6 * (first + 2 * second + 2 * third + fourth)
 
 
 def _rates(

@@ -143,9 +143,7 @@ def newton_euler(
     pieces = []
     for start in range(0, max(count, 1), CHUNK):
         part = slice(start, start + CHUNK)
-        some = BodyState(
-            flat.rotation[part], flat.translation[part], flat.twist[part], flat.twist_rate[part]
-        )
+        some = BodyState(flat.rotation[part], flat.translation[part], flat.twist[part], flat.twist_rate[part])
         pieces.append(_solve(numbers, some, fall, applied[part], root_weights=root_weights, preload=wanted))
     return _joined(numbers, pieces, lead)
 

@@ -66,7 +66,6 @@ def planar_limb(system: System, cut: Cut) -> PlanarLimb | None:
     if len(path) != 2:
         return None
     second, first = (system.tree.links[i] for i in path)
-    assert first.motion is not None and second.motion is not None
     kinds = first.motion.kind + second.motion.kind
     axis = system.frames[second.index].axis
     tape = system.tape
@@ -93,7 +92,11 @@ def _two_turns(
     """d = e^(i a) (o + w), w = B e^(i b) t with known lengths: the law of cosines."""
     first, second = system.frames[limb.first.index], system.frames[limb.second.index]
     d3 = transform(transpose(first.rotation), subtract(target, first.offset))
-    d, o, t = (d3[0], d3[1]), (second.offset[0], second.offset[1]), (limb.cut.tip_point[0], limb.cut.tip_point[1])
+    d, o, t = (
+        (d3[0], d3[1]),
+        (second.offset[0], second.offset[1]),
+        (limb.cut.tip_point[0], limb.cut.tip_point[1]),
+    )
     tape = system.tape
     half = tape.reciprocal(tape.node(2))
     inner = half * (square(d) - (square(o) + square(t)))

@@ -257,7 +257,15 @@ class _Lowering:
         f = self.function
         unique = tuple(dict.fromkeys(guards))
         return Program(
-            f.name, f.description, f.inputs, f.outputs, tuple(self.instructions), results, unique, f.notes, next(self.next)
+            f.name,
+            f.description,
+            f.inputs,
+            f.outputs,
+            tuple(self.instructions),
+            results,
+            unique,
+            f.notes,
+            next(self.next),
         )
 
     def value(self, root: Node) -> int | float:
@@ -324,7 +332,9 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
     for port, argument in zip(program.inputs, arguments, strict=True):
         array = np.asarray(argument, dtype=float)
         if array.shape[-1:] != (port.size,) and port.size != 1:
-            raise ValueError(f"{program.name}: {port.name} has {port.size} entries, got an array of shape {array.shape}")
+            raise ValueError(
+                f"{program.name}: {port.name} has {port.size} entries, got an array of shape {array.shape}"
+            )
         if port.size == 1 and array.shape[-1:] != (1,):
             array = array[..., None]
         batch = np.broadcast_shapes(batch, array.shape[:-1])
@@ -338,7 +348,9 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         results = []
         for slots in program.results:
             columns = [values[s] if isinstance(s, int) else s for s in slots]
-            results.append(np.stack([np.broadcast_to(c, batch) for c in columns], axis=-1) if columns else np.zeros((*batch, 0)))
+            results.append(
+                np.stack([np.broadcast_to(c, batch) for c in columns], axis=-1) if columns else np.zeros((*batch, 0))
+            )
         status = np.zeros(batch, dtype=int)
         for guard, threshold in program.guards:
             status = np.where((status == 0) & ~(np.abs(values[guard]) > threshold), 1, status)

@@ -124,7 +124,6 @@ def _tree_reaction(
 ) -> JointWrench:
     """What the joint transmits, its own freedoms cleared: passive ones carry nothing, driven ones the drive."""
     frame, placed, parent = setting.frames[link.index], setting.placed[link.index], pose[link.parent]
-    assert link.motion is not None
     sign = -1 if link.inverted else 1
     columns: Wrenches = {}
     for column, (force, moment) in before.items():
@@ -149,7 +148,6 @@ def _remove_other_drives(
     """Take the shares of drives on the joint's other motions (compound and helical joints) out of column 1."""
     sign = -1 if last.inverted else 1
     for link in setting.tree.links_of(last.joint):
-        assert link.motion is not None
         drive = setting.drives.get(link.v.start) if link.v.stop > link.v.start else None
         cleared = link is last and link.motion.kind != "H"
         if drive is None or cleared or link.motion.kind == "S":

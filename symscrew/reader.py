@@ -56,9 +56,7 @@ class Reader:
         length = sympy.sqrt(x**2 + y**2 + z**2)
         values = {self.symbols[name]: value for name, value in self.values.items()}
         if numeric(length.xreplace(values), where=where) == 0:
-            raise DescriptionError(
-                f"{where}: the joint slides along the line between two points that coincide"
-            )
+            raise DescriptionError(f"{where}: the joint slides along the line between two points that coincide")
         return (x / length, y / length, z / length)
 
     def joint(self, name: str, raw: dict[str, Any]) -> Joint:
@@ -100,16 +98,13 @@ class Reader:
             bare = len(given) == 3 and not isinstance(given[0], list | tuple)
             came = "a single vector; write a list of vectors, such as [[0, 0, 1]]" if bare else len(given)
             raise DescriptionError(
-                f"{where}: expected {count} ax{'i' if count == 1 else 'e'}s for a {kind} joint{hint}, "
-                f"got {came}"
+                f"{where}: expected {count} ax{'i' if count == 1 else 'e'}s for a {kind} joint{hint}, got {came}"
             )
         return tuple(self.axis(axis, f"{where}[{k}]") for k, axis in enumerate(given))
 
     def _pitch(self, value: Any, letter: str, where: str) -> sympy.Expr | None:
         if (value is None) == (letter == "H"):
-            rule = (
-                "a helical joint needs its pitch [m/rad]" if letter == "H" else "only H joints have a pitch"
-            )
+            rule = "a helical joint needs its pitch [m/rad]" if letter == "H" else "only H joints have a pitch"
             raise DescriptionError(f"{where}: {rule}, got {shorten(value)} for a joint of type {letter}")
         return None if value is None else self.number(value, where)
 
@@ -121,8 +116,7 @@ class Reader:
         given = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
         if len(given) != count:
             raise DescriptionError(
-                f"{where}: expected {count} value{'s' * (count != 1)} for a joint of type {letter}, got "
-                f"{len(given)}"
+                f"{where}: expected {count} value{'s' * (count != 1)} for a joint of type {letter}, got {len(given)}"
             )
         numbers = tuple(self.number(v, f"{where}[{k}]") for k, v in enumerate(given))
         return numbers if any(n != 0 for n in numbers) else ()
@@ -162,9 +156,7 @@ class Reader:
                     near = did_you_mean(str(key), known)
                     raise DescriptionError(f"{where}: unknown key {shorten(key)}; {near}")
             if ("principal" in value) == ("matrix" in value):
-                raise DescriptionError(
-                    f"{where}: expected either 'principal' (3 moments) or 'matrix' (3 x 3)"
-                )
+                raise DescriptionError(f"{where}: expected either 'principal' (3 moments) or 'matrix' (3 x 3)")
             if "axes" in value:
                 axes = self._matrix(value["axes"], f"{where}.axes")
                 check_axes_triad(axes, self.parameters, f"{where}.axes")

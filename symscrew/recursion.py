@@ -112,12 +112,15 @@ def quaternion_matrix(w: Node, x: Node, y: Node, z: Node) -> Matrix:
 
 
 def placements(
-    tape: Tape, tree: Tree, frames: Sequence[Frame], q: Sequence[Node], turns: dict[int, tuple[Node, Node]] | None = None
+    tape: Tape,
+    tree: Tree,
+    frames: Sequence[Frame],
+    q: Sequence[Node],
+    turns: dict[int, tuple[Node, Node]] | None = None,
 ) -> tuple[Placement, ...]:
     """The placement of every link; `turns` gives cosine and sine of links whose angle is not needed."""
     result = [Placement(IDENTITY, IDENTITY, ZERO)]
     for link, frame in zip(tree.links[1:], frames[1:], strict=True):
-        assert link.motion is not None
         kind = link.motion.kind
         turn: Matrix = IDENTITY
         offset = frame.offset
@@ -171,7 +174,6 @@ def twists(tree: Tree, frames: Sequence[Frame], placed: Sequence[Placement], v: 
 
 def own_screws(link: Link, frame: Frame, v: Sequence[Node]) -> Twist:
     """What the joint adds: angular part in link axes, linear part in parent axes."""
-    assert link.motion is not None
     kind = link.motion.kind
     if kind == "F":
         return Twist(ZERO, ZERO)
@@ -201,7 +203,7 @@ def rates(
         carried = add(parent.at(here.offset), gain.linear)
         if speed.linear is not ZERO:
             carried = add(carried, cross(scale(2, parent.omega), speed.linear))
-        if link.motion is not None and link.motion.kind in "PF":
+        if link.motion.kind in "PF":
             result.append(Rates(parent.omega, parent.alpha, carried, parent.matrix))
             continue
         before = here.outwards(parent.omega)
@@ -261,7 +263,9 @@ def _sum(geometry: Geometry, a: Inertia, b: Inertia) -> Inertia:
     return Inertia(a.mass + b.mass, geometry.settle(add(a.first, b.first)), geometry.settle_matrix(second))  # type: ignore[arg-type]
 
 
-def regrouped(tree: Tree, frames: Sequence[Frame], inertia: Sequence[Inertia], geometry: Geometry) -> tuple[Inertia, ...]:
+def regrouped(
+    tree: Tree, frames: Sequence[Frame], inertia: Sequence[Inertia], geometry: Geometry
+) -> tuple[Inertia, ...]:
     """Inertias with the same generalised forces of the tree and fewer numbers in them.
 
     What lies on a revolute joint's axis moves with the parent just as well: mass, first moment along the
@@ -273,7 +277,6 @@ def regrouped(tree: Tree, frames: Sequence[Frame], inertia: Sequence[Inertia], g
     result = list(inertia)
     for link in reversed(tree.links[1:]):
         own, frame = result[link.index], frames[link.index]
-        assert link.motion is not None
         if not _constant(geometry, own, frame) or not _constant(geometry, result[link.parent], frame):
             continue
         zero = geometry.tape.zero
@@ -299,7 +302,13 @@ def regrouped(tree: Tree, frames: Sequence[Frame], inertia: Sequence[Inertia], g
 
 
 def _constant(geometry: Geometry, inertia: Inertia, frame: Frame) -> bool:
-    values = (inertia.mass, *inertia.first, *(c for row in inertia.second for c in row), *frame.offset, *frame.axis)
+    values = (
+        inertia.mass,
+        *inertia.first,
+        *(c for row in inertia.second for c in row),
+        *frame.offset,
+        *frame.axis,
+    )
     return all(geometry.tape.node(v).value is not None for v in values)
 
 

@@ -56,7 +56,7 @@ def spoke_limb(system: System, cut: Cut) -> SpokeLimb | None:
     if len(path) != 3:
         return None
     slider, second, first = (system.tree.links[i] for i in path)
-    kinds = [link.motion.kind for link in (first, second, slider) if link.motion is not None]
+    kinds = [link.motion.kind for link in (first, second, slider)]
     if kinds != ["R", "R", "P"]:
         return None
     frames, settle = system.frames, system.geometry.settle

@@ -11,6 +11,7 @@ import copy
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -103,10 +104,7 @@ class System:
     @cached_property
     def length(self) -> float:
         """Characteristic length [m]: root mean square distance of the joints' points from their centre."""
-        points = [
-            [float(self.mechanism.number(c)) for c in joint.point]
-            for joint in self.mechanism.joints.values()
-        ]
+        points = [[float(self.mechanism.number(c)) for c in joint.point] for joint in self.mechanism.joints.values()]
         points += [[float(self.mechanism.number(c)) for c in p.at] for p in self.mechanism.points.values()]
         cloud = np.array(points)
         size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
@@ -175,9 +173,8 @@ class System:
         """Push a unit wrench from a link (axes before its motion) to the ground, noting S . w of each row."""
         while True:
             link, frame, placed = self.tree.links[index], self.frames[index], self.placed[index]
-            assert link.motion is not None
             if link.motion.kind == "F":
-                values = ()
+                values: tuple[Any, ...] = ()
             elif link.motion.kind == "S":
                 values = moment
             elif link.motion.kind == "P":
@@ -195,9 +192,7 @@ class System:
 
     def bias(self, rate: Sequence[Rates]) -> list[Node]:
         """(dJ/dt) v per row, from rates taken at zero accelerations of the tree."""
-        return [
-            value for cut in self.cuts for value in closure_bias(cut, self.tree, self.placed, self.twist, rate)
-        ]
+        return [value for cut in self.cuts for value in closure_bias(cut, self.tree, self.placed, self.twist, rate)]
 
     @cached_property
     def residual(self) -> list[Node]:
@@ -219,7 +214,7 @@ class System:
     def _turned(self, values: Sequence[Node], *, inverse: bool) -> list[Node]:
         result = list(values)
         for link in self.tree.links[1:]:
-            if link.motion is not None and link.motion.kind == "S":
+            if link.motion.kind == "S":
                 turn = self.placed[link.index].turn
                 x, y, z = values[link.v]
                 result[link.v] = transform(transpose(turn) if inverse else turn, (x, y, z))
@@ -232,7 +227,6 @@ class System:
         """q in the reference configuration, shape (nq,)."""
         q = np.zeros(len(self.tree.q))
         for link in self.tree.links[1:]:
-            assert link.motion is not None
             joint = self.tree.joints[link.joint]
             if link.motion.kind == "S":
                 q[link.q.start] = 1.0
@@ -257,7 +251,11 @@ class System:
         if not chosen:
             return (), ()
         port = Port(
-            "p", (len(chosen),), tuple(p.unit for p in chosen), tuple(p.name for p in chosen), "run-time parameters"
+            "p",
+            (len(chosen),),
+            tuple(p.unit for p in chosen),
+            tuple(p.name for p in chosen),
+            "run-time parameters",
         )
         return (port,), (self.parameters,)
 
@@ -265,8 +263,14 @@ class System:
         """Values of `nodes` for arrays (samples, n) of the given input nodes; run-time parameters default."""
         pairs = [*inputs, (self.parameters, self.parameter_values)] if self.parameters else list(inputs)
         ports = tuple(Port(f"x{i}", (len(n),), (), (), "") for i, (n, _) in enumerate(pairs))
-        function = Function("numeric", "", ports, (Port("y", (len(nodes),), (), (), ""),),
-                            tuple(tuple(n) for n, _ in pairs), (tuple(nodes),))
+        function = Function(
+            "numeric",
+            "",
+            ports,
+            (Port("y", (len(nodes),), (), (), ""),),
+            tuple(tuple(n) for n, _ in pairs),
+            (tuple(nodes),),
+        )
         return evaluate(lower(function), [a for _, a in pairs])[0][0]
 
     def dense_jacobian(self) -> list[Node]:
@@ -278,7 +282,7 @@ class System:
         """q moved along joint rates w (spherical: rotation vector in the axes before the rotation)."""
         moved = np.array(q, dtype=float)
         for link in self.tree.links[1:]:
-            if link.motion is not None and link.motion.kind == "S":
+            if link.motion.kind == "S":
                 moved[..., link.q] = _rotated(q[..., link.q], step[..., link.v])
             else:
                 moved[..., link.q] = q[..., link.q] + step[..., link.v]
@@ -314,7 +318,9 @@ class System:
             return np.repeat(self.reference[None, :], len(q), axis=0)
         return q[np.resize(np.flatnonzero(good), len(q))]
 
-    def _consistent(self, q: np.ndarray, scales: np.ndarray, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    def _consistent(
+        self, q: np.ndarray, scales: np.ndarray, random: np.random.Generator
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Random rates in the null space of the closure, and accelerations that fit them."""
         n = len(scales)
         w = random.uniform(-1, 1, (len(q), n)) * scales

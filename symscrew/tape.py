@@ -387,7 +387,7 @@ def _build_sympy(node: Node, done: Mapping[int, sympy.Expr]) -> sympy.Expr:
     return sign * _SYMPY[op](*(done[a.index] for a in operands))
 
 
-_SYMPY = {
+_SYMPY: dict[str, Any] = {
     "add": lambda x, y: x + y,
     "sub": lambda x, y: x - y,
     "mul": lambda x, y: x * y,
@@ -403,7 +403,7 @@ _SYMPY = {
     "select": lambda c, x, y: sympy.Piecewise((x, sympy.Ne(c, 0)), (y, True)),
 }
 
-_NUMPY = {
+_NUMPY: dict[str, Any] = {
     "add": np.add,
     "sub": np.subtract,
     "mul": np.multiply,

@@ -42,7 +42,7 @@ class Link:
     index: int
     parent: int
     joint: str
-    motion: Motion | None
+    motion: Motion
     inverted: bool
     bodies: tuple[str, ...]
     q: slice
@@ -122,7 +122,10 @@ def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None)
             continue
         candidates: dict[str, tuple[tuple, str, bool]] = {}
         for joint in joints.values():
-            for near, far, inverted in ((joint.parent, joint.child, False), (joint.child, joint.parent, True)):
+            for near, far, inverted in (
+                (joint.parent, joint.child, False),
+                (joint.child, joint.parent, True),
+            ):
                 if near in frontier and far not in depth:
                     key = (not joint.driven, JOINT_TYPES[joint.type].freedom)
                     if far not in candidates or key < candidates[far][0]:
@@ -179,7 +182,9 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
         if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):
             return None
     for joint in mechanism.joints.values():
-        if joint.type == "P" and not equal(sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero):
+        if joint.type == "P" and not equal(
+            sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero
+        ):
             return None
     return (normal[0], normal[1], normal[2])
 
@@ -214,7 +219,7 @@ def _links(
     for name, (q, v) in coordinates.items():
         q_start[name], v_start[name] = q_next, v_next
         q_next, v_next = q_next + len(q), v_next + len(v)
-    links = [Link(GROUND, GROUND, "", None, False, (mechanism.ground,), slice(0, 0), slice(0, 0))]
+    links = [Link(GROUND, GROUND, "", FIXED, False, (mechanism.ground,), slice(0, 0), slice(0, 0))]
     link_of_body = {mechanism.ground: GROUND}
     waiting = dict(reached)
     while waiting:
@@ -229,8 +234,9 @@ def _links(
             q_at, v_at = _offsets(joint, q_start[name], v_start[name])
             for position, motion in reversed(motions) if inverted else motions:
                 q_size, v_size = SIZES.get(motion.kind, (1, 1))
-                q, v = slice(q_at[position], q_at[position] + q_size), slice(v_at[position], v_at[position] + v_size)
-                links.append(Link(len(links), current, name, motion, inverted, (), q, v))
+                in_q = slice(q_at[position], q_at[position] + q_size)
+                in_v = slice(v_at[position], v_at[position] + v_size)
+                links.append(Link(len(links), current, name, motion, inverted, (), in_q, in_v))
                 current = len(links) - 1
             old = links[current]
             links[current] = Link(

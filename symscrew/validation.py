@@ -54,9 +54,7 @@ def validate(mechanism: Mechanism, features: Mapping[str, Feature] | None = None
     for name, feature in (features or {}).items():
         _check_closure(mechanism, mechanism.joints[name], feature, size)
     moments = {body.name: _check_inertia(mechanism, body) for body in mechanism.bodies.values()}
-    return tuple(
-        warning for name, largest in moments.items() if (warning := _extent_warning(mechanism, name, largest))
-    )
+    return tuple(warning for name, largest in moments.items() if (warning := _extent_warning(mechanism, name, largest)))
 
 
 def mechanism_size(mechanism: Mechanism) -> float:
@@ -80,8 +78,7 @@ def check_axes_triad(axes: Matrix3, parameters: Mapping[str, Parameter], where: 
                 what = "length" if i == j else f"product with axis {j}"
                 value = _CONTEXT.sqrt(product) if i == j else product
                 raise DescriptionError(
-                    f"{where}: expected three orthogonal unit vectors, but axis {i} has {what} "
-                    f"{mpmath.nstr(value, 10)}"
+                    f"{where}: expected three orthogonal unit vectors, but axis {i} has {what} {mpmath.nstr(value, 10)}"
                 )
 
 
@@ -100,8 +97,7 @@ def _check_references(mechanism: Mechanism) -> None:
         known(joint.child, f"joints.{joint.name}.child")
         if joint.parent == joint.child:
             raise DescriptionError(
-                f"joints.{joint.name}: parent and child are the same body {joint.parent!r}; expected two "
-                "bodies"
+                f"joints.{joint.name}: parent and child are the same body {joint.parent!r}; expected two bodies"
             )
     for point in mechanism.points.values():
         known(point.body, f"points.{point.name}.body")
@@ -123,9 +119,7 @@ def _check_references(mechanism: Mechanism) -> None:
 
 def _check_connected(mechanism: Mechanism) -> None:
     if not mechanism.joints:
-        raise DescriptionError(
-            f"mechanism {mechanism.name!r}: it has no joints; add [joints.NAME] or [limbs.NAME]"
-        )
+        raise DescriptionError(f"mechanism {mechanism.name!r}: it has no joints; add [joints.NAME] or [limbs.NAME]")
     neighbours: dict[str, list[str]] = {name: [] for name in mechanism.bodies}
     for joint in mechanism.joints.values():
         neighbours[joint.parent].append(joint.child)
@@ -184,9 +178,7 @@ def _check_closure(mechanism: Mechanism, joint: Joint, feature: Feature, size: f
         gap = (there[0] - here[0], there[1] - here[1], there[2] - here[2])
         if "P" in kinds and axes:
             along = _dot(gap, axes[0])
-            across = _length(
-                (gap[0] - along * axes[0][0], gap[1] - along * axes[0][1], gap[2] - along * axes[0][2])
-            )
+            across = _length((gap[0] - along * axes[0][0], gap[1] - along * axes[0][1], gap[2] - along * axes[0][2]))
             distance = abs(along) if joint.type == "E" else across
         else:
             distance = _length(gap)
@@ -231,8 +223,7 @@ def _check_inertia(mechanism: Mechanism, body: Body) -> mpmath.mpf | None:
     limit = -INERTIA_TOLERANCE * scale
     if moments[0] < limit:
         raise DescriptionError(
-            f"{where}.inertia: expected principal moments of at least 0, got {shown} kg m^2; check signs "
-            "and axes"
+            f"{where}.inertia: expected principal moments of at least 0, got {shown} kg m^2; check signs and axes"
         )
     if moments[0] + moments[1] - moments[2] < limit:
         raise DescriptionError(
@@ -241,9 +232,7 @@ def _check_inertia(mechanism: Mechanism, body: Body) -> mpmath.mpf | None:
             "axes, and that the inertia is about the centre of mass"
         )
     if mass == 0:
-        raise DescriptionError(
-            f"{where}.mass: expected a positive mass with the inertia {shown} kg m^2, got 0"
-        )
+        raise DescriptionError(f"{where}.mass: expected a positive mass with the inertia {shown} kg m^2, got 0")
     return moments[2]
 
 

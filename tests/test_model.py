@@ -6,8 +6,14 @@ import numpy as np
 import pytest
 from model_states import ALL, body_states, by_joint, model, output, relative, run
 
+from symscrew.newton_euler import (
+    constraint_residuals,
+    joint_displacements,
+    joint_rates,
+    newton_euler,
+    numeric,
+)
 from symscrew.program import evaluate
-from symscrew.newton_euler import constraint_residuals, joint_displacements, joint_rates, newton_euler, numeric
 
 EXACT = 1e-9
 
@@ -28,9 +34,9 @@ def test_rates_and_displacements_of_all_joints(name: str) -> None:
     q, v, a = found.system.sample_states
     states = body_states(found, q, v, a)
     numbers = numeric(found.mechanism)
-    expected = np.concatenate([r for r in joint_rates(numbers, states).values()], axis=-1)
+    expected = np.concatenate(list(joint_rates(numbers, states).values()), axis=-1)
     assert relative(run(name, "joint_rates", q, v), expected) < EXACT
-    expected = np.concatenate([d for d in joint_displacements(numbers, states).values()], axis=-1)
+    expected = np.concatenate(list(joint_displacements(numbers, states).values()), axis=-1)
     assert relative(run(name, "joint_displacements", q), expected) < EXACT
 
 
@@ -62,10 +68,7 @@ def test_components_reported_as_not_unique(name: str) -> None:
     expected = newton_euler(numeric(found.mechanism), body_states(found, q, v, a))
     labels = ("fx", "fy", "fz", "mx", "my", "mz")
     changing = {
-        f"{joint}.{labels[k]}"
-        for joint, mask in expected.unique.items()
-        for k in range(6)
-        if not mask[..., k].all()
+        f"{joint}.{labels[k]}" for joint, mask in expected.unique.items() for k in range(6) if not mask[..., k].all()
     }
     reported = {
         label.strip()
@@ -173,10 +176,14 @@ def test_power_balance(name: str) -> None:
     energies = []
     for sign in (1, -1):
         w = found.system.numeric(
-            found.system.joint_rates(found.system.inputs.v), (found.system.inputs.q, q), (found.system.inputs.v, v)
+            found.system.joint_rates(found.system.inputs.v),
+            (found.system.inputs.q, q),
+            (found.system.inputs.v, v),
         )
         w_dot = found.system.numeric(
-            found.system.joint_rates(found.system.inputs.v), (found.system.inputs.q, q), (found.system.inputs.v, a)
+            found.system.joint_rates(found.system.inputs.v),
+            (found.system.inputs.q, q),
+            (found.system.inputs.v, a),
         )
         moved = found.system.advance(q, sign * h * w + 0.5 * h * h * w_dot)
         energies.append(run(name, "energy", moved, v + sign * h * a).sum(axis=1))
@@ -229,9 +236,7 @@ def test_assembly_with_closed_forms_needs_few_steps_and_stays_on_the_branch(name
     assert residual.max() < 1e-13 and step.max() < 1e-12
     turned = guess.copy()
     labels = [c.label for c in found.system.tree.q]
-    angle = next(
-        i for i, c in enumerate(found.system.tree.q) if c.kind == "angle" and i not in assemble.independent
-    )
+    angle = next(i for i, c in enumerate(found.system.tree.q) if c.kind == "angle" and i not in assemble.independent)
     turned[:, angle] += 2 * np.pi  # the same configuration, counted one turn further: stays there
     (q2,), status = found("assemble", y, turned)
     (q1,), _ = found("assemble", y, guess)

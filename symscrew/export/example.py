@@ -98,7 +98,7 @@ def print_cmake(model: Model) -> str:
             f"target_include_directories({library} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})",
             f"set_target_properties({library} PROPERTIES C_STANDARD 99 POSITION_INDEPENDENT_CODE ON)",
             'if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")',
-            f"  target_compile_options({library} PRIVATE -fno-math-errno)",
+            f"  target_compile_options({library} PRIVATE -fno-math-errno -ffp-contract=fast)",
             "endif()",
             "if(UNIX)",
             f"  target_link_libraries({library} PUBLIC m)",

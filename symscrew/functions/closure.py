@@ -126,7 +126,7 @@ def jacobian_in_v(system: System) -> list[list[Node]]:
     tape = system.tape
     columns = [[row.get(k, tape.zero) for row in system.jacobian] for k in range(len(system.tree.v))]
     for link in system.tree.links[1:]:
-        if link.motion is None or link.motion.kind != "S":
+        if link.motion.kind != "S":
             continue
         turn = system.placed[link.index].turn
         old = columns[link.v]
@@ -169,7 +169,10 @@ def assembly(system: System, loops: Loops) -> Iteration:
         "assemble_step",
         "One Newton step of the assembly.",
         [(q_port(system), system.inputs.q), (ports[0], y)],
-        [(q_port(system, "q_next"), moved), *((p, [n]) for p, n in zip(single, (residual, size, orientation), strict=True))],
+        [
+            (q_port(system, "q_next"), moved),
+            *((p, [n]) for p, n in zip(single, (residual, size, orientation), strict=True)),
+        ],
         guarded(loops.guards, NEWTON_THRESHOLD),
     )
     parameter_ports, _ = system.parameter_ports()
@@ -197,7 +200,7 @@ def _moved(system: System, step: Sequence[Node]) -> list[Node]:
     q = list(system.inputs.q)
     half = system.tape.reciprocal(system.tape.node(2))
     for link in system.tree.links[1:]:
-        if link.motion is None or link.motion.kind != "S":
+        if link.motion.kind != "S":
             for i, k in zip(range(link.q.start, link.q.stop), range(link.v.start, link.v.stop), strict=True):
                 q[i] = q[i] + step[k]
             continue

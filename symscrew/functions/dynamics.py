@@ -66,7 +66,11 @@ def _external(system: System, effect: ExternalWrench, loads: Loads) -> tuple[Por
         )
     point = points[effect.point]
     port = Port(
-        effect.port, (6,), WRENCH_UNITS, WRENCH_LABELS, f"force and moment on {point.body} at {point.name}, absolute axes"
+        effect.port,
+        (6,),
+        WRENCH_UNITS,
+        WRENCH_LABELS,
+        f"force and moment on {point.body} at {point.name}, absolute axes",
     )
     nodes = tuple(
         system.tape.symbol(f"{effect.port}_{label}", unit, f"external load {label} at {point.name}")
@@ -124,9 +128,7 @@ class Equations:
 
     def drives(self, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None) -> DriveSolution:
         """Drives from the equations at the hub."""
-        return solve_drives(
-            self.system.tape, self.balance.finals, self.drive_scales, weights=weights, preload=preload
-        )
+        return solve_drives(self.system.tape, self.balance.finals, self.drive_scales, weights=weights, preload=preload)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -157,7 +159,11 @@ def dynamic_functions(system: System, effects: Sequence[Effect]) -> list[Functio
 
 def _inputs(equations: Equations) -> list[tuple[Port, Sequence[Node]]]:
     system = equations.system
-    state = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), (a_port(system), system.inputs.a)]
+    state = [
+        (q_port(system), system.inputs.q),
+        (v_port(system), system.inputs.v),
+        (a_port(system), system.inputs.a),
+    ]
     return [*state, *equations.forces.inputs]
 
 
@@ -192,12 +198,21 @@ def _with_preload(equations: Equations) -> Function:
     inputs = [
         *_inputs(equations),
         (Port("weights", (count,), ("1",) * count, labels, "positive weights of the squares"), weights),
-        (Port("preload", (count,), units, labels, "drives to stay close to: their internal part is kept"), preload),
+        (
+            Port("preload", (count,), units, labels, "drives to stay close to: their internal part is kept"),
+            preload,
+        ),
     ]
     text = "Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives."
     guards = guarded((*equations.balance.guards, *solution.guards))
     return function(
-        system, "inverse_dynamics_preload", text, inputs, [(u_port(system), solution.u)], guards, equations.notes
+        system,
+        "inverse_dynamics_preload",
+        text,
+        inputs,
+        [(u_port(system), solution.u)],
+        guards,
+        equations.notes,
     )
 
 
@@ -213,7 +228,11 @@ def _joint_reactions(equations: Equations) -> Function:
         force, moment = reactions.wrenches.get(name, (ZERO, ZERO))
         values += [*force, *moment]
     port = columns_port(
-        "reactions", names, WRENCH_LABELS, WRENCH_UNITS, "wrench (f ; m_O) from parent on child without the drive's share"
+        "reactions",
+        names,
+        WRENCH_LABELS,
+        WRENCH_UNITS,
+        "wrench (f ; m_O) from parent on child without the drive's share",
     )
     notes = list(equations.notes)
     if reactions.free:
@@ -246,7 +265,10 @@ def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], lo
         if link.index in loads:
             f, m = loads[link.index]
             back = transpose(placed.turn)
-            force, moment = add(force, scale(-1, transform(back, f))), add(moment, scale(-1, transform(back, m)))
+            force, moment = (
+                add(force, scale(-1, transform(back, f))),
+                add(moment, scale(-1, transform(back, m))),
+            )
         for k, value in enumerate(_projected(link, frame, force, moment)):
             result[link.v.start + k] = tape.node(value)
         if link.parent != GROUND:
@@ -259,7 +281,6 @@ def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], lo
 
 def _projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple:
     """S . W of the link's freedoms for v, link axes."""
-    assert link.motion is not None
     if link.motion.kind == "F":
         return ()
     if link.motion.kind == "S":
@@ -313,7 +334,6 @@ def _mass_matrix(system: System) -> Function:
 
 def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
     """Inertial wrench of a composite body at rest under a unit acceleration of one freedom of its joint."""
-    assert link.motion is not None
     frame = system.frames[link.index]
     alpha: Vector = ZERO
     origin: Vector = ZERO

@@ -116,7 +116,9 @@ def _points(system: System, motion: Motion) -> list[Function]:
     points = system.mechanism.points
     if not points:
         return []
-    positions, velocities, accelerations = [], [], []
+    positions: list[object] = []
+    velocities: list[object] = []
+    accelerations: list[object] = []
     for point in points.values():
         link = system.tree.link_of_body[point.body]
         local = local_point(system, link, system.geometry.vector(point.at))
@@ -229,7 +231,7 @@ def _jacobians(system: System, motion: Motion) -> list[Function]:
     for index in tree.path(tree.link_of_body[body]):
         link = tree.links[index]
         screws = motion.screws[index]
-        if link.motion is not None and link.motion.kind == "S":
+        if link.motion.kind == "S":
             # columns for v (child axes): the screws along the parent's axes combined by the rotation
             turn = system.placed[index].turn
             for k, column in enumerate(transpose(turn)):

@@ -75,9 +75,7 @@ def _part(port: Port, name: str, entries: Sequence[int], description: str) -> Po
 
 def _limb_elimination(system: System, hub: set[int]) -> tuple[Elimination, list[tuple[Node, float]]]:
     """The closure solved for the limbs' rates, the platform's being given."""
-    unknowns = {
-        k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(system.tree.v) if k not in hub
-    }
+    unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(system.tree.v) if k not in hub}
     scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
     solver = eliminate(system.tape, system.jacobian, unknowns, scales)
     return solver, guarded(solver.guards)
