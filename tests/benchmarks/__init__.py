@@ -1,0 +1,1 @@
+"""Benchmarks: time, operations and growth. Printed, never asserted; `python -m tests.benchmarks --help`."""

@@ -1,0 +1,39 @@
+"""`python -m tests.benchmarks NAME [--out DIR] [--repeats N]` from the repository's root."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+
+from . import generation, growth, inverse_dynamics
+from .timing import machine, table
+
+BENCHMARKS = {
+    "inverse_dynamics": (inverse_dynamics.run, 25),
+    "growth": (growth.run, 3),
+    "generation": (generation.run, 5),
+}
+
+
+def main() -> None:
+    """Run a benchmark, print Markdown, write raw JSON on request."""
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__)
+    parser.add_argument("name", choices=[*BENCHMARKS, "all"])
+    parser.add_argument("--out", type=Path, help="folder for raw numbers, NAME.json each")
+    parser.add_argument("--repeats", type=int, help="repeats of every measurement")
+    arguments = parser.parse_args()
+    facts = machine()
+    print(table(["machine", ""], list(facts.items())))
+    for name in BENCHMARKS if arguments.name == "all" else [arguments.name]:
+        run, repeats = BENCHMARKS[name]
+        text, raw = run(repeats=arguments.repeats or repeats)
+        print(f"\n## {name}\n\n{text}", flush=True)
+        if arguments.out is not None:
+            arguments.out.mkdir(parents=True, exist_ok=True)
+            content = json.dumps({"machine": facts, **raw}, indent=1)
+            (arguments.out / f"{name}.json").write_text(content + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

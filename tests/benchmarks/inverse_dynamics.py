@@ -1,0 +1,138 @@
+"""Time of the generated inverse dynamics against Pinocchio, on the same states, after both have agreed."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew import catalogue
+from symscrew.export.c import print_c
+from symscrew.load import load
+from symscrew.model import Model, derive
+
+from .pinocchio_build import PinocchioUnavailable, build_pinocchio, python_rnea
+from .pinocchio_tree import pinocchio_tree
+from .states import consistent_states
+from .timing import C_FLAGS, Times, interleaved, table
+
+CASES = ("three_ups_upu_s_physical", "stewart_6ups", "ur5", "panda")
+STATES = 256
+AGREEMENT = 1e-9
+Array = np.ndarray
+
+
+def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
+    """Markdown and raw numbers."""
+    results: dict[str, Any] = {}
+    with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
+        try:
+            library: ctypes.CDLL | None = build_pinocchio(Path(folder))
+            how = "Pinocchio in C++, headers only, built for this processor"
+        except PinocchioUnavailable as reason:
+            library = None
+            how = f"Pinocchio in C++ could not be built ({reason}): its Python call less the call overhead"
+        for name in CASES:
+            results[name] = _case(name, Path(folder), library, repeats)
+    rows = []
+    for name, found in results.items():
+        ours: Times = found["times"]["symscrew"]
+        for variant, times in found["times"].items():
+            ratio = "" if variant == "symscrew" else f"{times.median / ours.median:.1f}"
+            operations = found["operations"] if variant == "symscrew" else ""
+            error = "" if variant == "symscrew" else f"{found['agreement'][variant]:.0e}"
+            rows.append([name, variant, operations, f"{times.least:.3g}", times.text, ratio, error])
+    header = ["mechanism", "inverse dynamics by", "operations", "least ns", "median ns (quartiles)", "times slower", "relative difference"]
+    text = f"{how}. {STATES} states each, {repeats} interleaved repeats.\n\n{table(header, rows)}"
+    raw = {
+        name: {**found, "times": {k: t.as_json() for k, t in found["times"].items()}}
+        for name, found in results.items()
+    }
+    return text, {"how": how, "cases": raw}
+
+
+def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) -> dict[str, Any]:
+    model = derive(catalogue.load(name))
+    q, v, a = consistent_states(model, load(model), STATES)
+    measure, u = _generated(model, folder, (q, v, a))
+    measures: dict[str, Callable[[], float]] = {"symscrew": measure}
+    others: dict[str, Array] = {}
+    tree = pinocchio_tree(model.mechanism)
+    states = tree.states(q, v, a)
+    if library is not None:
+        (folder / f"{name}.txt").write_text(tree.text)
+        opened = library.pinocchio_open(str(folder / f"{name}.txt").encode())
+        if not opened:
+            raise RuntimeError(f"{name}: pinocchio_timing.cpp knows no such tree")
+        variants = {"Pinocchio: RNEA": 0}
+        if tree.cuts:
+            lu = 3 * len(tree.cuts)
+            variants = {
+                f"Pinocchio: RNEA, frame Jacobians, {lu}x{lu} LU": 0,
+                "Pinocchio: RNEA, world Jacobian, limb by limb": 1,
+            }
+        for variant, structured in variants.items():
+            measures[variant], others[variant] = _pinocchio(library, opened, structured, states, u.shape)
+    elif not tree.cuts:
+        variant = "Pinocchio from Python, less overhead: RNEA"
+        measures[variant], others[variant] = python_rnea(tree, states)
+    agreement = {}
+    for variant, found in others.items():
+        agreement[variant] = float(np.abs(found - u).max() / np.abs(u).max())
+        if not agreement[variant] < AGREEMENT:
+            raise RuntimeError(f"{name}: {variant} differs by {agreement[variant]:.1e}; nothing to compare")
+    times = interleaved(measures, repeats)
+    return {
+        "operations": model.programs["inverse_dynamics"].operations["total"],
+        "times": times,
+        "agreement": agreement,
+    }
+
+
+def _generated(
+    model: Model, folder: Path, states: tuple[Array, Array, Array], function: str = "inverse_dynamics"
+) -> tuple[Callable[[], float], Array]:
+    """A measurement of ns per call of the generated C, and its results (states, drives)."""
+    for file, text in print_c(model).items():
+        (folder / file).write_text(text)
+    loop = Path(__file__).with_name("timing_loop.c")
+    built = folder / f"{model.name}_timing.so"
+    symbol = f"{model.name}_{function}"
+    sources = [str(folder / f"{model.name}.c"), str(loop)]
+    command = ["gcc", "-std=gnu99", *C_FLAGS, "-shared", "-fPIC", f"-DFUNCTION={symbol}", *sources, "-o", str(built), "-lm"]
+    subprocess.run(command, check=True)
+    library = ctypes.CDLL(str(built))
+    library.time_calls.restype = ctypes.c_double
+    program = model.programs[function]
+    sizes = np.array([port.size for port in (*program.inputs, *program.outputs)], dtype=np.uintp)
+    u = np.full((len(states[0]), sizes[-1]), np.nan)
+    inputs = [np.ascontiguousarray(x) for x in states]
+
+    def measure(rounds: int = 40) -> float:
+        pointers = [ctypes.c_void_p(x.ctypes.data) for x in (sizes, *inputs, u)]
+        return library.time_calls(ctypes.c_size_t(rounds), ctypes.c_size_t(len(u)), *pointers)
+
+    measure(1)
+    return measure, u
+
+
+def _pinocchio(
+    library: ctypes.CDLL, opened: int, structured: int, states: tuple[Array, ...], shape: tuple[int, ...]
+) -> tuple[Callable[[], float], Array]:
+    """A measurement of ns per call of the C++, and its results."""
+    u = np.full(shape, np.nan)
+
+    def measure(rounds: int = 8) -> float:
+        pointers = [ctypes.c_void_p(x.ctypes.data) for x in (*states, u)]
+        count = ctypes.c_size_t(len(u))
+        return library.pinocchio_time(
+            ctypes.c_void_p(opened), ctypes.c_int(structured), ctypes.c_size_t(rounds), count, *pointers
+        )
+
+    measure(1)
+    return measure, u

@@ -1,0 +1,76 @@
+"""Mechanisms of any size, through the public API: platforms with n limbs, chains of n joints."""
+
+from __future__ import annotations
+
+import math
+
+from symscrew.builder import MechanismBuilder
+from symscrew.mechanism import Mechanism
+
+HEIGHT = "3/5"
+
+
+def platform(limbs: int) -> Mechanism:
+    """A platform on a spherical joint at O with `limbs` UPS limbs, sliders driven; points on two circles.
+
+    Three limbs hold it, more drive it redundantly; with two limbs one freedom carries no drive. The circles
+    are turned against each other and against the axes: all limbs are of one shape, none has special angles.
+    """
+    builder = MechanismBuilder(f"platform_{limbs}", platform="platform")
+    builder.body("platform", mass=3, com=[0, 0, HEIGHT], inertia=["0.07", "0.08", "0.1"])
+    builder.limb("centre", "S", points=[[0, 0, 0]])
+    for k in range(limbs):
+        angle = 2 * math.pi * k / limbs
+        foot, head = _on_circle(0.8, angle + 1 / 7, 0), _on_circle(0.5, angle + 1 / 2, HEIGHT)
+        across, along, normal = _axes(foot, head)
+        turned = [normal, across[1], along]
+        inertia = [{"principal": [i, i, "6e-4"], "axes": turned} for i in ("0.011", "0.009")]
+        builder.limb(
+            f"limb{k + 1}",
+            "UP*S",
+            points=[foot, head],
+            axes=[across, [along], []],
+            mass=["1.4", "1.2"],
+            com=[_mix(foot, head, "1/4"), _mix(foot, head, "3/4")],
+            inertia=inertia,
+        )
+    return builder.build()
+
+
+def chain(joints: int) -> Mechanism:
+    """A serial chain of `joints` revolute joints, axes alternately along z and y, links along x and z."""
+    builder = MechanismBuilder(f"chain_{joints}", platform=f"link{joints}")
+    x, z = 0, 0
+    for k in range(joints):
+        tip_x, tip_z = (x + 1, z) if k % 2 else (x, z + 1)
+        centre = [f"({x} + {tip_x})/10", "1/50", f"({z} + {tip_z})/10"]
+        builder.body(f"link{k + 1}", mass=2, com=centre, inertia=["0.01", "0.012", "0.008"])
+        builder.joint(
+            f"joint{k + 1}",
+            "R",
+            parent=f"link{k}" if k else "base",
+            child=f"link{k + 1}",
+            point=[f"{x}/5", 0, f"{z}/5"],
+            axes=[[0, 1, 0] if k % 2 else [0, 0, 1]],
+            driven=True,
+        )
+        x, z = tip_x, tip_z
+    return builder.build()
+
+
+def _on_circle(radius: float, angle: float, height: int | str) -> list:
+    """A point of a circle about z, to a tenth of a millimetre."""
+    return [f"{radius * math.cos(angle):.4f}", f"{radius * math.sin(angle):.4f}", height]
+
+
+def _mix(a: list, b: list, part: str) -> list:
+    return [f"({p})*(1 - {part}) + ({q})*{part}" for p, q in zip(a, b, strict=True)]
+
+
+def _axes(foot: list, head: list) -> tuple[list, list, list]:
+    """Axes of the universal joint (both horizontal, the second across the leg), along and across the leg."""
+    x, y, z = (f"(({q}) - ({p}))" for p, q in zip(foot, head, strict=True))
+    level, length = f"sqrt({x}^2 + {y}^2)", f"sqrt({x}^2 + {y}^2 + {z}^2)"
+    radial, tangent = [f"{x}/{level}", f"{y}/{level}", "0"], [f"-{y}/{level}", f"{x}/{level}", "0"]
+    normal = [f"{x}*{z}/{level}/{length}", f"{y}*{z}/{level}/{length}", f"-{level}/{length}"]
+    return [radial, tangent], [f"{x}/{length}", f"{y}/{length}", f"{z}/{length}"], normal
