@@ -419,3 +419,21 @@ def test_effects_survive_the_manifest():
     for bad in ({"type": "Effect"}, {"type": "os"}, {"type": "Gravity", "field": 1}, None):
         with pytest.raises(OutputError):
             effect_from_json(bad)
+
+
+def test_latex_in_the_notation_of_the_paper():
+    import sympy
+
+    from symscrew.export.latex import markdown, matrix_latex, screw_latex
+
+    theta, radius, length = sympy.symbols("theta R L")
+    wrench = sympy.Matrix([0, 1, 0, 0, 0, -radius + length / sympy.sin(theta)])
+    text = screw_latex(wrench, {theta: r"\vartheta"})
+    assert (
+        text
+        == r"\begin{pmatrix} 0 & 1 & 0 & ; & 0 & 0 & \frac{L}{\sin{\left(\vartheta \right)}} - R \end{pmatrix}^{T}"
+    )
+    block = markdown("W", matrix_latex(sympy.Matrix.hstack(wrench, 2 * wrench)))
+    assert block.startswith("$$\nW = \\left(\\begin{array}{cc}\n0 & 0 \\\\\n1 & 2 \\\\\n0 & 0 \\\\ \\hline\n")
+    with pytest.raises(ValueError, match="6 entries"):
+        screw_latex(sympy.eye(2))

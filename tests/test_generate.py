@@ -1,0 +1,156 @@
+"""Generated output of real mechanisms, from description to checked files; and that `check` finds changes."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from symscrew import catalogue, description
+from symscrew.check import check
+from symscrew.effects import ExternalWrench, Gravity
+from symscrew.generate import generate
+from symscrew.load import load
+from symscrew.manifest import OutputError
+from symscrew.model import derive
+
+
+@pytest.fixture(scope="module")
+def four_bar():
+    return derive(catalogue.load("four_bar"))
+
+
+@pytest.fixture(scope="module")
+def seed():
+    return derive(catalogue.load("three_ups_upu_s"))
+
+
+@pytest.fixture
+def output(four_bar, tmp_path) -> Path:
+    generate(four_bar, tmp_path / "four_bar")
+    return tmp_path / "four_bar"
+
+
+def failures(directory: Path) -> list[str]:
+    result = check(directory)
+    failed = [line for line in result.lines if ": FAILED: " in line]
+    assert result.ok == (not failed)
+    return failed
+
+
+def test_check_passes_what_generate_writes(four_bar, seed, tmp_path):
+    generate(four_bar, tmp_path / "four_bar")
+    generate(seed, tmp_path / "three_ups_upu_s")
+    result = check(tmp_path)
+    assert result.ok, "\n".join(result.lines)
+    for name in ("four_bar", "three_ups_upu_s"):
+        lines = "\n".join(line for line in result.lines if line.startswith(f"{name}: ok: "))
+        for what in (
+            "operations",
+            "same bytes",
+            "compiles",
+            "C agrees",
+            "CasADi agrees",
+            "NumPy module agrees",
+        ):
+            assert what in lines
+
+
+def test_other_effects_and_coordinates_are_regenerated(tmp_path):
+    effects = (Gravity((0, 0, "-1.62")), ExternalWrench("coupler_middle"))
+    generate(
+        derive(catalogue.load("four_bar"), effects, independent=["B"]), tmp_path / "moon", targets=("numpy",)
+    )
+    manifest = json.loads((tmp_path / "moon/manifest.json").read_text())
+    assert manifest["independent"] == ["B"]
+    assert manifest["effects"][1] == {"type": "ExternalWrench", "point": "coupler_middle"}
+    assert failures(tmp_path / "moon") == []
+
+
+def test_the_description_is_kept(four_bar, output):
+    assert description.load(output / "mechanism.toml") == four_bar.mechanism
+
+
+@pytest.mark.parametrize(
+    "name", ["four_bar.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"]
+)
+def test_a_changed_byte_is_found(output, name):
+    content = bytearray((output / name).read_bytes())
+    content[len(content) // 2] ^= 1
+    (output / name).write_bytes(content)
+    failed = failures(output)
+    assert len(failed) == 1
+    assert f"{name} differs from what is generated today, line " in failed[0]
+
+
+def test_more_operations_than_recorded_are_found(output):
+    recorded = json.loads((output / "ops.json").read_text())
+    recorded["inverse_dynamics"]["mul"] -= 1
+    recorded["inverse_dynamics"]["total"] -= 1
+    before = recorded["inverse_dynamics"]["total"]
+    (output / "ops.json").write_text(json.dumps(recorded))
+    assert any(
+        f"operations of inverse_dynamics rose from {before} to {before + 1}" in f for f in failures(output)
+    )
+
+
+def test_a_wrong_recorded_value_is_found(output):
+    recorded = json.loads((output / "test_vectors.json").read_text())
+    recorded["inverse_dynamics"]["outputs"]["u"][0][0] *= 1 + 1e-10
+    (output / "test_vectors.json").write_text(json.dumps(recorded))
+    failed = failures(output)
+    assert len(failed) == 1
+    assert "test_vectors.json agrees with the evaluator to" in failed[0]
+    assert "inverse_dynamics, u" in failed[0]
+
+
+def test_missing_files_are_found_but_casadi_files_may_be_left_out(output):
+    for path in output.glob("*.casadi"):
+        path.unlink()
+    assert failures(output) == []
+    (output / "four_bar.h").unlink()
+    assert [f for f in failures(output) if "four_bar.h is missing" in f]
+
+
+def test_nothing_to_check_is_an_error(tmp_path):
+    with pytest.raises(OutputError, match="generate first"):
+        check(tmp_path)
+    (tmp_path / "manifest.json").write_text('{"tool": "other"}')
+    with pytest.raises(OutputError, match="written by symscrew"):
+        check(tmp_path)
+
+
+def test_manifest_is_enough_to_call_the_code(seed, tmp_path):
+    """The drives at rest in the reference pose under gravity, in closed form by the centre of mass."""
+    generate(seed, tmp_path / "seed", targets=("c",))
+    manifest = json.loads((tmp_path / "seed/manifest.json").read_text())
+    entry = manifest["functions"]["inverse_dynamics"]
+    assert [port["name"] for port in entry["inputs"]] == ["q", "v", "a"]
+    assert [port["name"] for port in entry["outputs"]] == ["u"]
+    for port in (*entry["inputs"], *entry["outputs"]):
+        assert len(port["labels"]) == int(np.prod(port["shape"]))
+        assert isinstance(port["unit"], str) or len(port["unit"]) == len(port["labels"])
+    compiled = load(tmp_path / "seed")
+    states = seed.test_inputs["inverse_dynamics"]
+    u = compiled.inverse_dynamics(*states)
+    (expected,), _ = seed("inverse_dynamics", *states)
+    assert u == pytest.approx(expected, rel=1e-12)
+
+
+def test_cmake_builds_library_and_example(output):
+    cmake = shutil.which("cmake")
+    if cmake is None:
+        pytest.fail("this test needs CMake")
+    build = output / "build"
+    for command in ([cmake, "-S", str(output), "-B", str(build)], [cmake, "--build", str(build)]):
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert result.returncode == 0, result.stderr
+    printed = subprocess.run(
+        [str(build / "four_bar_example")], capture_output=True, text=True, check=True
+    ).stdout
+    assert "four_bar_inverse_dynamics: status 0, success" in printed
+    assert "A [N m]" in printed
