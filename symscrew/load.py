@@ -11,6 +11,7 @@ Without a C compiler the same functions run in CasADi (`backend` says which).
 from __future__ import annotations
 
 import ctypes
+import math
 import shutil
 import subprocess
 import tempfile
@@ -62,8 +63,11 @@ class CompiledFunction:
     def __call__(self, *arguments: object, check: bool = True, **named: object) -> object:
         """Evaluate; see the class."""
         arrays, batch = self._arrays(self._ordered(arguments, named))
-        count = int(np.prod(batch)) if batch else 1
-        flat = [np.ascontiguousarray(np.broadcast_to(a, (*batch, a.shape[-1]))) for a in arrays]
+        count = math.prod(batch)
+        flat = [
+            np.ascontiguousarray(a if a.shape[:-1] == batch else np.broadcast_to(a, (*batch, a.shape[-1])))
+            for a in arrays
+        ]
         results = [np.empty((count, port.size)) for port in self.outputs]
         status = np.zeros(count, dtype=np.intc)
         self.evaluator(flat, results, status)
@@ -76,6 +80,8 @@ class CompiledFunction:
         return shaped[0] if len(shaped) == 1 else shaped
 
     def _ordered(self, arguments: Sequence[object], named: Mapping[str, object]) -> list[object]:
+        if not named and len(arguments) == len(self.inputs):
+            return list(arguments)
         names = [port.name for port in self.inputs]
         given = dict(zip(names, arguments, strict=False))
         twice = [name for name in named if name in given]
@@ -97,9 +103,9 @@ class CompiledFunction:
                 raise ValueError(f"{self.name} expects {expected}, got {array.shape}")
             if len(shape) > 1:  # column-major
                 array = np.moveaxis(array, range(depth, array.ndim), range(array.ndim - 1, depth - 1, -1))
-            arrays.append(array.reshape(*array.shape[:depth], port.size))
-        batch = np.broadcast_shapes(*(a.shape[:-1] for a in arrays)) if arrays else ()
-        return arrays, batch
+            arrays.append(array if len(shape) == 1 else array.reshape(*array.shape[:depth], port.size))
+        batches = {a.shape[:-1] for a in arrays}
+        return arrays, batches.pop() if len(batches) == 1 else np.broadcast_shapes(*batches)
 
     def _failure(self, status: np.ndarray) -> str:
         if not status.shape:
@@ -230,12 +236,8 @@ def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int) -> Evaluator:
     batch.restype = ctypes.c_int
 
     def evaluate(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
-        batch(
-            len(status),
-            *[a.ctypes.data for a in inputs],
-            *[a.ctypes.data for a in outputs],
-            status.ctypes.data,
-        )
+        arrays = (*inputs, *outputs, status)
+        batch(len(status), *[array.__array_interface__["data"][0] for array in arrays])
 
     return evaluate
 
@@ -272,4 +274,6 @@ def casadi_evaluator(function: Any) -> Evaluator:
 def _unflatten(array: np.ndarray, batch: tuple[int, ...], shape: tuple[int, ...]) -> np.ndarray:
     """Rows of column-major entries as arrays (*batch, *shape)."""
     full, depth = array.reshape(*batch, *reversed(shape)), len(batch)
+    if len(shape) < 2:
+        return full
     return np.moveaxis(full, range(depth, full.ndim), range(full.ndim - 1, depth - 1, -1))
