@@ -16,7 +16,7 @@ from symscrew.export.c import print_c
 from symscrew.load import load
 from symscrew.model import Model, derive
 
-from .pinocchio_build import PinocchioUnavailable, build_pinocchio, python_rnea
+from .pinocchio_build import PinocchioUnavailableError, build_pinocchio, python_rnea
 from .pinocchio_tree import pinocchio_tree
 from .states import consistent_states
 from .timing import C_FLAGS, Times, interleaved, table
@@ -34,7 +34,7 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
         try:
             library: ctypes.CDLL | None = build_pinocchio(Path(folder))
             how = "Pinocchio in C++, headers only, built for this processor"
-        except PinocchioUnavailable as reason:
+        except PinocchioUnavailableError as reason:
             library = None
             how = f"Pinocchio in C++ could not be built ({reason}): its Python call less the call overhead"
         for name in CASES:
@@ -47,11 +47,18 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
             operations = found["operations"] if variant == "symscrew" else ""
             error = "" if variant == "symscrew" else f"{found['agreement'][variant]:.0e}"
             rows.append([name, variant, operations, f"{times.least:.3g}", times.text, ratio, error])
-    header = ["mechanism", "inverse dynamics by", "operations", "least ns", "median ns (quartiles)", "times slower", "relative difference"]
+    header = [
+        "mechanism",
+        "inverse dynamics by",
+        "operations",
+        "least ns",
+        "median ns (quartiles)",
+        "times slower",
+        "relative difference",
+    ]
     text = f"{how}. {STATES} states each, {repeats} interleaved repeats.\n\n{table(header, rows)}"
     raw = {
-        name: {**found, "times": {k: t.as_json() for k, t in found["times"].items()}}
-        for name, found in results.items()
+        name: {**found, "times": {k: t.as_json() for k, t in found["times"].items()}} for name, found in results.items()
     }
     return text, {"how": how, "cases": raw}
 
@@ -104,7 +111,18 @@ def _generated(
     built = folder / f"{model.name}_timing.so"
     symbol = f"{model.name}_{function}"
     sources = [str(folder / f"{model.name}.c"), str(loop)]
-    command = ["gcc", "-std=gnu99", *C_FLAGS, "-shared", "-fPIC", f"-DFUNCTION={symbol}", *sources, "-o", str(built), "-lm"]
+    command = [
+        "gcc",
+        "-std=gnu99",
+        *C_FLAGS,
+        "-shared",
+        "-fPIC",
+        f"-DFUNCTION={symbol}",
+        *sources,
+        "-o",
+        str(built),
+        "-lm",
+    ]
     subprocess.run(command, check=True)
     library = ctypes.CDLL(str(built))
     library.time_calls.restype = ctypes.c_double

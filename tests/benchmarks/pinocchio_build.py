@@ -22,20 +22,20 @@ LIMITS = (
 )  # what Pinocchio's own CMake files define
 
 
-class PinocchioUnavailable(RuntimeError):
+class PinocchioUnavailableError(RuntimeError):
     """Why the C++ side could not be built."""
 
 
 def build_pinocchio(folder: Path) -> ctypes.CDLL:
-    """The compiled pinocchio_timing.cpp (about a minute); raises PinocchioUnavailable."""
+    """The compiled pinocchio_timing.cpp (about a minute); raises PinocchioUnavailableError."""
     packages = Path(sysconfig.get_path("purelib"))
     pinocchio = packages / "cmeel.prefix" / "include"
     candidates = (pinocchio / "eigen3", packages / "casadi" / "include" / "eigen3", Path("/usr/include/eigen3"))
     eigen = next((path for path in candidates if (path / "Eigen" / "Core").is_file()), None)
     if not (pinocchio / "pinocchio" / "algorithm" / "rnea.hpp").is_file():
-        raise PinocchioUnavailable("the wheel `pin` with its headers is not installed")
+        raise PinocchioUnavailableError("the wheel `pin` with its headers is not installed")
     if eigen is None:
-        raise PinocchioUnavailable("no headers of Eigen; install cmeel-eigen")
+        raise PinocchioUnavailableError("no headers of Eigen; install cmeel-eigen")
     built = folder / "pinocchio_timing.so"
     source = Path(__file__).with_name("pinocchio_timing.cpp")
     includes = ["-isystem", str(pinocchio), "-isystem", str(eigen)]
@@ -43,19 +43,17 @@ def build_pinocchio(folder: Path) -> ctypes.CDLL:
     try:
         result = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
-        raise PinocchioUnavailable(f"no C++ compiler: {error}") from error
+        raise PinocchioUnavailableError(f"no C++ compiler: {error}") from error
     if result.returncode:
         errors = [line for line in result.stderr.splitlines() if "error" in line]
-        raise PinocchioUnavailable((errors or [result.stderr[-300:]])[0][:300])
+        raise PinocchioUnavailableError((errors or [result.stderr[-300:]])[0][:300])
     library = ctypes.CDLL(str(built))
     library.pinocchio_open.restype = ctypes.c_void_p
     library.pinocchio_time.restype = ctypes.c_double
     return library
 
 
-def python_rnea(
-    tree: PinocchioTree, states: tuple[np.ndarray, ...]
-) -> tuple[Callable[[], float], np.ndarray]:
+def python_rnea(tree: PinocchioTree, states: tuple[np.ndarray, ...]) -> tuple[Callable[[], float], np.ndarray]:
     """ns per RNEA from Python less that of a tree of one joint (the overhead of the call), and results.
 
     Without the wheel `pin` this raises ImportError: there is nothing to compare with.

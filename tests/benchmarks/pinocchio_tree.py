@@ -131,11 +131,7 @@ def pinocchio_tree(mechanism: Mechanism) -> PinocchioTree:
         if joint.type not in ("S", "U"):
             raise ValueError(f"joint {joint.name}: expected cut joints of type S or U, got {joint.type}")
         tip_first = ends[0] > ends[1]
-        cuts.append(
-            CutJoint(
-                max(ends), min(ends), _numbers(mechanism, joint.point), axes if tip_first else axes[::-1]
-            )
-        )
+        cuts.append(CutJoint(max(ends), min(ends), _numbers(mechanism, joint.point), axes if tip_first else axes[::-1]))
     driven = {j.name for j in mechanism.joints.values() if j.driven}
     limb = order[1:4]
     place = [i for i, links in enumerate(limb) if links[0].joint in driven]
