@@ -1,0 +1,318 @@
+"""The command line: `symscrew list | demo | generate | check | mobility | doctor`.
+
+Results go to stdout, progress and errors to stderr. Exit code 0: done; 1: a check failed or a function
+reported an error; 2: the input cannot be used, said in one line, and nothing has been written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from symscrew import __version__
+
+if TYPE_CHECKING:
+    from symscrew.effects import Effect
+    from symscrew.mechanism import Mechanism
+    from symscrew.model import Model
+
+FAILED, BAD_INPUT, INTERRUPTED = 1, 2, 130
+TARGETS = ("c", "casadi", "numpy")
+
+
+class UsageError(ValueError):
+    """Bad input that the command line itself finds."""
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line on stderr and exit code 2."""
+
+    def error(self, message: str) -> NoReturn:
+        """End with the message."""
+        raise UsageError(f"{message}; see {self.prog} --help")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; returns the exit code."""
+    try:
+        options = parser().parse_args(arguments)
+        return int(options.command(options) or 0)
+    except KeyboardInterrupt:
+        return _fail("interrupted", INTERRUPTED)
+    except BrokenPipeError:
+        # whoever reads our output has gone; what is still buffered must not raise again at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
+    except OSError as error:
+        where = f"{error.filename}: " if error.filename else ""
+        return _fail(f"{where}{error.strerror or error}", BAD_INPUT)
+    except ValueError as error:
+        if not _is_input_error(error):
+            raise
+        return _fail(error, BAD_INPUT)
+    except (ArithmeticError, RuntimeError) as error:
+        if not _is_failure(error):
+            raise
+        return _fail(error, FAILED)
+
+
+def _is_input_error(error: Exception) -> bool:
+    """Errors that are the input's fault; any other is a defect of ours and keeps its traceback."""
+    from symscrew.errors import DescriptionError
+
+    if isinstance(error, (UsageError, DescriptionError)):
+        return True
+    from symscrew.manifest import OutputError
+
+    return isinstance(error, OutputError)
+
+
+def _is_failure(error: Exception) -> bool:
+    from symscrew.load import CompileError, EvaluationError
+
+    return isinstance(error, (CompileError, EvaluationError))
+
+
+def _fail(message: object, code: int) -> int:
+    from symscrew.console import one_line
+
+    print(f"symscrew: error: {one_line(message)}", file=sys.stderr)
+    return code
+
+
+def parser() -> argparse.ArgumentParser:
+    """The commands and their options."""
+    top = Parser(prog="symscrew", description="Symbolic models of mechanisms on screw theory, with code export.")
+    top.add_argument("--version", action="version", version=f"symscrew {__version__}")
+    top.set_defaults(command=_help(top))
+    commands = top.add_subparsers(title="commands", metavar="COMMAND")
+
+    found = _command(commands, "list", list_mechanisms, "the mechanisms that come with the package")
+    found.add_argument("--json", action="store_true", help="as JSON")
+
+    demo = _command(commands, "demo", run_demo, "the whole job on the source paper's mechanism")
+    demo.add_argument("--out", metavar="DIR", help="write figures and a summary here; nothing is written without it")
+    demo.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
+
+    generate = _command(commands, "generate", generate_code, "C, CasADi and NumPy functions of a mechanism")
+    _mechanism(generate)
+    generate.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
+    generate.add_argument("--target", nargs="+", choices=TARGETS, default=TARGETS, help="default: all three")
+    _effects(generate)
+    generate.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
+
+    check = _command(commands, "check", check_output, "is generated output up to date, clean and right?")
+    check.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")
+    check.add_argument("--json", action="store_true", help="as JSON")
+
+    _mechanism(_command(commands, "mobility", report_mobility, "constraints and freedoms by reciprocal screws"))
+    picture = _command(commands, "draw", draw_mechanism, "a picture of a mechanism in its reference configuration")
+    _mechanism(picture)
+    picture.add_argument("--out", metavar="FILE.png", required=True, help="the picture")
+    _command(commands, "doctor", report_installation, "what is installed, and what each part is for")
+    return top
+
+
+def _help(top: argparse.ArgumentParser):  # type: ignore[no-untyped-def]
+    def command(_: argparse.Namespace) -> int:
+        top.error("expected a command")
+
+    return command
+
+
+def _command(commands, name: str, function, text: str) -> argparse.ArgumentParser:  # type: ignore[no-untyped-def]
+    made = commands.add_parser(name, help=text, description=f"{text[0].upper()}{text[1:]}.")
+    made.set_defaults(command=function)
+    return made
+
+
+def _mechanism(command: argparse.ArgumentParser) -> None:
+    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a TOML description")
+
+
+def _effects(command: argparse.ArgumentParser) -> None:
+    gravity = command.add_mutually_exclusive_group()
+    gravity.add_argument("--no-gravity", action="store_true", help="no gravity (default: 9.81 m/s^2 along -z)")
+    gravity.add_argument("--gravity", nargs=3, metavar=("GX", "GY", "GZ"), help="acceleration of free fall [m/s^2]")
+    command.add_argument(
+        "--load", action="append", default=[], metavar="POINT", help="force and moment at a named point as an input"
+    )
+
+
+def list_mechanisms(options: argparse.Namespace) -> int:
+    """`symscrew list`."""
+    from symscrew import catalogue
+    from symscrew.console import table
+
+    found = [catalogue.load(name) for name in catalogue.names()]
+    rows = [
+        {
+            "name": m.name,
+            "bodies": len(m.bodies) - (m.ground in m.bodies),
+            "joints": len(m.joints),
+            "driven": sum(len(j.driven) for j in m.joints.values()),
+            "description": m.description,
+            "source": m.source,
+        }
+        for m in found
+    ]
+    if options.json:
+        print(json.dumps(rows, indent=1, ensure_ascii=False))
+    else:
+        header = ("name", "bodies", "joints", "driven", "description")
+        print(table(header, [[str(row[key]) for key in header] for row in rows]))
+    return 0
+
+
+def run_demo(options: argparse.Namespace) -> int:
+    """`symscrew demo`."""
+    from symscrew.console import Progress
+
+    directory = _writable(options.out) if options.out else None
+    if directory:
+        _need_matplotlib()
+    from symscrew.demo import report
+    from symscrew.demo.study import run
+
+    progress = Progress()
+    result = run(progress=progress)
+    written = report.write(result, directory, progress) if directory else []
+    if options.json:
+        print(json.dumps(report.values(result), indent=1))
+    else:
+        print(report.facts(result))
+        print()
+        print(report.summary(result))
+        if directory:
+            print(f"Written to {directory}: " + ", ".join(path.name for path in written))
+        else:
+            print("No files were written; `symscrew demo --out DIR` draws figures 7, 8, 9 and 11 into DIR.")
+    print(f"done in {progress.elapsed:.1f} s", file=sys.stderr)
+    return 0 if result.agrees else FAILED
+
+
+def generate_code(options: argparse.Namespace) -> int:
+    """`symscrew generate`."""
+    from symscrew.console import Progress, table
+    from symscrew.generate import generate
+
+    progress = Progress()
+    model = _derived(options, progress)
+    with progress.step(f"write {', '.join(options.target)} to {options.out}"):
+        files = generate(model, options.out, [t for t in TARGETS if t in options.target])
+    print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
+    rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
+    print(table(("function", "operations"), rows))
+    for note in model.notes:
+        print(f"note: {note}")
+    return 0
+
+
+def _derived(options: argparse.Namespace, progress: object) -> Model:
+    """The model of the mechanism and effects that the options name; all bad input ends here."""
+    from symscrew import catalogue
+    from symscrew.console import Progress
+    from symscrew.model import derive
+
+    assert isinstance(progress, Progress)
+    with progress.step(f"read {options.mechanism}"):
+        mechanism = catalogue.find(options.mechanism)
+        effects = _chosen_effects(options, mechanism)
+    with progress.step(f"derive {mechanism.name}"):
+        return derive(mechanism, effects, independent=options.independent)
+
+
+def _chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[Effect]:
+    from symscrew.effects import ExternalWrench, Gravity
+    from symscrew.errors import did_you_mean
+
+    effects: list[Effect] = []
+    if not options.no_gravity:
+        gravity = Gravity(tuple(options.gravity)) if options.gravity else Gravity()
+        try:
+            _ = gravity.exact
+        except ValueError as error:
+            raise UsageError(str(error)) from error
+        effects.append(gravity)
+    for point in dict.fromkeys(options.load):
+        if point not in mechanism.points:
+            raise UsageError(f"--load: no point {point!r} in {mechanism.name}; {did_you_mean(point, mechanism.points)}")
+        effects.append(ExternalWrench(point))
+    return effects
+
+
+def check_output(options: argparse.Namespace) -> int:
+    """`symscrew check`."""
+    from symscrew.check import check
+    from symscrew.console import Progress
+
+    progress = Progress()
+    with progress.step(f"check {options.directory}"):
+        result = check(options.directory)
+    if options.json:
+        print(json.dumps({"ok": result.ok, "lines": result.lines}, indent=1, ensure_ascii=False))
+    else:
+        print("\n".join(result.lines))
+        print("all checks passed" if result.ok else "FAILED")
+    return 0 if result.ok else FAILED
+
+
+def report_mobility(options: argparse.Namespace) -> int:
+    """`symscrew mobility`."""
+    from symscrew import catalogue
+    from symscrew.mobility import analyse_mobility
+
+    print(analyse_mobility(catalogue.find(options.mechanism)).report())
+    return 0
+
+
+def draw_mechanism(options: argparse.Namespace) -> int:
+    """`symscrew draw`."""
+    from symscrew import catalogue
+
+    path = Path(options.out)
+    if path.suffix != ".png":
+        raise UsageError(f"--out: expected a file name that ends in .png, got {options.out!r}")
+    mechanism = catalogue.find(options.mechanism)
+    _writable(str(path.parent))
+    _need_matplotlib()
+    from symscrew.drawing import mechanism_figure
+    from symscrew.plots import save
+
+    print(save(mechanism_figure(mechanism), path, tight=True))
+    return 0
+
+
+def report_installation(_: argparse.Namespace) -> int:
+    """`symscrew doctor`."""
+    from symscrew.console import installation, table
+
+    print(table(("part", "found", "for"), installation()))
+    return 0
+
+
+def _writable(directory: str) -> Path:
+    """The directory, made if it is not there, in which a file can be created."""
+    path = Path(directory)
+    if "\0" in directory:
+        raise UsageError("--out: a path must not contain a null character")
+    path.mkdir(parents=True, exist_ok=True)
+    if not os.access(path, os.W_OK | os.X_OK):
+        raise UsageError(f"{directory}: no permission to write here")
+    return path
+
+
+def _need_matplotlib() -> None:
+    import importlib.util
+
+    if importlib.util.find_spec("matplotlib") is None:
+        raise UsageError('figures need matplotlib, which is not installed: pip install "symscrew[plot]"')
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,7 +1,10 @@
-"""What the command line shows: text tables on stdout, progress on stderr."""
+"""What the command line shows: text tables on stdout, progress on stderr, what is installed."""
 
 from __future__ import annotations
 
+import importlib.metadata
+import platform
+import shutil
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -9,6 +12,24 @@ from contextlib import contextmanager
 from typing import Any
 
 from tqdm import tqdm
+
+PACKAGES = {
+    "sympy": "deriving",
+    "casadi": "CasADi functions; evaluation without a C compiler",
+    "numpy": "evaluation",
+    "tqdm": "progress",
+    "matplotlib": "figures of demo and draw",
+    "mujoco": "an oracle of the tests",
+    "pytest": "tests",
+    "pin": "an opponent of the benchmarks",
+}
+TOOLS = {
+    "cc": "running the generated C from Python",
+    "gcc": "check: all warnings as errors",
+    "clang": "check: all warnings as errors",
+    "valgrind": "a test of the generated C",
+    "cmake": "building generated code the way its users do",
+}
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -66,3 +87,17 @@ class Progress:
     def elapsed(self) -> float:
         """Seconds since the command began."""
         return time.perf_counter() - self._start
+
+
+def installation() -> list[tuple[str, str, str]]:
+    """(part, version or place, what for) of everything that the package can use."""
+    rows = [("python", platform.python_version(), "everything")]
+    rows += [(name, _version(name), text) for name, text in PACKAGES.items()]
+    return rows + [(name, shutil.which(name) or "not found", text) for name, text in TOOLS.items()]
+
+
+def _version(package: str) -> str:
+    try:
+        return importlib.metadata.version(package)
+    except importlib.metadata.PackageNotFoundError:
+        return "not installed"

@@ -9,13 +9,14 @@ otherwise. What is structurally zero here is what the generated code does not co
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mpmath
 import numpy as np
 
 from symscrew.joints import JOINT_TYPES, Motion
 from symscrew.mechanism import Joint, Mechanism
+from symscrew.operations import CONTEXT
 from symscrew.screws import (
     IDENTITY,
     ZERO,
@@ -28,7 +29,7 @@ from symscrew.screws import (
     transform,
     transpose,
 )
-from symscrew.tape import CONTEXT, Node, Tape, high_precision
+from symscrew.tape import Node, Tape, high_precision
 from symscrew.tree import GROUND, Link, Tree
 
 UNITS: tuple[Vector, Vector, Vector] = IDENTITY
@@ -52,6 +53,7 @@ class Frame:
     axis: Vector
     phase: Node
     reference: Node | int = 0
+    start: tuple[Node, Node] | None = None  # cosine and sine of the angle at the reference configuration
     pitch: Node | None = None
 
 
@@ -162,8 +164,9 @@ def link_frames(mechanism: Mechanism, tree: Tree, geometry: Geometry) -> tuple[F
         sine = tape.settle(dot(start[1], x))
         phase = tape.settle(tape.function("atan2", sine, cosine) - reference)
         axes = transpose((x, geometry.settle(cross(axis, x)), axis))
+        placed = _place(geometry, parent, axes, origin, before, local, phase, reference)
         pitch = geometry.scalar(joint.pitch) if motion.kind == "H" else None
-        frames.append(_place(geometry, parent, axes, origin, before, local, phase, reference, pitch))
+        frames.append(replace(placed, start=(cosine, sine), pitch=pitch))
     return tuple(frames)
 
 
@@ -176,10 +179,9 @@ def _place(
     axis: Vector,
     phase: Node,
     reference: Node | int = 0,
-    pitch: Node | None = None,
 ) -> Frame:
     offset = geometry.settle(transform(transpose(parent.axes), subtract(origin, parent.origin)))
-    return Frame(axes, origin, rotation, offset, axis, geometry.tape.node(phase), reference, pitch)
+    return Frame(axes, origin, rotation, offset, axis, geometry.tape.node(phase), reference)
 
 
 def _matmul(a: Matrix, b: Matrix) -> Matrix:

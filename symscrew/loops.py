@@ -39,8 +39,11 @@ class Loops:
         scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
         preferred = self._named(independent) if independent else self._preferred()
         self.elimination: Elimination = eliminate(system.tape, system.jacobian, unknowns, scales, last=preferred)
-        solved = {column for _, column, _, _ in self.elimination.steps}
-        free = [k for k in range(n) if k not in solved]
+        if not independent and set(self.elimination.free) != set(preferred):
+            # The same pivots as if the choice had been named.
+            preferred = sorted(self.elimination.free)
+            self.elimination = eliminate(system.tape, system.jacobian, unknowns, scales, last=preferred)
+        free = sorted(self.elimination.free)
         if independent and set(free) != set(preferred):
             names = ", ".join(tree.q[i.q].label for i in self._entries(free))
             raise DescriptionError(

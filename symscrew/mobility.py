@@ -13,8 +13,9 @@ from dataclasses import dataclass
 
 from symscrew.joints import JOINT_TYPES
 from symscrew.mechanism import Joint, Mechanism
+from symscrew.operations import CONTEXT
 from symscrew.screws import IDENTITY, Vector, cross, dot, helical, prismatic, revolute, scale, subtract
-from symscrew.tape import CONTEXT, high_precision
+from symscrew.tape import high_precision
 
 Row = list
 ZERO_BELOW = CONTEXT.mpf(10) ** -35
@@ -252,7 +253,8 @@ def describe_wrench(wrench: Sequence) -> str:
 
 def describe_twist(twist: Sequence) -> str:
     """A twist in words: a rotation about a line, a translation, or a screw motion."""
-    return f"{_words(twist, 'rotation about', 'translation along', 'screw motion about')}: ({_text(twist[:3])}; {_text(twist[3:])})"
+    words = _words(twist, "rotation about", "translation along", "screw motion about")
+    return f"{words}: ({_text(twist[:3])}; {_text(twist[3:])})"
 
 
 def _words(screw: Sequence, line: str, free: str, general: str) -> str:

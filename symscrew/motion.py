@@ -101,8 +101,8 @@ def integrate(
     projected = _assembled(model, functions, q)
     v, select = _rates(functions, rows, wanted, time, projected)
     a = _accelerations(model, functions, wanted.acceleration(time), rows, select, projected, v)
-    opening = np.abs(functions.closure(projected)).max() if "closure" in functions.functions else 0.0
-    jacobian = functions.platform_jacobian(projected)
+    opening = np.abs(np.asarray(functions.closure(projected))).max() if "closure" in functions.functions else 0.0
+    jacobian = np.asarray(functions.platform_jacobian(projected))
     twist = np.einsum("nij,nj->ni", jacobian, v)
     return Motion(time, projected, v, a, twist, float(opening), float(np.abs(projected - q).max()))
 

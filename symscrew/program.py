@@ -15,7 +15,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.tape import Node, Tape, apply_numpy
+from symscrew.operations import apply_numpy
+from symscrew.tape import Node, Tape
 
 COUNTED = {
     "add": "add",
@@ -56,7 +57,7 @@ class Port:
 class Function:
     """A function of the model before lowering: ports and the nodes behind them.
 
-    `guards`: (node, threshold): the function fails where |node| is not above the threshold.
+    `guards`: (node, threshold): the function fails with status 1 where |node| <= threshold.
     """
 
     name: str
@@ -100,7 +101,7 @@ class Program:
             count[COUNTED[instruction.op]] += 1
         # each guard costs an absolute value and a comparison; the sum of all outputs is tested for NaN and Inf
         count["compare"] += 2 * len(self.guards) + 1
-        count["add"] += sum(port.size for port in self.outputs) - 1
+        count["add"] += max(0, len({s for slots in self.results for s in slots if isinstance(s, int)}) - 1)
         count["total"] = sum(count.values())
         return count
 
@@ -353,7 +354,7 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
             )
         status = np.zeros(batch, dtype=int)
         for guard, threshold in program.guards:
-            status = np.where((status == 0) & ~(np.abs(values[guard]) > threshold), 1, status)
+            status = np.where((status == 0) & (np.abs(values[guard]) <= threshold), 1, status)
         total = sum((result.sum(axis=-1) for result in results), start=np.zeros(batch))
         status = np.where((status == 0) & ~np.isfinite(total), 2, status)
         for result in results:
@@ -369,6 +370,9 @@ def evaluate_iteration(iteration: Iteration, arguments: Sequence[object]) -> tup
     q = np.empty_like(full[1], dtype=float)
     status = np.empty(len(q), dtype=int)
     for i in range(len(q)):
+        if not all(np.isfinite(a[i]).all() for a in full):
+            q[i], status[i] = full[1][i], 2
+            continue
         q[i], status[i] = _iterate(iteration, full[0][i], full[1][i], [a[i] for a in full[2:]])
     q[status != 0] = np.nan
     return (q.reshape(*batch, -1),), status.reshape(batch)

@@ -92,10 +92,12 @@ def cosine_sine(tape: Tape, frame: Frame, q: Node) -> tuple[Node, Node]:
     if turns is None and frame.phase.value is not None:
         angle = q + frame.phase
         return tape.function("cos", angle), tape.function("sin", angle)
-    c, s = tape.function("cos", q), tape.function("sin", q)
     if turns is not None:
+        c, s = tape.function("cos", q), tape.function("sin", q)
         return ((c, s), (-s, c), (-c, -s), (s, -c))[turns]
-    cos_phase, sin_phase = tape.function("cos", frame.phase), tape.function("sin", frame.phase)
+    assert frame.start is not None  # revolute and helical links have it
+    c, s = tape.function("cos", q - frame.reference), tape.function("sin", q - frame.reference)
+    cos_phase, sin_phase = frame.start
     return c * cos_phase - s * sin_phase, s * cos_phase + c * sin_phase
 
 

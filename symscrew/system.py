@@ -108,7 +108,8 @@ class System:
         points += [[float(self.mechanism.number(c)) for c in p.at] for p in self.mechanism.points.values()]
         cloud = np.array(points)
         size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
-        return size if size > 0 else 1.0
+        # Rounded, so that the same description gives the same bytes on every machine.
+        return float(f"{size:.6g}") if size > 0 else 1.0
 
     @cached_property
     def drives(self) -> tuple[tuple[str, int], ...]:

@@ -21,8 +21,8 @@ import mpmath
 import numpy as np
 import sympy
 
-CONTEXT = mpmath.mp.clone() if hasattr(mpmath.mp, "clone") else mpmath.ctx_mp.MPContext()
-CONTEXT.dps = 60
+from symscrew.operations import CONTEXT, IN_SYMPY, apply_high_precision, apply_numpy, evaluate_constant
+
 ZERO_BELOW = CONTEXT.mpf(10) ** -45
 KEY_BITS = 150  # constants that agree to 45 digits are one constant
 
@@ -229,7 +229,7 @@ class Tape:
         if name == "abs" and nodes[0].op == "neg":
             nodes = nodes[0].args
         if all(n.value is not None for n in nodes):
-            return self.constant(_evaluate_constant(name, [n.value for n in nodes]), (name, *nodes))
+            return self.constant(evaluate_constant(name, [n.value for n in nodes]), (name, *nodes))
         if name == "select" and nodes[1] is nodes[2]:
             return nodes[1]
         return self._make(name, nodes)
@@ -384,56 +384,7 @@ def _build_sympy(node: Node, done: Mapping[int, sympy.Expr]) -> sympy.Expr:
             return sympy.Integer(int(integer)) if integer == node.value else sympy.Float(node.value, 30)
         if isinstance(op, sympy.Basic):
             return sign * op
-    return sign * _SYMPY[op](*(done[a.index] for a in operands))
-
-
-_SYMPY: dict[str, Any] = {
-    "add": lambda x, y: x + y,
-    "sub": lambda x, y: x - y,
-    "mul": lambda x, y: x * y,
-    "neg": lambda x: -x,
-    "reciprocal": lambda x: 1 / x,
-    "sqrt": sympy.sqrt,
-    "sin": sympy.sin,
-    "cos": sympy.cos,
-    "tan": sympy.tan,
-    "atan2": sympy.atan2,
-    "abs": sympy.Abs,
-    "less": lambda x, y: sympy.Piecewise((1, x < y), (0, True)),
-    "select": lambda c, x, y: sympy.Piecewise((x, sympy.Ne(c, 0)), (y, True)),
-}
-
-_NUMPY: dict[str, Any] = {
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "neg": np.negative,
-    "reciprocal": lambda x: 1.0 / x,
-    "div": np.divide,
-    "sqrt": np.sqrt,
-    "sin": np.sin,
-    "cos": np.cos,
-    "tan": np.tan,
-    "atan2": np.arctan2,
-    "abs": np.abs,
-    "less": lambda x, y: np.where(x < y, 1.0, 0.0),
-    "select": lambda c, x, y: np.where(c != 0, x, y),
-}
-
-
-def apply_numpy(op: str, args: list[Any]) -> Any:
-    """One operation of the tape on NumPy values."""
-    return _NUMPY[op](*args)
-
-
-def _evaluate_constant(name: str, values: list[Any]) -> Any:
-    if name == "less":
-        return 1 if values[0] < values[1] else 0
-    if name == "select":
-        return values[1] if values[0] != 0 else values[2]
-    if name == "abs":
-        return abs(values[0])
-    return getattr(CONTEXT, name)(*values)
+    return sign * IN_SYMPY[op](*(done[a.index] for a in operands))
 
 
 def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
@@ -450,19 +401,5 @@ def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
             if missing:
                 stack.extend(missing)
             else:
-                done[current.index] = _apply_high_precision(current.op, [done[a.index] for a in current.args])
+                done[current.index] = apply_high_precision(current.op, [done[a.index] for a in current.args])
     return done[node.index]
-
-
-def _apply_high_precision(op: str, args: list[Any]) -> Any:
-    if op == "add":
-        return args[0] + args[1]
-    if op == "sub":
-        return args[0] - args[1]
-    if op == "mul":
-        return args[0] * args[1]
-    if op == "neg":
-        return -args[0]
-    if op == "reciprocal":
-        return 1 / args[0]
-    return _evaluate_constant(op, args)

@@ -215,7 +215,7 @@ def _function(model: str, signature: str, program: Program) -> list[str]:
 
 def _checks(model: str, program: Program, names: dict[str, str], operand: Operand) -> list[str]:
     """Guards, then the sum of all outputs; on failure NaN and the status."""
-    guards = " || ".join(f"!(fabs({operand(slot)}) > {decimal(t)})" for slot, t in program.guards)
+    guards = " || ".join(f"fabs({operand(slot)}) <= {decimal(t)}" for slot, t in program.guards)
     checked = [operand(slot) for slot in checked_slots(program)]
     lines: list[str] = []
     tests = [f"{guards} ? 1" if guards else ""]

@@ -71,7 +71,7 @@ def program_function(program: Program) -> ca.Function:
     total = ca.sum1(ca.vertcat(ca.SX(0), *[slots[s] for s in checked_slots(program)]))
     passed = ca.SX(1)
     for slot, threshold in program.guards:
-        passed = ca.logic_and(passed, ca.fabs(slots[slot]) > threshold)
+        passed = ca.logic_and(passed, ca.logic_not(ca.fabs(slots[slot]) <= threshold))
     status = ca.if_else(passed, ca.if_else(_finite(total), 0, 2), 1)
     names = [port.name for port in program.outputs]
     inputs = [port.name for port in program.inputs]

@@ -67,7 +67,7 @@ def _finish(batch, outputs, guards, checked):
         results.append(result)
     status = np.zeros(batch, dtype=int)
     for value, threshold in guards:
-        status = np.where((status == 0) & ~(np.abs(value) > threshold), 1, status)
+        status = np.where((status == 0) & (np.abs(value) <= threshold), 1, status)
     status = np.where((status == 0) & ~np.isfinite(sum(checked)), 2, status)
     for result in results:
         result[status != 0] = np.nan

@@ -183,7 +183,7 @@ def _cut_screws(system: System, cut: Cut) -> tuple[Twist, ...]:
     tip, hub = system.pose[cut.tip], system.pose[cut.hub]
     parent, child = (tip, hub) if cut.tip_is_parent else (hub, tip)
     parent_axes, child_axes = (cut.tip_axes, cut.hub_axes) if cut.tip_is_parent else (cut.hub_axes, cut.tip_axes)
-    at = child.point(cut.hub_point if cut.tip_is_parent else cut.tip_point)
+    at = tip.point(cut.tip_point)
     motions = JOINT_TYPES[cut.joint.type].motions
     screws = []
     turns = 0
@@ -359,7 +359,7 @@ def _angle_about(tape: object, axis: Vector, start: Vector, end: Vector) -> Node
 def _joint_rates(system: System, motion: Motion) -> Function:
     values: list[Node] = []
     cut = {c.joint.name: c for c in system.cuts}
-    for name, joint in system.mechanism.joints.items():
+    for name in system.mechanism.joints:
         if name in cut:
             values += _cut_rates(system, motion, cut[name])
             continue

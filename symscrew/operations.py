@@ -1,0 +1,76 @@
+"""What each operation of the tape means: in NumPy, in SymPy and with 60 digits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy
+
+CONTEXT = mpmath.ctx_mp.MPContext()
+CONTEXT.dps = 60
+
+IN_SYMPY: dict[str, Any] = {
+    "add": lambda x, y: x + y,
+    "sub": lambda x, y: x - y,
+    "mul": lambda x, y: x * y,
+    "neg": lambda x: -x,
+    "reciprocal": lambda x: 1 / x,
+    "sqrt": sympy.sqrt,
+    "sin": sympy.sin,
+    "cos": sympy.cos,
+    "tan": sympy.tan,
+    "atan2": sympy.atan2,
+    "abs": sympy.Abs,
+    "less": lambda x, y: sympy.Piecewise((1, x < y), (0, True)),
+    "select": lambda c, x, y: sympy.Piecewise((x, sympy.Ne(c, 0)), (y, True)),
+}
+
+IN_NUMPY: dict[str, Any] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "neg": np.negative,
+    "reciprocal": lambda x: 1.0 / x,
+    "div": np.divide,
+    "sqrt": np.sqrt,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "atan2": np.arctan2,
+    "abs": np.abs,
+    "less": lambda x, y: np.where(x < y, 1.0, 0.0),
+    "select": lambda c, x, y: np.where(c != 0, x, y),
+}
+
+
+def apply_numpy(op: str, args: list[Any]) -> Any:
+    """One operation of the tape on NumPy values."""
+    return IN_NUMPY[op](*args)
+
+
+def evaluate_constant(name: str, values: list[Any]) -> Any:
+    """A function of constants with 60 digits."""
+    if name == "less":
+        return 1 if values[0] < values[1] else 0
+    if name == "select":
+        return values[1] if values[0] != 0 else values[2]
+    if name == "abs":
+        return abs(values[0])
+    return getattr(CONTEXT, name)(*values)
+
+
+def apply_high_precision(op: str, args: list[Any]) -> Any:
+    """One operation of the tape with 60 digits."""
+    if op == "add":
+        return args[0] + args[1]
+    if op == "sub":
+        return args[0] - args[1]
+    if op == "mul":
+        return args[0] * args[1]
+    if op == "neg":
+        return -args[0]
+    if op == "reciprocal":
+        return 1 / args[0]
+    return evaluate_constant(op, args)
