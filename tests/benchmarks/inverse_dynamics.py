@@ -21,6 +21,7 @@ from .pinocchio_tree import pinocchio_tree
 from .states import consistent_states
 from .timing import C_FLAGS, Times, interleaved, table
 
+OURS = "symscrew, from the tree's coordinates"
 CASES = ("three_ups_upu_s_physical", "stewart_6ups", "ur5", "panda")
 STATES = 256
 AGREEMENT = 1e-9
@@ -41,19 +42,26 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
             results[name] = _case(name, Path(folder), library, repeats)
     rows = []
     for name, found in results.items():
-        ours: Times = found["times"]["symscrew"]
+        ours: Times = found["times"][OURS]
         for variant, times in found["times"].items():
-            ratio = "" if variant == "symscrew" else f"{times.median / ours.median:.1f}"
-            operations = found["operations"] if variant == "symscrew" else ""
-            error = "" if variant == "symscrew" else f"{found['agreement'][variant]:.0e}"
-            rows.append([name, variant, operations, f"{times.least:.3g}", times.text, ratio, error])
+            rows.append(
+                [
+                    name,
+                    variant,
+                    found["operations"].get(variant, ""),
+                    f"{times.least:.3g}",
+                    times.text,
+                    f"{times.median / ours.median:.1f}",
+                    f"{found['agreement'][variant]:.0e}" if variant in found["agreement"] else "",
+                ]
+            )
     header = [
         "mechanism",
         "inverse dynamics by",
         "operations",
         "least ns",
         "median ns (quartiles)",
-        "times slower",
+        "times ours",
         "relative difference",
     ]
     text = f"{how}. {STATES} states each, {repeats} interleaved repeats.\n\n{table(header, rows)}"
@@ -67,8 +75,15 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
     model = derive(catalogue.load(name))
     q, v, a = consistent_states(model, load(model), STATES)
     measure, u = _generated(model, folder, (q, v, a))
-    measures: dict[str, Callable[[], float]] = {"symscrew": measure}
+    measures: dict[str, Callable[[], float]] = {OURS: measure}
     others: dict[str, Array] = {}
+    operations = {OURS: model.programs["inverse_dynamics"].operations["total"]}
+    platform = "inverse_dynamics_platform"
+    if platform in model.programs:
+        variant = "symscrew, from the platform's motion"
+        inputs = _platform_motion(model, platform, (q, v, a))
+        measures[variant], others[variant] = _generated(model, folder, inputs, platform)
+        operations[variant] = model.programs[platform].operations["total"]
     tree = pinocchio_tree(model.mechanism)
     states = tree.states(q, v, a)
     if library is not None:
@@ -94,35 +109,32 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
         if not agreement[variant] < AGREEMENT:
             raise RuntimeError(f"{name}: {variant} differs by {agreement[variant]:.1e}; nothing to compare")
     times = interleaved(measures, repeats)
-    return {
-        "operations": model.programs["inverse_dynamics"].operations["total"],
-        "times": times,
-        "agreement": agreement,
-    }
+    return {"operations": operations, "times": times, "agreement": agreement}
+
+
+def _platform_motion(model: Model, function: str, states: tuple[Array, Array, Array]) -> tuple[Array, ...]:
+    """Pose, rates and accelerations of the platform: the entries of q, v, a with their labels."""
+    tree = model.system.tree
+    labels = ([c.label for c in tree.q], [c.label for c in tree.v], [c.label for c in tree.v])
+    ports = model.programs[function].inputs
+    return tuple(
+        np.ascontiguousarray(values[:, [names.index(label) for label in port.labels]])
+        for values, names, port in zip(states, labels, ports, strict=True)
+    )
 
 
 def _generated(
-    model: Model, folder: Path, states: tuple[Array, Array, Array], function: str = "inverse_dynamics"
+    model: Model, folder: Path, states: tuple[Array, ...], function: str = "inverse_dynamics"
 ) -> tuple[Callable[[], float], Array]:
     """A measurement of ns per call of the generated C, and its results (states, drives)."""
     for file, text in print_c(model).items():
         (folder / file).write_text(text)
     loop = Path(__file__).with_name("timing_loop.c")
-    built = folder / f"{model.name}_timing.so"
+    built = folder / f"{model.name}_{function}.so"
     symbol = f"{model.name}_{function}"
     sources = [str(folder / f"{model.name}.c"), str(loop)]
-    command = [
-        "gcc",
-        "-std=gnu99",
-        *C_FLAGS,
-        "-shared",
-        "-fPIC",
-        f"-DFUNCTION={symbol}",
-        *sources,
-        "-o",
-        str(built),
-        "-lm",
-    ]
+    shared = ["-shared", "-fPIC", f"-DFUNCTION={symbol}", "-o", str(built)]
+    command = ["gcc", "-std=gnu99", *C_FLAGS, *shared, *sources, "-lm"]
     subprocess.run(command, check=True)
     library = ctypes.CDLL(str(built))
     library.time_calls.restype = ctypes.c_double
