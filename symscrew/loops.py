@@ -97,6 +97,18 @@ class Loops:
         """Labels of the independent coordinates y."""
         return tuple(self.system.tree.q[entry.q].label for entry in self.entries)
 
+    def inputs(self, prefix: str) -> tuple[Node, ...]:
+        """Input nodes of the independent coordinates: prefix "y", "ydot" or "yddot"."""
+        what = {"y": "coordinate", "ydot": "rate of coordinate", "yddot": "second rate of coordinate"}[prefix]
+        suffix = {"y": "", "ydot": "/s", "yddot": "/s^2"}[prefix]
+        q = self.system.tree.q
+        return tuple(
+            self.system.tape.symbol(
+                f"{prefix}_{q[e.q].label.replace('.', '_')}", q[e.q].unit + suffix, f"{what} {q[e.q].label}"
+            )
+            for e in self.entries
+        )
+
     # -- linear solutions --------------------------------------------------------------------------------
 
     def dependent(self, right: Sequence[Node], free: Sequence[Node]) -> list[Node]:
@@ -169,12 +181,17 @@ class Loops:
         """w from the rates of the independent coordinates."""
         return self.with_rates([self.system.tape.zero] * len(self.system.tree.v), y_dot)
 
-    def accelerations_from(self, y_ddot: Sequence[Node], bias: Sequence[Node]) -> list[Node]:
-        """dw/dt from the second rates of the independent coordinates; `bias` is (dJ/dt) w per row."""
+    def accelerations_from(
+        self, y_ddot: Sequence[Node], bias: Sequence[Node], w: Sequence[Node] | None = None
+    ) -> list[Node]:
+        """dw/dt from the second rates of the independent coordinates; `bias` is (dJ/dt) w per row.
+
+        `w` are the present joint rates (default: those of the input v).
+        """
         system = self.system
         zeros = [system.tape.zero] * len(self.free)
         particular = self.dependent([-b for b in bias], zeros)
-        w = system.joint_rates(system.inputs.v)
+        w = system.joint_rates(system.inputs.v) if w is None else w
         wanted = [
             second - self._quaternion_bias(entry, w) if entry.component is not None else second
             for entry, second in zip(self.entries, y_ddot, strict=True)

@@ -68,7 +68,7 @@ def derive(
         *kinematic_functions(system, motion),
         *closure_functions(system, loops),
         *momentum_functions(system, motion, tuple(effects)),
-        *dynamic_functions(system, effects),
+        *dynamic_functions(system, effects, loops),
         *platform_functions(system, effects),
     ]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}

@@ -242,3 +242,58 @@ def test_assembly_with_closed_forms_needs_few_steps_and_stays_on_the_branch(name
     (q1,), _ = found("assemble", y, guess)
     assert np.all(status == 0), labels[angle]
     assert np.abs(q2 - q1 - (turned - guess)).max() < 1e-11
+
+
+@pytest.mark.parametrize("name", [n for n in ALL if model(n).system.drives])
+def test_inverse_dynamics_from_the_independent_coordinates(name: str) -> None:
+    found = model(name)
+    q, v, a = found.system.sample_states
+    y_dot, y_ddot = independent_rates(found, q, v, a)
+    expected = run(name, "inverse_dynamics", q, v, a)
+    assert relative(run(name, "inverse_dynamics_independent", q, y_dot, y_ddot), expected) < EXACT
+
+
+@pytest.mark.parametrize("name", [n for n in ALL if model(n).programs["null_space"].outputs[0].size])
+def test_states_far_from_those_used_while_deriving(name: str) -> None:
+    """Other states than the samples that chose the pivots: assembled, consistent, equal to method B."""
+    found = model(name)
+    q, v, a = fresh_states(found, np.random.default_rng(len(name)), 6, 0.35)
+    numbers = numeric(found.mechanism)
+    states = body_states(found, q, v, a)
+    for levels in constraint_residuals(numbers, states).values():
+        assert max(np.abs(level).max() for level in levels) < EXACT
+    expected = newton_euler(numbers, states)
+    if found.system.drives:
+        assert relative(run(name, "inverse_dynamics", q, v, a), expected.drives) < EXACT
+    points = run(name, "joint_points", q).reshape(len(q), -1, 3)
+    for k, joint in enumerate(found.mechanism.joints.values()):
+        if joint.child == found.mechanism.ground:
+            continue
+        state = states[joint.child]
+        place = np.array([float(found.mechanism.number(c)) for c in joint.point])
+        assert np.abs(state.rotation @ place + state.translation - points[:, k]).max() < EXACT or joint.type in "PCEH"
+
+
+def fresh_states(found, rng, count, amplitude):
+    """Random consistent (q, v, a): y and its rates at random, the rest by the model's own functions."""
+    system = found.system
+    programs = found.programs
+    y_port = programs["velocity"].inputs[1]
+    labels = [c.label for c in system.tree.q]
+    entries = [labels.index(label) for label in y_port.labels]
+    q = np.repeat(system.reference[None, :], count, axis=0)
+    step = amplitude * rng.uniform(-1, 1, (count, len(entries)))
+    if "assemble" in programs:
+        (q,), status = found("assemble", q[:, entries] + step, q)
+        q = q[status == 0]
+        assert len(q) >= count // 2, f"only {len(q)} of {count} states could be assembled"
+    else:
+        w = np.zeros((count, len(system.tree.v)))
+        w += amplitude * rng.uniform(-1, 1, w.shape)
+        q = system.advance(q, w)
+    y_dot, y_ddot = (rng.uniform(-1, 1, (len(q), len(entries))) for _ in range(2))
+    (v,), status = found("velocity", q, y_dot)
+    assert np.all(status == 0)
+    (a,), status = found("acceleration", q, v, y_ddot)
+    assert np.all(status == 0)
+    return q, v, a

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.elimination import Guard
-from symscrew.functions.ports import a_port, function, q_port, v_port
+from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
 from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
 from symscrew.loops import Loops
 from symscrew.program import Function, Iteration, Port, lower
@@ -27,7 +27,7 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
     """Closure residual, Jacobian and bias; rates and accelerations from the independent ones."""
     q = (q_port(system), system.inputs.q)
     v = (v_port(system), system.inputs.v)
-    rates = loops.rates_from(_inputs(system, loops, "ydot"))
+    rates = loops.rates_from(loops.inputs("ydot"))
     functions = []
     notes = _notes(system, loops)
     if system.cuts:
@@ -37,7 +37,7 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
             system,
             "velocity",
             "Rates of the tree from the rates of the independent coordinates.",
-            [q, (_y_port(system, loops, "y_dot", 1), _inputs(system, loops, "ydot"))],
+            [q, (y_port(loops, "y_dot", 1), loops.inputs("ydot"))],
             [(v_port(system), system.tree_rates(rates))],
             guarded(loops.guards),
             notes,
@@ -45,13 +45,13 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
     )
     functions.append(_null_space(system, loops, q))
     bias = system.bias(system.rates([system.tape.zero] * len(system.tree.v)))
-    gains = loops.accelerations_from(_inputs(system, loops, "yddot"), bias)
+    gains = loops.accelerations_from(loops.inputs("yddot"), bias)
     functions.append(
         function(
             system,
             "acceleration",
             "Accelerations of the tree from the second rates of the independent coordinates.",
-            [q, v, (_y_port(system, loops, "y_ddot", 2), _inputs(system, loops, "yddot"))],
+            [q, v, (y_port(loops, "y_ddot", 2), loops.inputs("yddot"))],
             [(a_port(system), system.tree_rates(gains))],
             guarded(loops.guards),
             notes,
@@ -77,26 +77,6 @@ def _notes(system: System, loops: Loops) -> tuple[str, ...]:
     if loops.redundant:
         notes.append(f"redundant closure constraints (satisfied by the others): {', '.join(loops.redundant)}")
     return tuple(notes)
-
-
-def _inputs(system: System, loops: Loops, prefix: str) -> tuple[Node, ...]:
-    what = {"y": "coordinate", "ydot": "rate of coordinate", "yddot": "second rate of coordinate"}[prefix]
-    suffix = {"y": "", "ydot": "/s", "yddot": "/s^2"}[prefix]
-    return tuple(
-        system.tape.symbol(
-            f"{prefix}_{system.tree.q[e.q].label.replace('.', '_')}",
-            system.tree.q[e.q].unit + suffix,
-            f"{what} {system.tree.q[e.q].label}",
-        )
-        for e in loops.entries
-    )
-
-
-def _y_port(system: System, loops: Loops, name: str, order: int) -> Port:
-    suffix = ("", "/s", "/s^2")[order]
-    units = tuple(system.tree.q[e.q].unit + suffix for e in loops.entries)
-    text = ("independent coordinates", "their rates", "their second rates")[order]
-    return Port(name, (len(loops.entries),), units, loops.labels, text)
 
 
 def _residual_functions(system: System) -> list[Function]:
@@ -140,8 +120,8 @@ def jacobian_in_v(system: System) -> list[list[Node]]:
 
 def assembly(system: System, loops: Loops) -> Iteration:
     """Assembly of the loops from y and a guess: Newton on the closure."""
-    y = _inputs(system, loops, "y")
-    ports = (_y_port(system, loops, "y", 0), q_port(system, "guess", "a configuration on the wanted branch"))
+    y = loops.inputs("y")
+    ports = (y_port(loops, "y", 0), q_port(system, "guess", "a configuration on the wanted branch"))
     step = loops.newton_step(y)
     scales = [1.0 / system.length if c.kind == "length" else 1.0 for c in system.tree.v]
     tape = system.tape

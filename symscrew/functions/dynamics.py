@@ -23,7 +23,9 @@ from symscrew.functions.ports import (
     q_port,
     u_port,
     v_port,
+    y_port,
 )
+from symscrew.loops import Loops
 from symscrew.program import Function, Port
 from symscrew.reactions import joint_wrenches, numeric_multipliers, solve_reactions
 from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, regrouped
@@ -145,12 +147,13 @@ class Equations:
         return tuple(notes)
 
 
-def dynamic_functions(system: System, effects: Sequence[Effect]) -> list[Function]:
+def dynamic_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Mass matrix, bias and, where there are drives, inverse dynamics and reactions."""
     functions = [_mass_matrix(system), _bias(system, effects)]
     equations = Equations(system, effects)
     if system.drives:
         functions.append(_inverse_dynamics(equations))
+        functions.append(_from_independent(system, effects, loops))
         if equations.solution.redundancy:
             functions.append(_with_preload(equations))
     functions.append(_joint_reactions(equations))
@@ -180,6 +183,26 @@ def _inverse_dynamics(equations: Equations) -> Function:
         guards,
         equations.notes,
     )
+
+
+def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
+    """Inverse dynamics with rates and accelerations of the tree solved from the independent coordinates'."""
+    y_dot, y_ddot = loops.inputs("ydot"), loops.inputs("yddot")
+    v = system.tree_rates(loops.rates_from(y_dot))
+    moving = system.at(system.inputs.q, {}, v)
+    bias = moving.bias(moving.rates([system.tape.zero] * len(v)))
+    a = system.tree_rates(loops.accelerations_from(y_ddot, bias, moving.joint_rates(v)))
+    equations = Equations(system.at(system.inputs.q, {}, v, a), effects)
+    inputs = [
+        (q_port(system), system.inputs.q),
+        (y_port(loops, "y_dot", 1), y_dot),
+        (y_port(loops, "y_ddot", 2), y_ddot),
+        *equations.forces.inputs,
+    ]
+    guards = guarded((*loops.guards, *equations.balance.guards, *equations.solution.guards))
+    text = "Drives from the configuration and the rates and second rates of the independent coordinates."
+    output = [(u_port(system), equations.solution.u)]
+    return function(system, "inverse_dynamics_independent", text, inputs, output, guards, equations.notes)
 
 
 def _with_preload(equations: Equations) -> Function:

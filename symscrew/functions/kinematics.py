@@ -63,6 +63,7 @@ def kinematic_functions(system: System, motion: Motion) -> list[Function]:
         _body_twist_rates(system, motion),
         *_points(system, motion),
         _joint_screws(system, motion),
+        _joint_points(system),
         *_jacobians(system, motion),
         _joint_displacements(system),
         _joint_rates(system, motion),
@@ -221,6 +222,21 @@ def _joint_screws(system: System, motion: Motion) -> Function:
     port = columns_port("screws", labels, TWIST_LABELS, units, "unit screw (e ; r x e) of every joint freedom")
     text = "Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes."
     return function(system, "joint_screws", text, [(q_port(system), system.inputs.q)], [(port, values)])
+
+
+def _joint_points(system: System) -> Function:
+    values: list[object] = []
+    cut = {c.joint.name: c for c in system.cuts}
+    for name, joint in system.mechanism.joints.items():
+        if name in cut:
+            values += system.pose[cut[name].tip].point(cut[name].tip_point)
+            continue
+        link = system.tree.link_of_body[joint.child]
+        values += system.pose[link].point(local_point(system, link, system.geometry.vector(joint.point)))
+    names = list(system.mechanism.joints)
+    port = columns_port("points", names, "xyz", ("m",) * 3, "absolute position of every joint's point")
+    text = "Positions of the joints' points, carried by the child body: where the joint reactions act."
+    return function(system, "joint_points", text, [(q_port(system), system.inputs.q)], [(port, values)])
 
 
 def _jacobians(system: System, motion: Motion) -> list[Function]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.joints import JOINT_TYPES
+from symscrew.loops import Loops
 from symscrew.mechanism import Joint
 from symscrew.program import Function, Port
 from symscrew.system import System
@@ -69,6 +70,14 @@ def drive_is_force(system: System, index: int) -> bool:
     """Whether a drive acts on a sliding freedom."""
     joint, freedom = system.drives[index]
     return JOINT_TYPES[system.mechanism.joints[joint].type].freedoms[freedom].kind == "P"
+
+
+def y_port(loops: Loops, name: str, order: int) -> Port:
+    """Independent coordinates, or their rates of the given order."""
+    suffix = ("", "/s", "/s^2")[order]
+    units = tuple(loops.system.tree.q[e.q].unit + suffix for e in loops.entries)
+    text = ("independent coordinates", "their rates", "their second rates")[order]
+    return Port(name, (len(loops.entries),), units, loops.labels, text)
 
 
 def columns_port(
