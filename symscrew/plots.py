@@ -16,6 +16,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 Array = np.ndarray
 
@@ -51,8 +52,8 @@ STYLE: dict[str, Any] = {
     "grid.color": "#d0d0d0",
     "axes.axisbelow": True,
     "legend.frameon": False,
-    "legend.handlelength": 2.3,
-    "legend.columnspacing": 1.1,
+    "legend.handlelength": 2.1,
+    "legend.columnspacing": 0.9,
     "legend.handletextpad": 0.5,
     "legend.borderaxespad": 0.3,
     "axes.formatter.useoffset": False,
@@ -104,6 +105,7 @@ def draw(axes: Axes, t: Array, curves: Sequence[Curve], *, title: str, label: st
         axes.set_title(title, loc="left", pad=3)
         axes.set_ylabel(label, labelpad=2)
         axes.set_xlim(float(t[0]), float(t[-1]))
+        axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))
         _room_for_legend(axes, curves, columns)
         if curves:
             axes.legend(loc="upper center", ncols=min(columns, len(curves)))

@@ -1,0 +1,192 @@
+"""The command line: what it prints, what it writes, and that bad input ends in one line and exit code 2."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from symscrew import catalogue
+from symscrew.cli import main
+
+GOOD = """
+[mechanism]
+name = "pendulum"
+[bodies.rod]
+mass = 1
+com = [0, 0, "-1/4"]
+inertia = ["1/48", "1/48", 0]
+[joints.pivot]
+type = "R"
+parent = "base"
+child = "rod"
+point = [0, 0, 0]
+axes = [[0, 1, 0]]
+driven = true
+"""
+
+BAD_FILES = {
+    "not_toml": "[mechanism",
+    "empty": "",
+    "unknown_key": GOOD.replace("mass", "mas"),
+    "unknown_section": GOOD + "\n[body.x]\nmass = 1\n",
+    "negative_mass": GOOD.replace("mass = 1", "mass = -1"),
+    "triangle": GOOD.replace('["1/48", "1/48", 0]', "[1, 1, 9]"),
+    "zero_axis": GOOD.replace("[[0, 1, 0]]", "[[0, 0, 0]]"),
+    "missing_body": GOOD.replace('child = "rod"', 'child = "stick"'),
+    "python": GOOD.replace('"-1/4"', "\"__import__('os').system('touch hacked')\""),
+    "lambda": GOOD.replace('"-1/4"', '"(lambda: 1)()"'),
+    "attribute": GOOD.replace('"-1/4"', '"().__class__"'),
+    "tower": GOOD.replace('"-1/4"', '"9^9^9^9"'),
+    "nan": GOOD.replace("mass = 1", "mass = nan"),
+    "quote_in_name": GOOD.replace('"pendulum"', '"pen\\"dulum"'),
+    "newline_in_name": GOOD.replace('"pendulum"', '"pen\\ndulum"'),
+    "path_in_name": GOOD.replace('"pendulum"', '"../pendulum"'),
+    "keyword": GOOD.replace('"pendulum"', '"while"'),
+    "circle": GOOD + '\n[parameters.a]\nvalue = "b"\n[parameters.b]\nvalue = "a"\n',
+    "nesting": GOOD + "\nx = " + "[" * 100_000,
+    "large": GOOD + "#" * 10_000_000,
+    "disconnected": GOOD + "\n[bodies.island]\nmass = 1\ncom = [0, 0, 0]\n",
+}
+
+
+def run(*arguments: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
+    code = main(list(arguments))
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def assert_one_clear_line(code: int, out: str, err: str) -> None:
+    errors = [line for line in err.splitlines() if " s " not in line[:12]]
+    assert code == 2
+    assert out == ""
+    assert len(errors) == 1 and errors[0].startswith("symscrew: error: "), err
+    assert "Traceback" not in err
+    assert 20 < len(errors[0]) < 700
+
+
+@pytest.mark.parametrize("name", BAD_FILES)
+@pytest.mark.parametrize("command", ["generate", "mobility"])
+def test_bad_file(name: str, command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "bad.toml").write_text(BAD_FILES[name])
+    more = ["--out", "made"] if command == "generate" else []
+    assert_one_clear_line(*run(command, "bad.toml", *more, capsys=capsys))
+    assert sorted(os.listdir(tmp_path)) == ["bad.toml"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ([], "expected a command"),
+        (["genrate"], "invalid choice"),
+        (["generate", "four_bar"], "--out"),
+        (["generate", "four_bra", "--out", "made"], "did you mean 'four_bar'"),
+        (["generate", "nothing.toml", "--out", "made"], "there is no file"),
+        (["generate", "four_bar", "--out", "made", "--target", "rust"], "invalid choice: 'rust'"),
+        (["generate", "four_bar", "--out", "made", "--gravity", "0", "0", "heavy"], "finite numbers"),
+        (["generate", "four_bar", "--out", "made", "--gravity", "0", "0", "inf"], "finite numbers"),
+        (["generate", "four_bar", "--out", "made", "--no-gravity", "--gravity", "0", "0", "1"], "not allowed with"),
+        (["generate", "four_bar", "--out", "made", "--load", "E"], "no point 'E'"),
+        (["generate", "four_bar", "--out", "made", "--independent", "X"], "expected labels of q"),
+        (["generate", "four_bar", "--out", "taken"], "did not write"),
+        (["generate", "four_bar", "--out", "taken/file"], "found a file"),
+        (["check", "taken"], "generate first"),
+        (["check", "nowhere"], "generate first"),
+        (["mobility", "x\x1b[31my"], "neither a mechanism"),
+        (["draw", "four_bar", "--out", "four_bar.pdf"], "ends in .png"),
+        (["demo", "--out", "taken/file"], "taken/file"),
+    ],
+)
+def test_bad_use(arguments: list[str], text: str, tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "taken").mkdir()
+    (tmp_path / "taken" / "file").write_text("mine")
+    code, out, err = run(*arguments, capsys=capsys)
+    assert_one_clear_line(code, out, err)
+    assert text in err
+    assert "\x1b" not in err
+    assert sorted(p.name for p in tmp_path.rglob("*")) == ["file", "taken"]
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+def test_directory_without_permission(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    tmp_path.chmod(0o500)
+    assert_one_clear_line(*run("generate", "four_bar", "--out", str(tmp_path / "made"), capsys=capsys))
+    tmp_path.chmod(0o700)
+
+
+def test_list_names_the_whole_catalogue(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run("list", "--json", capsys=capsys)
+    rows = {row["name"]: row for row in json.loads(out)}
+    assert code == 0 and tuple(rows) == catalogue.names()
+    assert (rows["three_ups_upu_s"]["joints"], rows["three_ups_upu_s"]["driven"]) == (13, 4)
+    _, table, _ = run("list", capsys=capsys)
+    assert len(table.splitlines()) == len(rows) + 2
+
+
+def test_generate_then_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    description, made = tmp_path / "pendulum.toml", tmp_path / "made"
+    description.write_text(GOOD)
+    code, out, err = run("generate", str(description), "--out", str(made), "--target", "c", "numpy", capsys=capsys)
+    assert code == 0 and "inverse_dynamics" in out and "derive pendulum" in err
+    manifest = json.loads((made / "manifest.json").read_text())
+    assert manifest["mechanism"] == "pendulum" and manifest["targets"] == ["c", "numpy"]
+    assert not list(made.glob("*.casadi"))
+    code, out, _ = run("check", str(made), "--json", capsys=capsys)
+    assert code == 0 and json.loads(out)["ok"]
+    source = made / "pendulum.c"
+    source.write_text(source.read_text().replace("0.25", "0.75"))
+    code, out, _ = run("check", str(made), capsys=capsys)
+    assert code == 1 and "FAILED" in out
+
+
+def test_effects_reach_the_functions(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run("generate", "four_bar", "--out", str(tmp_path / "a"), "--target", "numpy", "--no-gravity",
+        "--load", "coupler_middle", capsys=capsys)  # fmt: skip
+    manifest = json.loads((tmp_path / "a" / "manifest.json").read_text())
+    assert [effect["type"] for effect in manifest["effects"]] == ["ExternalWrench"]
+    assert [p["name"] for p in manifest["functions"]["inverse_dynamics"]["inputs"]] == [
+        "q",
+        "v",
+        "a",
+        "load_coupler_middle",
+    ]
+
+
+def test_mobility_of_the_seed(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run("mobility", "three_ups_upu_s", capsys=capsys)
+    assert code == 0
+    assert "mobility 2" in out
+    assert "(0, 1, 0; 0, 0, 0.4)" in out  # (13) at theta = 30 degrees, sign and scale aside
+    assert "rotation about x through O" in out and "rotation about y through O" in out
+
+
+def test_draw_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from matplotlib import image
+
+    path = tmp_path / "delta.png"
+    assert run("draw", "delta", "--out", str(path), capsys=capsys)[0] == 0
+    assert image.imread(path)[..., :3].std() > 0.05
+
+
+def test_doctor_names_the_parts(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run("doctor", capsys=capsys)
+    assert code == 0 and "sympy" in out and "valgrind" in out
+
+
+def test_version_starts_fast_without_heavy_libraries() -> None:
+    program = "import sys, symscrew.cli as c\ntry: c.main(['--version'])\nexcept SystemExit: pass\nprint(*sys.modules)"
+    shown = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+    assert shown.startswith("symscrew ")
+    assert not {"sympy", "casadi", "numpy", "matplotlib"} & set(shown.split())
+
+
+def test_output_into_a_closed_pipe_ends_quietly() -> None:
+    command = f"{sys.executable} -m symscrew.cli list | head -1"
+    shown = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=True)
+    assert "Traceback" not in shown.stderr
