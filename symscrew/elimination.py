@@ -17,6 +17,7 @@ import numpy as np
 from symscrew.tape import Node, Tape
 
 NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
+SAFE = 0.03  # a row whose best pivot is smaller than this, without units, waits for the others
 ACCEPTABLE = 0.1  # a pivot may be this much smaller than the best one if it saves operations
 
 Column = Any  # hashable: a multiplier, a drive, an index into v, or column 1
@@ -37,9 +38,17 @@ def magnitude(tape: Tape, entry: Node, scale: float) -> tuple[float, float]:
     return float(values.min()), float(values.max())
 
 
+@dataclass(frozen=True)
+class Pivot:
+    """A column of a row, and the smallest magnitude of its entry over the samples, without units."""
+
+    column: Column
+    size: float
+
+
 def choose_pivot(
     tape: Tape, row: Mapping[Column, Node], allowed: Mapping[Column, float], cost: Mapping[Column, int]
-) -> Column | None:
+) -> Pivot | None:
     """The column of `row` to eliminate, or None if all allowed entries vanish on the manifold.
 
     `allowed` gives the scale of an entry in each column that may be a pivot, `cost` how many other rows it
@@ -55,7 +64,8 @@ def choose_pivot(
     def preference(column: Column) -> tuple:
         return (row[column].value is None, cost.get(column, 0), -sizes[column][0])
 
-    return min(good, key=preference)
+    column = min(good, key=preference)
+    return Pivot(column, sizes[column][0])
 
 
 def combine(target: Mapping[Column, Node], factor: Node, other: Mapping[Column, Node]) -> Affine:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symscrew.closure import Cut, Row, carry
-from symscrew.elimination import Affine, Column, Guard, choose_pivot, solve_for, substitute
+from symscrew.elimination import SAFE, Affine, Column, Guard, Pivot, choose_pivot, solve_for, substitute
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
 from symscrew.screws import Vector, add, cross, dot, scale, transform
@@ -22,6 +22,7 @@ from symscrew.tree import GROUND, Link, Tree
 
 ONE: Column = "1"
 Wrenches = dict[Column, tuple[Vector, Vector]]
+Projection = Callable[[tuple[Vector, Vector]], Node]
 
 
 @dataclass(frozen=True)
@@ -41,9 +42,9 @@ class Setting:
         (),
     )  # forces, couples it cannot bear
 
-    def row_scale(self, v_index: int) -> float:
+    def row_scale(self, v_index: int | None) -> float:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
-        return 1.0 if self.tree.v[v_index].kind == "length" else 1.0 / self.length
+        return 1.0 if v_index is None or self.tree.v[v_index].kind == "length" else 1.0 / self.length
 
     def multipliers(self) -> dict[Column, float]:
         """All multiplier columns with their unit scale."""
@@ -115,6 +116,7 @@ class _Elimination:
                 for column, (f, m) in self._cut_wrench(c).items():
                     accumulate(here, column, scale(-1, f), scale(-1, add(cross(cut.tip_point, f), m)))
         self.result = Balance(self.solved, [], [], [])
+        self.deferred: list[tuple[int | None, Affine]] = []
 
     def run(self) -> Balance:
         tree = self.setting.tree
@@ -124,6 +126,7 @@ class _Elimination:
             index = min(ready, key=lambda i: (self._open_tips(i, pending), self._unknowns(i), i))
             pending.discard(index)
             self._process(tree.links[index])
+        self._finish()
         used = {c for affine in self.solved.values() for c in affine}
         self.result.free = [c for c in self.scales if c in used]
         return self.result
@@ -148,15 +151,10 @@ class _Elimination:
         force, moment = self.wrench(link)
         accumulate(here, ONE, force, moment)
         before = self._before_motion(link, here)
-        for k, v_index in enumerate(range(link.v.start, link.v.stop)):
-            row: Affine = {}
-            for column, (f, m) in before.items():
-                entry = self._component(link, k, f, m)
-                if entry is not self.setting.tape.zero:
-                    row[column] = entry
-            before = self._use_row(v_index, row, before)
+        screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
+        before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
         if link.joint == setting.tree.virtual and link.parent == GROUND:
-            before = self._virtual_rows(link, before)
+            before = self._use_rows(*self._virtual_rows(), before)
         self.waiting[link.index] = {}
         if link.parent == GROUND:
             return
@@ -165,20 +163,12 @@ class _Elimination:
             f, m = transform(placed.rotation, f), transform(placed.rotation, m)
             accumulate(self.waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
 
-    def _virtual_rows(self, link: Link, before: Wrenches) -> Wrenches:
+    def _virtual_rows(self) -> tuple[list[int | None], list[Projection]]:
         """A virtual joint transmits nothing: rows also for the wrenches that are reciprocal to it."""
-        setting = self.setting
-        across = setting.virtual_directions
-        scales = [1.0] * len(across[0]) + [1.0 / setting.length] * len(across[1])
-        directions = [(d, 0) for d in across[0]] + [(d, 1) for d in across[1]]
-        for (direction, part), scale_ in zip(directions, scales, strict=True):
-            row: Affine = {}
-            for column, wrench in before.items():
-                entry = setting.tape.node(dot(direction, wrench[part]))
-                if entry is not setting.tape.zero:
-                    row[column] = entry
-            before = self._solve_row(row, before, scale_) or before
-        return before
+        forces, couples = self.setting.virtual_directions
+        rows: list[Projection] = [lambda w, d=d: dot(d, w[0]) for d in forces]  # type: ignore[misc]
+        rows += [lambda w, d=d: dot(d, w[1]) for d in couples]  # type: ignore[misc]
+        return [None] * len(rows), rows
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
@@ -213,37 +203,67 @@ class _Elimination:
         one = self.setting.tape.one
         return self.setting.cut_wrench(c, self.solved, lambda u: {("drive", u): one})
 
-    def _use_row(self, v_index: int, row: Affine, before: Wrenches) -> Wrenches:
-        """Solve one multiplier from the row, or keep the row for the end; returns the updated wrenches."""
-        setting = self.setting
-        drive = setting.drives.get(v_index)
-        if drive is not None:
-            row = dict(row)
-            row["drive", drive] = -setting.tape.one
-        solved = self._solve_row(row, before, setting.row_scale(v_index))
-        if solved is None:
-            self._keep(v_index, row)
-        return solved if solved is not None else before
+    def _use_rows(self, v_indices: Sequence[int | None], screws: Sequence[Projection], before: Wrenches) -> Wrenches:
+        """Solve a multiplier from every row S . W = 0, best pivot first; returns the updated wrenches.
 
-    def _solve_row(self, row: Affine, before: Wrenches, factor: float) -> Wrenches | None:
-        """Solve a multiplier from sum(row) = 0 and put it in everywhere; None if there is none to solve."""
+        A row whose pivots are all small at some sample state waits until all links are done.
+        """
+        waiting = dict(enumerate(zip(v_indices, screws, strict=True)))
+        while waiting:
+            rows = {k: self._row(v, screw, before) for k, (v, screw) in waiting.items()}
+            found = {k: self._pivot(rows[k], v) for k, (v, _) in waiting.items()}
+            best = max(waiting, key=lambda k: found[k].size if found[k] else -1.0)  # type: ignore[union-attr]
+            pivot = found[best]
+            if pivot is None or pivot.size < SAFE:
+                self.deferred += [(v, rows[k]) for k, (v, _) in waiting.items()]
+                return before
+            before = _substitute_wrench(before, pivot.column, self._solve(rows[best], pivot.column))
+            del waiting[best]
+        return before
+
+    def _row(self, v_index: int | None, screw: Projection, before: Wrenches) -> Affine:
+        """S . W per column, less the drive of a driven freedom."""
+        row: Affine = {}
+        for column, wrench in before.items():
+            entry = self.setting.tape.node(screw(wrench))
+            if entry is not self.setting.tape.zero:
+                row[column] = entry
+        drive = self.setting.drives.get(v_index) if v_index is not None else None
+        if drive is not None:
+            row["drive", drive] = row.get(("drive", drive), self.setting.tape.zero) - self.setting.tape.one
+        return row
+
+    def _pivot(self, row: Affine, v_index: int | None) -> Pivot | None:
+        factor = self.setting.row_scale(v_index)
         allowed = {c: factor * s for c, s in self.scales.items()}
-        pivot = choose_pivot(self.setting.tape, row, allowed, self._cost())
-        if pivot is None:
-            return None
+        return choose_pivot(self.setting.tape, row, allowed, self._cost())
+
+    def _solve(self, row: Affine, pivot: Column) -> Affine:
+        """Solve the pivot's multiplier from sum(row) = 0 and put it in everywhere."""
         if row[pivot].value is None:
-            self.result.guards.append(Guard(row[pivot], allowed[pivot]))
+            largest = float(abs(self.setting.tape.sample(row[pivot])).max())
+            self.result.guards.append(Guard(row[pivot], 1.0 / largest if largest > 0 else 1.0))
         solution = solve_for(row, pivot)
         for key, affine in self.solved.items():
             if pivot in affine:
                 self.solved[key] = substitute(affine, pivot, solution)
         for index, here in self.waiting.items():
-            if pivot in here:
-                self.waiting[index] = _substitute_wrench(here, pivot, solution)
-        for i, final in enumerate(self.result.finals):
-            if pivot in final:
-                self.result.finals[i] = substitute(final, pivot, solution)
-        return _substitute_wrench(before, pivot, solution)
+            self.waiting[index] = _substitute_wrench(here, pivot, solution)
+        self.deferred = [(v, substitute(r, pivot, solution)) for v, r in self.deferred]
+        return solution
+
+    def _finish(self) -> None:
+        """Rows that waited: best pivots first, what has none is an equation for the drives."""
+        while self.deferred:
+            found = [self._pivot(row, v) for v, row in self.deferred]
+            sizes = [pivot.size if pivot else -1.0 for pivot in found]
+            best = sizes.index(max(sizes))
+            v_index, row = self.deferred.pop(best)
+            pivot = found[best]
+            if pivot is None:
+                self._keep(v_index, row)
+            else:
+                self._solve(row, pivot.column)
 
     def _cost(self) -> dict[Column, int]:
         """In how many places a multiplier still stands."""
@@ -253,12 +273,12 @@ class _Elimination:
                 cost[column] = cost.get(column, 0) + 1
         return cost
 
-    def _keep(self, v_index: int, row: Affine) -> None:
+    def _keep(self, v_index: int | None, row: Affine) -> None:
         """A row without multipliers: an equation for the drives, or nothing on the manifold."""
         known = {c: e for c, e in row.items() if c not in self.scales}
         if any(c != ONE for c in known):
             self.result.finals.append(known)
-        elif known:
+        elif known and v_index is not None:
             self.result.unbalanced.append(v_index)
 
 

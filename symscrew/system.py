@@ -291,13 +291,15 @@ class System:
 
     @cached_property
     def sample_states(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Consistent (q, v, a) near the reference configuration, shapes (samples, n)."""
+        """Consistent (q, v, a): first the reference configuration, then others near it; shapes (samples, n)."""
         random = np.random.default_rng(SEED)
         scales = np.array([self.length if c.kind == "length" else 1.0 for c in self.tree.v])
-        q = np.repeat(self.reference[None, :], SAMPLES, axis=0)
+        start = self.reference[None, :]
+        q = np.repeat(start, SAMPLES, axis=0)
         q = self.advance(q, 0.15 * scales * random.uniform(-1, 1, (SAMPLES, len(scales))))
         if self.cuts:
             q = self._closed(q, scales)
+        q = np.concatenate([start, q])
         v, a = self._consistent(q, scales, random)
         return q, v, a
 

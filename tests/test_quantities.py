@@ -50,7 +50,9 @@ def test_the_s_limb_has_three_rotations_through_o(seed: Quantities) -> None:
     assert got == sympy.Matrix(6, 3, lambda i, j: 1 if i == j else 0)
 
 
-@pytest.mark.parametrize(("name", "body"), [("slider_crank", "slider"), ("ur5", "forearm_link"), ("three_ups_upu_s", "limb2_upper")])
+@pytest.mark.parametrize(
+    ("name", "body"), [("slider_crank", "slider"), ("ur5", "forearm_link"), ("three_ups_upu_s", "limb2_upper")]
+)
 def test_rates_are_the_time_derivatives(name: str, body: str) -> None:
     """d/dt of twist and momentum by SymPy along (q, v, a) of the tree equals the rates by screw algebra."""
     quantities = Quantities(catalogue.load(name))
