@@ -100,8 +100,9 @@ class Program:
         for instruction in self.instructions:
             count[COUNTED[instruction.op]] += 1
         # each guard costs an absolute value and a comparison; the sum of all outputs is tested for NaN and Inf
-        count["compare"] += 2 * len(self.guards) + 1
-        count["add"] += max(0, len({s for slots in self.results for s in slots if isinstance(s, int)}) - 1)
+        computed = {s for slots in self.results for s in slots if isinstance(s, int)}
+        count["compare"] += 2 * len(self.guards) + bool(computed)
+        count["add"] += max(0, len(computed) - 1)
         count["total"] = sum(count.values())
         return count
 

@@ -105,7 +105,7 @@ def count_c(source: str, symbol: str) -> int:
     for statement in re.sub(r"\(void\)\w+;", "", text[1]).split(";"):
         if re.match(r"\s*(if|return|\})|.*set_nan", statement) or "=" not in statement:
             continue
-        right = statement.split("=", 1)[1]
+        right = statement.split("=", 1)[1].replace("<=", "<")
         tokens = [m for m in TOKEN.finditer(right) if not m[0].isspace()]
         is_status = "const int outcome" in statement
         before = "="
