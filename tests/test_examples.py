@@ -35,7 +35,7 @@ def test_readme_example(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None
     """The TOML of the README saved under the name that it says, then its Python, in one folder."""
     monkeypatch.chdir(tmp_path)
     (description,), programs = blocks("toml"), blocks("python")
-    (tmp_path / "pendulum.toml").write_text(description, encoding="utf-8")
+    (tmp_path / "crane.toml").write_text(description, encoding="utf-8")
     assert any("assert" in program for program in programs)
     (tmp_path / "readme.py").write_text("\n".join(programs), encoding="utf-8")
     runpy.run_path(str(tmp_path / "readme.py"))
@@ -52,6 +52,17 @@ def test_readme_commands_and_pictures_exist() -> None:
 def test_readme_names_only_commands_that_exist() -> None:
     from symscrew.cli import parser
 
-    commands = next(a for a in parser()._actions if a.dest == "command" or hasattr(a, "choices") and a.choices)
+    commands = next(a for a in parser()._actions if a.dest == "command" or (hasattr(a, "choices") and a.choices))
     for command in re.findall(r"\bsymscrew (\w+)", "\n".join(blocks("sh"))):
         assert command in commands.choices, command
+
+
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "stewart_6ups", "ur5", "panda"])
+def test_readme_operation_counts_are_those_of_the_code(name: str) -> None:
+    from symscrew import catalogue
+    from symscrew.model import derive
+
+    functions = ("inverse_dynamics", "inverse_dynamics_platform", "joint_reactions")
+    programs = derive(catalogue.load(name)).programs
+    counts = [str(programs[f].operations["total"]) if f in programs else "-" for f in functions]
+    assert f"| `{name}` | {' | '.join(counts)} |" in README

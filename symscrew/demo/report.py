@@ -85,7 +85,7 @@ def summary(demo: Demo) -> str:
         ("drives: momentum screws against Newton-Euler", lambda c: f"{c.drive_difference:.1e} relative"),
         ("reactions: momentum screws against Newton-Euler", lambda c: f"{c.reaction_difference:.1e} relative"),
         ("derive the model", lambda c: f"{c.derive_time:.2f} s"),
-        ("print and compile", lambda c: f"{c.compile_time:.2f} s"),
+        ("print and compile, or build for CasADi", lambda c: f"{c.compile_time:.2f} s"),
         *((f"{name}", _timing(name)) for name in demo.cases[0].timings),
     ]
     body = [[text, *(value(case) for case in demo.cases)] for text, value in rows]
