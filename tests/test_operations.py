@@ -103,9 +103,13 @@ def count_c(source: str, symbol: str) -> int:
     assert text, f"no function {symbol}"
     count = 0
     for statement in re.sub(r"\(void\)\w+;", "", text[1]).split(";"):
+        gathered = re.match(r"\s*\w+_sincos\((\d+), ", statement)
+        count += 2 * int(gathered[1]) if gathered else 0
         if re.match(r"\s*(if|return|\})|.*set_nan", statement) or "=" not in statement:
             continue
         right = statement.split("=", 1)[1].replace("<=", "<")
+        if re.match(r"\s*const double (angle|x\d+ = (sine|cosine))\d+", statement):
+            continue
         tokens = [m for m in TOKEN.finditer(right) if not m[0].isspace()]
         is_status = "const int outcome" in statement
         before = "="

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from symscrew.export.c_angles import calls, gather, prologue
 from symscrew.export.listing import (
     Operand,
     balanced_sum,
@@ -45,10 +46,9 @@ TABLE = {
     "select": "{0} != 0.0 ? {1} : {2}",
 }
 STATUS_MACROS = {0: "SUCCESS", 1: "NEAR_SINGULAR", 2: "NOT_FINITE", 3: "NOT_CONVERGED", 4: "OTHER_BRANCH"}
-NAMES_OF_MATH = (
-    "sin cos tan sqrt atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
-)
+NAMES_OF_MATH = "sin cos tan sqrt atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
 NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
+NAMES_OF_LOCALS += "".join(f" {name}{k}" for name in ("angle", "sine", "cosine") for k in range(64))
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be
 NULL. A batch takes the arrays of `count` states one after the other, writes the status of each to `status`
@@ -132,6 +132,8 @@ def print_source(model: Model) -> str:
         "    }",
         "}",
     ]
+    if any(gather(live_instructions(straight_line(p))[0]).gathered for p in model.programs.values()):
+        lines += ["", *prologue(model.name)]
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
         if isinstance(program, Iteration):
@@ -140,6 +142,11 @@ def print_source(model: Model) -> str:
             lines += ["", *_function(model.name, _signature(symbol, program, "restrict"), program)]
         lines += ["", *_batch(symbol, program)]
     return "\n".join([*lines, ""])
+
+
+def straight_line(program: Program | Iteration) -> Program:
+    """The program itself, or an iteration's step."""
+    return program.step if isinstance(program, Iteration) else program
 
 
 def _comment(lines: Iterable[str]) -> list[str]:
@@ -170,9 +177,7 @@ def _signature(symbol: str, program: Program | Iteration, restrict: str, prefix:
 
 
 def _batch_signature(symbol: str, program: Program | Iteration, restrict: str) -> str:
-    return _declare(
-        f"{symbol}_batch", ["size_t count", *_arguments(program, restrict), f"int *{restrict} status"]
-    )
+    return _declare(f"{symbol}_batch", ["size_t count", *_arguments(program, restrict), f"int *{restrict} status"])
 
 
 def _local_prefix(names: Iterable[str]) -> str:
@@ -206,7 +211,10 @@ def _function(model: str, signature: str, program: Program) -> list[str]:
         for slot, (port, k) in enumerate(entries)
         if slot in read
     ]
-    lines += [f"    const double {prefix}{t} = {text};" for t, text in expressions(live, TABLE, operand)]
+    angles = gather(live)
+    lines += [f"    const double {prefix}{t} = {text};" for t, text in expressions(angles.first, TABLE, operand)]
+    lines += calls(model, angles, prefix, operand)
+    lines += [f"    const double {prefix}{t} = {text};" for t, text in expressions(angles.rest, TABLE, operand)]
     lines += _checks(model, program, names, operand)
     for port, slots in zip(program.outputs, program.results, strict=True):
         lines += [f"    {names[port.name]}[{k}] = {operand(slot)};" for k, slot in enumerate(slots)]
