@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.elimination import Affine, Guard, eliminate
+from symscrew.elimination import Affine, Guard, eliminate, magnitude
 from symscrew.equilibrium import ONE
 from symscrew.tape import Node, Tape
 
@@ -99,6 +99,5 @@ def _row_scale(row: Affine, columns: Mapping) -> float:
     """The unit scale that makes the row's largest sampled entry about 1."""
     largest = 0.0
     for column, entry in row.items():
-        values = abs(entry.tape.sample(entry)) * columns[column]
-        largest = max(largest, float(values.max()))
+        largest = max(largest, magnitude(entry.tape, entry, columns[column])[1])
     return 1.0 / largest if largest > 0 else 1.0

@@ -33,9 +33,12 @@ class Guard:
 
 
 def magnitude(tape: Tape, entry: Node, scale: float) -> tuple[float, float]:
-    """Smallest and largest magnitude of an entry over the samples, without units."""
+    """Smallest and largest magnitude of an entry over the samples, without units.
+
+    Rounded to five digits, so that the last digits of another machine's sines do not choose other pivots.
+    """
     values = np.abs(np.atleast_1d(tape.sample(entry))) * scale
-    return float(values.min()), float(values.max())
+    return float(f"{values.min():.4e}"), float(f"{values.max():.4e}")
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symscrew.closure import Cut, Row, carry
-from symscrew.elimination import SAFE, Affine, Column, Guard, Pivot, choose_pivot, solve_for, substitute
+from symscrew.elimination import SAFE, Affine, Column, Guard, Pivot, choose_pivot, magnitude, solve_for, substitute
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
 from symscrew.screws import Vector, add, cross, dot, scale, transform
@@ -241,7 +241,7 @@ class _Elimination:
     def _solve(self, row: Affine, pivot: Column) -> Affine:
         """Solve the pivot's multiplier from sum(row) = 0 and put it in everywhere."""
         if row[pivot].value is None:
-            largest = float(abs(self.setting.tape.sample(row[pivot])).max())
+            _, largest = magnitude(self.setting.tape, row[pivot], 1.0)
             self.result.guards.append(Guard(row[pivot], 1.0 / largest if largest > 0 else 1.0))
         solution = solve_for(row, pivot)
         for key, affine in self.solved.items():

@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew.closure import carry
 from symscrew.drives import solve_symmetric
-from symscrew.elimination import NEGLIGIBLE, Affine, Column, Guard
+from symscrew.elimination import NEGLIGIBLE, Affine, Column, Guard, magnitude
 from symscrew.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
 from symscrew.screws import ZERO, Pose, Vector, add, cross, scale, subtract, transform
 from symscrew.tape import Node
@@ -207,7 +207,7 @@ def _smallest(
 
     normal = [[inner(stacked[a], stacked[b]) for b in free] for a in free]
     right = [-inner(stacked[a], stacked[ONE]) for a in free]
-    scales = [1.0 / max(1e-30, float(np.max(np.abs(tape.sample(normal[i][i]))))) for i in range(len(free))]
+    scales = [1.0 / max(1e-30, magnitude(tape, normal[i][i], 1.0)[1]) for i in range(len(free))]
     values, guards = solve_symmetric(tape, normal, right, scales)
     return dict(zip(free, values, strict=True)), guards
 
