@@ -367,7 +367,8 @@ def evaluate_iteration(iteration: Iteration, arguments: Sequence[object]) -> tup
     """Run an iteration as its docstring says, state by state; results (*batch, size) and status (*batch)."""
     arrays = [np.atleast_1d(np.asarray(a, dtype=float)) for a in arguments]
     batch = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
-    full = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
+    count = int(np.prod(batch))
+    full = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(count, a.shape[-1]) for a in arrays]
     q = np.empty_like(full[1], dtype=float)
     status = np.empty(len(q), dtype=int)
     for i in range(len(q)):
@@ -376,7 +377,7 @@ def evaluate_iteration(iteration: Iteration, arguments: Sequence[object]) -> tup
             continue
         q[i], status[i] = _iterate(iteration, full[0][i], full[1][i], [a[i] for a in full[2:]])
     q[status != 0] = np.nan
-    return (q.reshape(*batch, -1),), status.reshape(batch)
+    return (q.reshape(*batch, q.shape[-1]),), status.reshape(batch)
 
 
 def _iterate(
