@@ -6,7 +6,7 @@ Run it: python examples/four_bar.py
 import numpy as np
 
 from symscrew.builder import MechanismBuilder
-from symscrew.load import load
+from symscrew.compiled import load
 from symscrew.model import derive
 
 builder = MechanismBuilder("my_four_bar", platform="rocker")

@@ -9,9 +9,9 @@ import tempfile
 import numpy as np
 
 from symscrew.builder import MechanismBuilder
+from symscrew.compiled import load
 from symscrew.effects import ExternalWrench
-from symscrew.generate import generate
-from symscrew.load import load
+from symscrew.generation import generate
 from symscrew.mobility import analyse_mobility
 from symscrew.model import derive
 

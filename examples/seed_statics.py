@@ -9,8 +9,8 @@ import numpy as np
 
 import symscrew.catalogue
 from symscrew import description
+from symscrew.compiled import load
 from symscrew.effects import ExternalWrench, Gravity
-from symscrew.load import load
 from symscrew.model import derive
 
 file = Path(symscrew.catalogue.__file__).parent / "three_ups_upu_s_physical.toml"

@@ -9,7 +9,7 @@ from pathlib import Path
 import casadi as ca
 
 from symscrew import catalogue
-from symscrew.generate import generate
+from symscrew.generation import generate
 from symscrew.model import derive
 
 mechanism = catalogue.load("ur5")

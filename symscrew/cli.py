@@ -73,7 +73,7 @@ def _is_input_error(error: Exception) -> bool:
 
 
 def _is_failure(error: Exception) -> bool:
-    from symscrew.load import CompileError, EvaluationError
+    from symscrew.compiled import CompileError, EvaluationError
 
     return isinstance(error, (CompileError, EvaluationError))
 
@@ -199,7 +199,7 @@ def run_demo(options: argparse.Namespace) -> int:
 def generate_code(options: argparse.Namespace) -> int:
     """`symscrew generate`."""
     from symscrew.console import Progress, table
-    from symscrew.generate import generate
+    from symscrew.generation import generate
 
     progress = Progress()
     model = _derived(options, progress)
@@ -248,8 +248,8 @@ def _chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[E
 
 def check_output(options: argparse.Namespace) -> int:
     """`symscrew check`."""
-    from symscrew.check import check
     from symscrew.console import Progress
+    from symscrew.verification import check
 
     progress = Progress()
     with progress.step(f"check {options.directory}"):

@@ -115,9 +115,7 @@ def read_manifest(directory: Path) -> dict[str, Any]:
         raise OutputError(f"{directory}: expected a manifest.json written by {TOOL}; generate into it first")
     for key in ("effects", "targets", "files"):
         if not isinstance(content.get(key), list):
-            raise OutputError(
-                f"{directory}/manifest.json: expected a list {key!r}, got {content.get(key)!r:.60}"
-            )
+            raise OutputError(f"{directory}/manifest.json: expected a list {key!r}, got {content.get(key)!r:.60}")
     return content
 
 
@@ -128,9 +126,7 @@ def read_json(path: Path) -> Any:
             raise OutputError(f"{path}: expected at most {LARGEST} bytes, got {path.stat().st_size}")
         return json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise OutputError(
-            f"{path}: cannot be read ({error.strerror}); expected output of {TOOL} generate"
-        ) from error
+        raise OutputError(f"{path}: cannot be read ({error.strerror}); expected output of {TOOL} generate") from error
     except (ValueError, RecursionError) as error:
         raise OutputError(f"{path}: not valid JSON ({error}); generate it again") from error
 

@@ -13,8 +13,8 @@ from typing import Protocol
 
 import numpy as np
 
+from symscrew.compiled import CompiledModel
 from symscrew.functions.ports import TWIST_LABELS
-from symscrew.load import CompiledModel
 from symscrew.maximal_coordinates import BodyState
 from symscrew.model import Model
 

@@ -21,14 +21,10 @@ def port(name: str, size: int, unit: str = "m", shape: tuple[int, ...] | None = 
     )
 
 
-def program(
-    name: str, sizes: dict[str, int], outputs: dict, guards=(), shapes: dict | None = None
-) -> Program:
+def program(name: str, sizes: dict[str, int], outputs: dict, guards=(), shapes: dict | None = None) -> Program:
     """A program from a function of lists of nodes; `outputs` maps names to functions of all inputs."""
     tape = Tape()
-    arguments = {
-        n: tuple(tape.symbol(f"{n}_{k}", "m", "test") for k in range(size)) for n, size in sizes.items()
-    }
+    arguments = {n: tuple(tape.symbol(f"{n}_{k}", "m", "test") for k in range(size)) for n, size in sizes.items()}
     results = {n: tuple(tape.node(r) for r in make(tape, *arguments.values())) for n, make in outputs.items()}
     made = tuple((make(tape, *arguments.values()), threshold) for make, threshold in guards)
     function = Function(

@@ -112,9 +112,7 @@ def test_seed_inertias(mechanisms):
                 assert m.number(body.mass) == sympy.Rational("1.42")
                 assert m.number(sum(body.inertia[i][i] for i in range(3))) == sympy.Rational(trace)
                 leg = [m.number(x) for x in m.joints[f"limb{k}_P"].axes[0]]
-                axial = sum(
-                    leg[i] * m.number(body.inertia[i][j]) * leg[j] for i in range(3) for j in range(3)
-                )
+                axial = sum(leg[i] * m.number(body.inertia[i][j]) * leg[j] for i in range(3) for j in range(3))
                 assert sympy.expand(axial) == sympy.Rational("0.0556" if m is printed else "5.56e-4")
     assert any("bodies.platform: the radius of gyration" in text for text in printed.warnings)
     assert any("bodies.limb1_lower: the radius of gyration" in text for text in printed.warnings)
@@ -135,9 +133,7 @@ def test_stewart_leg_lengths_against_the_reference(mechanisms):
         leg = np.array(reference["p"]) + arm - numbers(m, m.points[f"A{k}"].at)
         assert np.linalg.norm(leg) == pytest.approx(length, rel=1e-14)
         reach = numbers(m, m.points[f"C{k}"].at) - numbers(m, m.points[f"A{k}"].at)
-        assert float(m.number(m.joints[f"leg{k}_P"].reference[0])) == pytest.approx(
-            np.linalg.norm(reach), rel=1e-15
-        )
+        assert float(m.number(m.joints[f"leg{k}_P"].reference[0])) == pytest.approx(np.linalg.norm(reach), rel=1e-15)
 
 
 def test_delta_rods_have_their_length(mechanisms):
@@ -181,9 +177,7 @@ def test_andrews_links_close(mechanisms):
     assert abs(sympy.N(m.parameters["c_beta"].value - sympy.cos(beta), 40)) < 1e-31
 
 
-@pytest.mark.parametrize(
-    ("name", "flange"), [("ur5", (-0.81725, -0.19145, -0.005491)), ("panda", (0.088, 0, 0.926))]
-)
+@pytest.mark.parametrize(("name", "flange"), [("ur5", (-0.81725, -0.19145, -0.005491)), ("panda", (0.088, 0, 0.926))])
 def test_arms_in_zero_configuration(mechanisms, name, flange):
     m = mechanisms[name]
     assert numbers(m, m.points["flange"].at) == pytest.approx(flange, abs=1e-15)

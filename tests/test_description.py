@@ -168,9 +168,7 @@ BAD = {
         "expected 2 axes for a universal joint: the parent's axis, then the child's, got 1",
     ),
     "parallel U": (
-        swap('type = "R"', 'type = "U"')
-        .replace(AXES, "axes = [[0,0,1],[0,0,-1]]")
-        .replace("reference = [0.25]", ""),
+        swap('type = "R"', 'type = "U"').replace(AXES, "axes = [[0,0,1],[0,0,-1]]").replace("reference = [0.25]", ""),
         "the two axes of a universal joint are parallel",
     ),
     "two numbers": (
@@ -259,8 +257,7 @@ BAD = {
     ),
     "limb without type": (PENDULUM + "[limbs.a]\npoints = []\n", "limbs.a: the key 'type' is missing"),
     "limb makes a body again": (
-        PENDULUM
-        + '[limbs.rod]\ntype = "RR"\nbodies = ["rod"]\npoints=[[0,0,0],[0,0,1]]\naxes=[[0,0,1],[0,0,1]]\n',
+        PENDULUM + '[limbs.rod]\ntype = "RR"\nbodies = ["rod"]\npoints=[[0,0,0],[0,0,1]]\naxes=[[0,0,1],[0,0,1]]\n',
         "bodies.rod: this name is given twice",
     ),
     "duplicate": (PENDULUM + "[bodies.rod]\n", "not a valid TOML file"),
@@ -398,9 +395,7 @@ def test_nesting_ends_quickly(text, tmp_path):
     file = tmp_path / "deep.toml"
     file.write_text(text)
     start = time.perf_counter()
-    with pytest.raises(
-        DescriptionError, match=r"deep\.toml: the (file has 1\d+ bytes|description is nested more)"
-    ):
+    with pytest.raises(DescriptionError, match=r"deep\.toml: the (file has 1\d+ bytes|description is nested more)"):
         load(file)
     assert time.perf_counter() - start < 3
 
@@ -425,21 +420,15 @@ def test_files_that_cannot_be_read(tmp_path):
 def close(**features):
     builder = MechanismBuilder("loop").body("a")
     builder.joint("left", "R", parent="base", child="a", point=[0, 0, 0], axes=[[0, 0, 1]])
-    return builder.joint(
-        "right", "R", parent="base", child="a", point=[2, 0, 0], axes=[[0, 0, 1]], **features
-    )
+    return builder.joint("right", "R", parent="base", child="a", point=[2, 0, 0], axes=[[0, 0, 1]], **features)
 
 
 def test_loops_that_do_not_close():
     assert close(child_point=[2, 0, 0], child_axes=[[0, 0, 1]]).build().joints["right"].point == (2, 0, 0)
     assert close(child_point=[2, 0, "1e-13"]).build()
-    with pytest.raises(
-        DescriptionError, match=r"joints.right: the loop does not close .* 0.001 m away from its place"
-    ):
+    with pytest.raises(DescriptionError, match=r"joints.right: the loop does not close .* 0.001 m away from its place"):
         close(child_point=[2, "0.001", 0]).build()
-    with pytest.raises(
-        DescriptionError, match=r"axis 0 on 'a' is turned by 1.5708 rad against axis 0 on 'base'"
-    ):
+    with pytest.raises(DescriptionError, match=r"axis 0 on 'a' is turned by 1.5708 rad against axis 0 on 'base'"):
         close(child_axes=[[0, 1, 0]]).build()
 
 
@@ -481,9 +470,7 @@ def test_limits_of_inertia_are_accepted():
 def test_plausibility_warning():
     def disc(com, moment):
         builder = MechanismBuilder("disc").body("disc", mass=1, com=com, inertia=[moment, moment, moment])
-        return builder.joint(
-            "axle", "R", parent="base", child="disc", point=[0, 0, 0], axes=[[0, 0, 1]]
-        ).build()
+        return builder.joint("axle", "R", parent="base", child="disc", point=[0, 0, 0], axes=[[0, 0, 1]]).build()
 
     (warning,) = disc([0, 0, "0.5"], "0.36").warnings
     assert "bodies.disc: the radius of gyration 0.6 m exceeds the body's extent 0.5 m" in warning

@@ -16,13 +16,13 @@ import handmade
 import numpy as np
 import pytest
 
-from symscrew.check import STRICT, relative_difference
+from symscrew.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
-from symscrew.generate import generate, render
-from symscrew.load import CompileError, EvaluationError, compile_c, find_compiler, load
+from symscrew.generation import generate, render
 from symscrew.manifest import OutputError, effect_from_json, effect_to_json
 from symscrew.program import COUNTED, Instruction
+from symscrew.verification import STRICT, relative_difference
 
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang")) if path]
 
@@ -197,9 +197,7 @@ def test_names_that_the_code_needs_itself():
 
 
 def test_ports_without_entries(tmp_path):
-    hollow = handmade.program(
-        "hollow", {"x": 1, "none": 0}, {"y": lambda t, x, n: [x[0] + 1], "z": lambda t, x, n: []}
-    )
+    hollow = handmade.program("hollow", {"x": 1, "none": 0}, {"y": lambda t, x, n: [x[0] + 1], "z": lambda t, x, n: []})
     model = handmade.model(hollow=hollow)
     generate(model, tmp_path / "out")
     for target, call in evaluators(tmp_path / "out").items():
@@ -251,9 +249,7 @@ def test_batch_equals_single_calls(model, generated, backend):
 def test_failures_raise_or_are_returned(generated):
     compiled = load(generated)
     x = np.array([[1.0, 1.0], [0.0, 1.0]])
-    with pytest.raises(
-        EvaluationError, match=r"guarded: 1 of 2 states failed; the first is state \(1,\): near-sing"
-    ):
+    with pytest.raises(EvaluationError, match=r"guarded: 1 of 2 states failed; the first is state \(1,\): near-sing"):
         compiled.guarded(x)
     with pytest.raises(EvaluationError, match="not finite"):
         compiled.guarded([1.0, np.nan])
@@ -274,7 +270,7 @@ def test_wrong_calls_say_what_was_expected(generated):
 
 
 def test_without_a_compiler_casadi_takes_over(generated, monkeypatch):
-    monkeypatch.setattr("symscrew.load.find_compiler", lambda: None)
+    monkeypatch.setattr("symscrew.compiled.find_compiler", lambda: None)
     compiled = load(generated)
     assert compiled.backend == "casadi"
     assert compiled.guarded([2.0, 0.0]) == pytest.approx([0.5, 0.0])
@@ -293,9 +289,7 @@ def test_casadi_files_load_without_symscrew(generated):
 
 
 def test_numpy_module_depends_on_numpy_only(generated):
-    imports = re.findall(
-        r"^[ \t]*(?:import|from) .*", (generated / "handmade_numpy.py").read_text(), re.MULTILINE
-    )
+    imports = re.findall(r"^[ \t]*(?:import|from) .*", (generated / "handmade_numpy.py").read_text(), re.MULTILINE)
     assert imports == ["import numpy as np"]
 
 
@@ -310,7 +304,7 @@ def test_python_code_is_never_evaluated():
 
 def test_equal_input_gives_equal_bytes_in_every_process():
     code = (
-        "import hashlib, handmade; from symscrew.generate import render;"
+        "import hashlib, handmade; from symscrew.generation import render;"
         "print({k: hashlib.sha256(v).hexdigest() for k, v in sorted(render(handmade.model()).items())})"
     )
     root = Path(__file__).parents[1]
@@ -322,9 +316,7 @@ def test_equal_input_gives_equal_bytes_in_every_process():
             "PYTHONPATH": f"{root}{os.pathsep}{root / 'tests'}",
         }
         command = [sys.executable, "-c", code]
-        printed.add(
-            subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout
-        )
+        printed.add(subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout)
     assert len(printed) == 1
     assert "handmade.c" in printed.pop()
 
@@ -376,9 +368,7 @@ def test_a_manifest_cannot_name_files_elsewhere(model, tmp_path):
 
 def test_nothing_is_half_written(model, tmp_path, monkeypatch):
     broken = handmade.guarded()
-    broken = replace(
-        broken, instructions=(*broken.instructions[:-1], Instruction(4, "mul", (1, float("inf"))))
-    )
+    broken = replace(broken, instructions=(*broken.instructions[:-1], Instruction(4, "mul", (1, float("inf")))))
     with pytest.raises(ValueError, match="finite"):
         generate(handmade.model(broken=broken), tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
@@ -402,9 +392,7 @@ def test_operations_are_what_is_printed(model):
     body = source[source.index("int handmade_guarded(") : source.index("int handmade_guarded_batch(")]
     code = "\n".join(line for line in body.splitlines() if "=" in line)
     code = re.sub(r"e[+-]\d+|x\d+ =|\[\d\]|const double", " ", code)
-    count = sum(
-        code.count(sign) for sign in (" + ", " - ", " * ", " / ", "sin(", "fabs(", " <= ", "isfinite(")
-    )
+    count = sum(code.count(sign) for sign in (" + ", " - ", " * ", " / ", "sin(", "fabs(", " <= ", "isfinite("))
     operations = json.loads(render(model, ("c",))["ops.json"])["guarded"]
     assert count == operations["total"]
     assert operations["total"] == sum(n for key, n in operations.items() if key != "total")
@@ -430,8 +418,7 @@ def test_latex_in_the_notation_of_the_paper():
     wrench = sympy.Matrix([0, 1, 0, 0, 0, -radius + length / sympy.sin(theta)])
     text = screw_latex(wrench, {theta: r"\vartheta"})
     assert (
-        text
-        == r"\begin{pmatrix} 0 & 1 & 0 & ; & 0 & 0 & \frac{L}{\sin{\left(\vartheta \right)}} - R \end{pmatrix}^{T}"
+        text == r"\begin{pmatrix} 0 & 1 & 0 & ; & 0 & 0 & \frac{L}{\sin{\left(\vartheta \right)}} - R \end{pmatrix}^{T}"
     )
     block = markdown("W", matrix_latex(sympy.Matrix.hstack(wrench, 2 * wrench)))
     assert block.startswith("$$\nW = \\left(\\begin{array}{cc}\n0 & 0 \\\\\n1 & 2 \\\\\n0 & 0 \\\\ \\hline\n")

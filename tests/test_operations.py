@@ -15,7 +15,7 @@ from benchmarks.mechanisms import chain, platform
 from model_states import model
 
 from symscrew.export.c import print_source
-from symscrew.generate import render
+from symscrew.generation import render
 from symscrew.model import Model, derive
 from symscrew.program import Iteration
 

@@ -23,9 +23,7 @@ def load(name: str) -> Mechanism:
     'base'
     """
     if name not in names():
-        raise DescriptionError(
-            f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}"
-        )
+        raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
     return description.load(_FOLDER / f"{name}.toml")
 
 
@@ -44,6 +42,5 @@ def find(name_or_path: str | Path) -> Mechanism:
             raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a TOML description")
         return description.load(path)
     raise DescriptionError(
-        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml file; "
-        f"{did_you_mean(text, names())}"
+        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml file; {did_you_mean(text, names())}"
     )

@@ -16,10 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew import catalogue
+from symscrew.compiled import CompiledFunction, CompiledModel, load
 from symscrew.console import Progress
 from symscrew.demo.scene import SECTION_5, Scene
 from symscrew.effects import ExternalWrench, Gravity
-from symscrew.load import CompiledFunction, CompiledModel, load
 from symscrew.mechanism import Mechanism
 from symscrew.mobility import Mobility, analyse_mobility
 from symscrew.model import Model, derive
@@ -115,7 +115,7 @@ def run(
     progress: Progress | None = None,
     backend: str | None = None,
 ) -> Demo:
-    """Compute the demo; `backend` as in `symscrew.load.load`.
+    """Compute the demo; `backend` as in `symscrew.compiled.load`.
 
     The motion depends on the geometry alone: it is integrated with the first mechanism and must close the
     loops of the others.

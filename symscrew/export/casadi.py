@@ -53,9 +53,7 @@ def casadi_functions(model: Model) -> dict[str, ca.Function]:
 def program_function(program: Program) -> ca.Function:
     """A straight-line program as a function of SX."""
     symbols = [_symbol(ca.SX, port) for port in program.inputs]
-    slots: list[Any] = [None] * max(
-        program.slots, 1 + max((i.target for i in program.instructions), default=0)
-    )
+    slots: list[Any] = [None] * max(program.slots, 1 + max((i.target for i in program.instructions), default=0))
     entries = [entry for symbol in symbols for entry in ca.vertsplit(ca.vec(symbol)) if entry.numel()]
     slots[: len(entries)] = entries
 

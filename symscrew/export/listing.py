@@ -60,11 +60,7 @@ def balanced_sum(terms: Sequence[str]) -> str:
     while len(level) > 1:
         pairs = [" + ".join(level[i : i + 2]) for i in range(0, len(level), 2)]
         single = len(level) % 2
-        level = (
-            pairs
-            if len(pairs) == 1
-            else [f"({p})" for p in pairs[: len(pairs) - single]] + pairs[-1:] * single
-        )
+        level = pairs if len(pairs) == 1 else [f"({p})" for p in pairs[: len(pairs) - single]] + pairs[-1:] * single
     return level[0]
 
 

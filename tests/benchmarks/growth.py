@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
-from symscrew.load import compile_c
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
+from symscrew.compiled import load
 from symscrew.export.c import print_c
-from symscrew.load import load
 from symscrew.model import Model, derive
 
 from .pinocchio_build import PinocchioUnavailableError, build_pinocchio, python_rnea

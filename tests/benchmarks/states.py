@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from symscrew.load import CompiledModel
+from symscrew.compiled import CompiledModel
 from symscrew.model import Model
 
 Array = np.ndarray

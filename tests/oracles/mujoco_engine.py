@@ -284,16 +284,12 @@ class MujocoEngine:
         multipliers = np.linalg.lstsq(rows.T, demand - columns @ drives, rcond=RANK)[0]
         return drives, multipliers
 
-    def inverse_dynamics(
-        self, states: Mapping[str, BodyState], loads: Mapping[str, Array] | None = None
-    ) -> Array:
+    def inverse_dynamics(self, states: Mapping[str, BodyState], loads: Mapping[str, Array] | None = None) -> Array:
         """Drives of least norm (drives,), in the order of the description; loads are (f ; m_O)."""
         self.set_state(states)
         return self._solved(loads or {})[0]
 
-    def reactions(
-        self, states: Mapping[str, BodyState], loads: Mapping[str, Array] | None = None
-    ) -> dict[str, Array]:
+    def reactions(self, states: Mapping[str, BodyState], loads: Mapping[str, Array] | None = None) -> dict[str, Array]:
         """{joint: (6,)} wrench (f ; m_O) from parent on child without the drive's share.
 
         Joints of the tree from `mj_rnePostConstraint`, cut joints from the multipliers. One solution of many

@@ -30,9 +30,7 @@ States = dict[str, BodyState]
 RANK = 1e-9
 
 
-def random_state(
-    mechanism: Mechanism | NumericMechanism, rng: np.random.Generator, amplitude: float = 0.3
-) -> States:
+def random_state(mechanism: Mechanism | NumericMechanism, rng: np.random.Generator, amplitude: float = 0.3) -> States:
     """A random consistent state {body: BodyState} of the moving bodies.
 
     `amplitude` is roughly the largest joint displacement from the reference configuration, in rad and in
@@ -55,9 +53,7 @@ def random_state(
     return with_acceleration(numbers, moving, amplitude * _normalised(numbers, moving, acceleration), rank)
 
 
-def with_acceleration(
-    numbers: NumericMechanism, states: States, wanted: Array, rank: int | None = None
-) -> States:
+def with_acceleration(numbers: NumericMechanism, states: States, wanted: Array, rank: int | None = None) -> States:
     """The `states` with the consistent twist rates nearest to `wanted` (6 bodies,), scaled."""
     matrix, drift = constraint_matrix(numbers, states)
     known = _rank(matrix) if rank is None else rank

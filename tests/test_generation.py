@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from symscrew import catalogue, description
-from symscrew.check import check
+from symscrew.compiled import load
 from symscrew.effects import ExternalWrench, Gravity
-from symscrew.generate import generate
-from symscrew.load import load
+from symscrew.generation import generate
 from symscrew.manifest import OutputError
 from symscrew.model import derive
+from symscrew.verification import check
 
 
 @pytest.fixture(scope="module")
@@ -62,9 +62,7 @@ def test_check_passes_what_generate_writes(four_bar, seed, tmp_path):
 
 def test_other_effects_and_coordinates_are_regenerated(tmp_path):
     effects = (Gravity((0, 0, "-1.62")), ExternalWrench("coupler_middle"))
-    generate(
-        derive(catalogue.load("four_bar"), effects, independent=["B"]), tmp_path / "moon", targets=("numpy",)
-    )
+    generate(derive(catalogue.load("four_bar"), effects, independent=["B"]), tmp_path / "moon", targets=("numpy",))
     manifest = json.loads((tmp_path / "moon/manifest.json").read_text())
     assert manifest["independent"] == ["B"]
     assert manifest["effects"][1] == {"type": "ExternalWrench", "point": "coupler_middle"}
@@ -75,9 +73,7 @@ def test_the_description_is_kept(four_bar, output):
     assert description.load(output / "mechanism.toml") == four_bar.mechanism
 
 
-@pytest.mark.parametrize(
-    "name", ["four_bar.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"]
-)
+@pytest.mark.parametrize("name", ["four_bar.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"])
 def test_a_changed_byte_is_found(output, name):
     content = bytearray((output / name).read_bytes())
     content[len(content) // 2] ^= 1
@@ -93,9 +89,7 @@ def test_more_operations_than_recorded_are_found(output):
     recorded["inverse_dynamics"]["total"] -= 1
     before = recorded["inverse_dynamics"]["total"]
     (output / "ops.json").write_text(json.dumps(recorded))
-    assert any(
-        f"operations of inverse_dynamics rose from {before} to {before + 1}" in f for f in failures(output)
-    )
+    assert any(f"operations of inverse_dynamics rose from {before} to {before + 1}" in f for f in failures(output))
 
 
 def test_a_wrong_recorded_value_is_found(output):
@@ -149,8 +143,6 @@ def test_cmake_builds_library_and_example(output):
     for command in ([cmake, "-S", str(output), "-B", str(build)], [cmake, "--build", str(build)]):
         result = subprocess.run(command, capture_output=True, text=True, check=False)
         assert result.returncode == 0, result.stderr
-    printed = subprocess.run(
-        [str(build / "four_bar_example")], capture_output=True, text=True, check=True
-    ).stdout
+    printed = subprocess.run([str(build / "four_bar_example")], capture_output=True, text=True, check=True).stdout
     assert "four_bar_inverse_dynamics: status 0, success" in printed
     assert "A [N m]" in printed

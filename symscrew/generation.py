@@ -51,9 +51,7 @@ def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = TARGETS
     files = render(model, targets)
     foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
     if foreign:
-        raise OutputError(
-            f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory"
-        )
+        raise OutputError(f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory")
     _write(directory, files, stale=earlier - set(files))
     return tuple(directory / file for file in sorted(files))
 

@@ -87,9 +87,7 @@ class CompiledFunction:
         twice = [name for name in named if name in given]
         if len(arguments) > len(names) or twice or sorted({**given, **named}) != sorted(names):
             got = ", ".join([*(str(n) for n in given), *named]) or "nothing"
-            raise TypeError(
-                f"{self.name} expects ({', '.join(names)}), got {len(arguments)} arrays and {got}"
-            )
+            raise TypeError(f"{self.name} expects ({', '.join(names)}), got {len(arguments)} arrays and {got}")
         return [{**given, **named}[name] for name in names]
 
     def _arrays(self, arguments: Sequence[object]) -> tuple[list[np.ndarray], tuple[int, ...]]:

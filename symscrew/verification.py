@@ -21,8 +21,8 @@ from typing import Any
 import numpy as np
 
 from symscrew import description
-from symscrew.generate import TARGETS, render
-from symscrew.load import casadi_evaluator, find_compiler, load
+from symscrew.compiled import casadi_evaluator, find_compiler, load
+from symscrew.generation import TARGETS, render
 from symscrew.manifest import OutputError, effect_from_json, model_hash, read_json, read_manifest
 from symscrew.model import Model, derive
 
@@ -111,9 +111,7 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
 def _arrays(entry: Any, ports: Sequence[tuple[str, int]]) -> tuple[np.ndarray, ...] | None:
     """Arrays (states, size) of a recorded entry, or None if it does not fit the ports."""
     try:
-        arrays = tuple(
-            np.array(entry[name], dtype=float).reshape(-1, max(n, 1))[:, :n] for name, n in ports if n
-        )
+        arrays = tuple(np.array(entry[name], dtype=float).reshape(-1, max(n, 1))[:, :n] for name, n in ports if n)
         return tuple(_with_empty(arrays, ports))
     except (KeyError, TypeError, ValueError, IndexError):
         return None
@@ -168,9 +166,7 @@ def _first_difference(found: bytes, expected: bytes) -> str:
     return f": found {len(there)} lines, expected {len(here)}"
 
 
-def _compare_recorded(
-    directory: Path, model: Model, expected: Mapping[str, Results]
-) -> Iterator[tuple[bool, str]]:
+def _compare_recorded(directory: Path, model: Model, expected: Mapping[str, Results]) -> Iterator[tuple[bool, str]]:
     """The outputs in test_vectors.json against today's."""
     recorded = read_json(directory / "test_vectors.json")
 
@@ -252,9 +248,7 @@ def _c_results(directory: Path) -> Callable[[str, Sequence[np.ndarray]], Results
     return evaluate
 
 
-def _casadi_results(
-    directory: Path, fresh: Path, model: Model
-) -> Callable[[str, Sequence[np.ndarray]], Results]:
+def _casadi_results(directory: Path, fresh: Path, model: Model) -> Callable[[str, Sequence[np.ndarray]], Results]:
     import casadi
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
