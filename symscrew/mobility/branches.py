@@ -1,0 +1,156 @@
+"""Branches of the configuration space through a singular configuration.
+
+A branch through the configuration meets every small sphere around it. So: zeros of the reduced closure on spheres
+in the instantaneous motions, from random starts and from the principal directions of the quadratic forms; each
+zero is followed inwards to a much smaller sphere, which drops those that do not pass through the configuration;
+the dimension of the branch at a zero is the number of instantaneous freedoms there, after real motion along all
+of them has been confirmed in 60 digits. Where a whole branch is shaky (more instantaneous freedoms than real ones
+everywhere on it) the dimension is that of the zeros around.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew.mobility.local import SEED, Local, flatten, local_at, local_refined, vanishes
+from symscrew.mobility.reduced import ReducedClosure, Values, is_zero
+from symscrew.mobility.variety import Array, ClosureVariety
+
+RADII = (0.1, 0.02)
+INWARDS = 6
+KEPT = 8
+SIGNAL = 1e-10
+"""g must be this large at random points of a sphere for a zero in double precision to mean something."""
+
+
+@dataclass(frozen=True)
+class Branches:
+    """Dimensions of the branches, ascending, and how they were found."""
+
+    dimensions: tuple[int, ...]
+    evidence: tuple[str, ...]
+
+
+def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: Array) -> Branches:
+    """The dimensions of all branches that were found through `here`; none means an isolated configuration."""
+    reduced = ReducedClosure(coarse, here)
+    starts = _starts(here.dof, forms)
+    found: dict[int, str] = {}
+    evidence = []
+    for radius in RADII:
+        scale = _scale(reduced, starts, radius)
+        if not scale > SIGNAL:
+            continue
+        zeros = _representatives(coarse, reduced.zeros_on_sphere(radius * starts, radius, scale), radius, scale)
+        kept, reached = _followed(reduced, starts, zeros, radius)
+        evidence.append(
+            f"zeros on a sphere of radius {radius:g} from {len(starts)} starts: {len(zeros.u)} kept for their variety, "
+            f"{len(kept)} of them lead to the configuration (followed down to {reached:.1e})"
+        )
+        for dimension, text in _dimensions(coarse, fine, kept, radius).items():
+            found.setdefault(dimension, text)
+    if not evidence:
+        raise ArithmeticError("the reduced closure is too small on all spheres to find its zeros in double precision")
+    return Branches(tuple(sorted(found)), (*evidence, *(found[d] for d in sorted(found))))
+
+
+def _starts(dof: int, forms: Array) -> Array:
+    """Unit directions: random, eigenvectors of combinations of the quadratic forms, and axes of their null space."""
+    generator = np.random.default_rng(SEED + 1)
+    directions = list(generator.normal(size=(32 + 8 * dof, dof)))
+    used = forms[np.abs(forms).max(axis=(1, 2)) > 0] if len(forms) else forms
+    for _ in range(6 if len(used) else 0):
+        combination = np.tensordot(generator.normal(size=len(used)), used, axes=1)
+        vectors = np.linalg.eigh(combination)[1]
+        directions += list(vectors.T) + list(-vectors.T)
+    stack = np.array(directions)
+    return stack / np.linalg.norm(stack, axis=1)[:, None]
+
+
+def _representatives(variety: ClosureVariety, values: Values, radius: float, scale: float) -> Values:
+    """Of the zeros with equally many instantaneous freedoms at most eight, as far apart as possible."""
+    index = is_zero(values, radius, scale)
+    freedoms = np.array([local_at(variety, values.q[i]).dof for i in index], dtype=int)
+    chosen: list[int] = []
+    for kind in np.unique(freedoms):
+        members = index[freedoms == kind]
+        picked = [members[0]]
+        distance = np.linalg.norm(values.u[members] - values.u[members[0]], axis=1)
+        while len(picked) < KEPT and distance.max() > 1e-3 * radius:
+            picked.append(members[int(distance.argmax())])
+            distance = np.minimum(distance, np.linalg.norm(values.u[members] - values.u[picked[-1]], axis=1))
+        chosen += picked
+    return values.at(np.array(chosen, dtype=int))
+
+
+def _followed(reduced: ReducedClosure, starts: Array, zeros: Values, radius: float) -> tuple[Array, float]:
+    """(displacements of those zeros whose branch leads to the configuration, radius followed down to)."""
+    kept, now = zeros.q, zeros
+    for _ in range(INWARDS):
+        scale = _scale(reduced, starts, radius / 2)
+        if not len(kept) or scale < SIGNAL:
+            break
+        radius /= 2
+        guess = reduced.here.q + (now.q - reduced.here.q) / 2
+        inner = reduced.zeros_on_sphere(now.u / 2, radius, scale, guess=guess)
+        index = is_zero(inner, radius, scale)
+        index = index[np.linalg.norm(inner.u[index] - now.u[index] / 2, axis=1) < 0.4 * radius]
+        kept, now = kept[index], inner.at(index)
+    return kept, radius
+
+
+def _scale(reduced: ReducedClosure, starts: Array, radius: float) -> float:
+    values: Values = reduced.evaluate(radius * starts[:40])
+    return float(np.median(np.abs(values.g[values.solved]).max(axis=1))) if values.solved.any() else 0.0
+
+
+def _dimensions(coarse: ClosureVariety, fine: ClosureVariety, zeros: Array, radius: float) -> dict[int, str]:
+    """Dimension of the branch at each kind of zero, with how it was decided."""
+    groups: dict[int, list[Array]] = {}
+    for q in zeros:
+        groups.setdefault(local_at(coarse, q).dof, []).append(q)
+    found: dict[int, str] = {}
+    for _, points in sorted(groups.items()):
+        for q in points[:: max(1, len(points) // 3)][:3]:
+            dimension, text = _dimension_at(coarse, fine, q, radius)
+            found.setdefault(dimension, text)
+    return found
+
+
+def _dimension_at(coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float) -> tuple[int, str]:
+    """(dimension of the configuration space at a generic point of a branch, how it was decided)."""
+    there, residual = local_refined(coarse, fine, q)
+    instantaneous = there.dof
+    gap = f"singular values {there.gap[0]:.1e} | {there.gap[1]:.1e}"
+    if there.rank == coarse.rows:
+        return instantaneous, (
+            f"a branch of dimension {instantaneous}: at a point of it (closed to {residual:.0e}) the closure "
+            f"equations are independent; {gap}"
+        )
+    steps = tuple(radius / k for k in (10, 30, 100))
+    trials = [vanishes(coarse, fine, there, direction, steps) for direction in flatten(instantaneous, 2)]
+    if all(trial.closed for trial in trials):
+        return instantaneous, (
+            f"a branch of dimension {instantaneous}: at a point of it (closed to {residual:.0e}) finite motions "
+            f"along all {instantaneous} instantaneous freedoms close in 60 digits; {gap}"
+        )
+    dimension = _span_dimension(coarse, there, radius / 10)
+    return (
+        dimension,
+        f"a branch of dimension {dimension}, shaky all along: {instantaneous} instantaneous freedoms on it",
+    )
+
+
+def _span_dimension(variety: ClosureVariety, there: Local, radius: float) -> int:
+    """Dimension that the zeros around a point of a shaky branch span."""
+    starts = np.array(list(flatten(there.dof, 20 + 6 * there.dof)))
+    reduced = ReducedClosure(variety, there)
+    scale = max(_scale(reduced, starts, radius), 1e-12)
+    values = reduced.zeros_on_sphere(radius * starts, radius, scale)
+    index = is_zero(values, radius, scale, 1e-7)
+    if not len(index):
+        return 0
+    spread = np.linalg.svd(values.u[index] / radius, compute_uv=False) / np.sqrt(len(index))
+    return int((spread > 0.05).sum())

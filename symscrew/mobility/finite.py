@@ -1,0 +1,123 @@
+"""Finite against instantaneous mobility: the real motions through a configuration.
+
+Near the configuration, the closure equations F(q) = 0 reduce to the reduced closure g(u) = 0: u are the
+coordinates of the instantaneous motions (the null space of dF), and g are the components of F on the self-stresses
+(the left null space), once the other equations are solved for the other coordinates (Lyapunov-Schmidt). The
+mechanism really moves along g = 0. g starts with the quadratic forms that the screw brackets give (the second
+order of the kinematic tangent cone, A. Müller, J. Mechanisms Robotics 8, 2016), and is analytic. So
+
+- no redundant equation: the configuration space is smooth of the instantaneous dimension (implicit functions);
+- g = 0 at random finite u, in 60 digits: it vanishes identically, smooth as well;
+- one instantaneous motion and g(u) != 0: the zero is isolated, the freedom infinitesimal;
+- a self-stress whose quadratic form is definite: isolated (prestress stability, Connelly and Whiteley);
+- else the zeros of g on small spheres are found from many starts, followed inwards to the configuration, and
+  each branch gets its dimension where it is smooth (`symscrew.mobility.branches`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from symscrew.mobility.branches import find_branches
+from symscrew.mobility.instantaneous import Instantaneous
+from symscrew.mobility.local import Local, definite_stress, flatten, local_at, quadratic_forms, vanishes
+from symscrew.mobility.network import Network
+from symscrew.mobility.screw_systems import null_space
+from symscrew.mobility.spins import without_spins
+from symscrew.mobility.variety import DIGITS_60, ClosureVariety
+
+
+@dataclass(frozen=True)
+class FiniteMobility:
+    """The real motions through the configuration.
+
+    `dof`: dimension of the configuration space here; `smooth`: it is a manifold of the instantaneous dimension;
+    `branches`: the dimensions that branches through a singular configuration have, None where smooth; `kind`:
+    `smooth`, `infinitesimal` (no real motion, some instantaneous), `singular` (one dimension, fewer than
+    instantaneous or several branches) or `kinematotropic` (branches of different dimension). `evidence` says how it
+    was decided, `proved` whether without sampling.
+    """
+
+    dof: int
+    smooth: bool
+    branches: tuple[int, ...] | None
+    kind: str
+    evidence: tuple[str, ...]
+    proved: bool
+
+
+def finite_mobility(network: Network, first_order: Instantaneous) -> FiniteMobility:
+    """Decides between smooth point, infinitesimal freedom and branches; see the module's text."""
+    dof = first_order.dof
+    redundant = 6 * len(network.chords) - first_order.closure.rank
+    if dof == 0:
+        return _smooth(0, "no instantaneous motion, hence none", proved=True)
+    if redundant == 0:
+        text = "the closure equations are independent, so that the configuration space is smooth (implicit functions)"
+        return _smooth(dof, text, proved=True)
+    slim, spins = without_spins(network)
+    motions = null_space(slim.loop_rows(), slim.freedoms).basis if spins else first_order.motions
+    if len(motions) + spins != dof:  # not independent spins after all
+        slim, spins, motions = network, 0, first_order.motions
+    return _with_spins(_by_reduced_closure(slim, motions, dof - spins), spins)
+
+
+def _with_spins(found: FiniteMobility, spins: int) -> FiniteMobility:
+    """The result for the mechanism with its passive spins: every branch has them as well."""
+    if not spins:
+        return found
+    text = f"{spins} passive spin{'s' * (spins > 1)} of links between spherical joints split off, exactly"
+    branches = found.branches
+    if branches is not None:
+        branches = tuple(b + spins for b in branches) or (spins,)
+    return replace(found, dof=found.dof + spins, branches=branches, evidence=(text, *found.evidence))
+
+
+def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int) -> FiniteMobility:
+    coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
+    if not motions:
+        return _smooth(0, "no instantaneous motion but the spins", proved=True)
+    here = local_at(coarse, np.zeros(coarse.columns), motions=motions)
+    trials = [vanishes(coarse, fine, here, direction) for direction in flatten(here.dof)]
+    if all(trial.closed for trial in trials):
+        largest = max(trial.residual for trial in trials)
+        step = max(trial.step for trial in trials)
+        return _smooth(
+            dof,
+            f"all loops close in 60 digits (residual {largest:.0e}) after {len(trials)} random finite motions "
+            f"of size {step:g} along all {dof} instantaneous freedoms: the redundant equations vanish identically",
+            proved=False,
+        )
+    worst = max(trials, key=lambda trial: trial.residual)
+    text = f"after a motion of size {worst.step:g} the redundant equations are off by {worst.residual:.1e}"
+    if dof == 1:
+        return _infinitesimal(f"{text}; an analytic function of one variable that does not vanish has isolated zeros")
+    forms = quadratic_forms(coarse, here)
+    if (value := definite_stress(forms)) is not None:
+        return _infinitesimal(
+            f"{text}; a self-stress has a definite quadratic form on the instantaneous motions (smallest eigenvalue "
+            f"{value:.1e} of the largest): no second-order motion, prestress stable"
+        )
+    return _singular(coarse, fine, here, forms, text)
+
+
+def _singular(
+    coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: np.ndarray, text: str
+) -> FiniteMobility:
+    found = find_branches(coarse, fine, here, forms)
+    evidence = (text, *found.evidence)
+    if not found.dimensions:
+        return FiniteMobility(0, False, (), "infinitesimal", evidence, False)
+    kind = "kinematotropic" if len(found.dimensions) > 1 else "singular"
+    return FiniteMobility(max(found.dimensions), False, found.dimensions, kind, evidence, False)
+
+
+def _smooth(dof: int, text: str, *, proved: bool) -> FiniteMobility:
+    return FiniteMobility(dof, True, None, "smooth", (text,), proved)
+
+
+def _infinitesimal(text: str) -> FiniteMobility:
+    return FiniteMobility(0, False, (), "infinitesimal", (text,), True)

@@ -1,0 +1,239 @@
+"""The closure variety: joint displacements that close all loops, evaluated for many points at once.
+
+Every joint moves by the exponential of its reference screw, in absolute axes (product of exponentials), so no
+body frames are needed. A spherical joint's three coordinates are a rotation vector. The same code runs in double
+precision on a batch of points and in 60 digits on one: only the arithmetic differs.
+
+Residual of a loop: the displacement by which the chord fails to close, as a small twist (omega ; v). Its
+derivative at a point of the variety are the signed screws of the displaced joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from symscrew.mobility.network import Edge, Network
+from symscrew.operations import CONTEXT
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """The scalars of an evaluation: how to read a 60-digit number, sine, cosine and square root."""
+
+    dtype: Any
+    read: Callable[[Any], Any]
+    sin: Callable[[Array], Array]
+    cos: Callable[[Array], Array]
+    sqrt: Callable[[Array], Array]
+    tiny: Any
+
+    def array(self, values: Any) -> Array:
+        """`values`, nested lists of 60-digit numbers or integers, as an array of these scalars."""
+        given = np.array(values, dtype=object)
+        result = np.empty(given.shape, dtype=self.dtype)
+        for index in np.ndindex(given.shape):
+            result[index] = self.read(given[index])
+        return result
+
+
+def _elementwise(function: Callable[[Any], Any]) -> Callable[[Array], Array]:
+    return np.frompyfunc(function, 1, 1)
+
+
+DOUBLE = Arithmetic(float, float, np.sin, np.cos, np.sqrt, 1e-290)
+DIGITS_60 = Arithmetic(
+    object, CONTEXT.mpf, _elementwise(CONTEXT.sin), _elementwise(CONTEXT.cos), _elementwise(CONTEXT.sqrt),
+    CONTEXT.mpf(10) ** -200,
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One elementary motion of a joint in the arithmetic: its kind, first column, screws and point."""
+
+    kind: str
+    column: int
+    screws: Array
+    point: Array
+
+
+class ClosureVariety:
+    """Closure residuals and Jacobians of a mechanism; coordinates are displacements from the reference.
+
+    Lengths are in units of the mechanism's size about the centre of its joints.
+    """
+
+    def __init__(self, network: Network, arithmetic: Arithmetic = DOUBLE) -> None:
+        self.network, self.arithmetic = network, arithmetic
+        edges = list(network.edges.values())
+        centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
+        self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
+        self.columns = network.freedoms
+        self.rows = 6 * len(network.chords)
+
+    def evaluate(self, q: Array) -> tuple[Array, Array]:
+        """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
+        count = len(q)
+        screws = self._zeros(count, self.columns, 6)
+        poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
+        for name, sign in self.network.tree:
+            edge = self.network.edges[name]
+            inner, outer = (edge.parent, edge.child) if sign > 0 else (edge.child, edge.parent)
+            step = self._displacement(name, q)
+            if sign > 0:
+                start = poses[inner]
+                poses[outer] = _product(start, step)
+            else:
+                start = poses[outer] = _product(poses[inner], _inverse(step))
+            self._fill(name, q, start, screws)
+        residuals = self._zeros(count, self.rows)
+        for k, name in enumerate(self.network.chords):
+            edge = self.network.edges[name]
+            start = poses[edge.parent]
+            self._fill(name, q, start, screws)
+            gap = _product(_product(start, self._displacement(name, q)), _inverse(poses[edge.child]))
+            residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
+        return residuals, self._jacobian(screws)
+
+    def residual(self, q: Array) -> Array:
+        """The residual at one point."""
+        return self.evaluate(q[None])[0][0]
+
+    def _jacobian(self, screws: Array) -> Array:
+        result = self._zeros(len(screws), self.rows, self.columns)
+        for k, loop in enumerate(self.network.loops()):
+            for name, sign in loop:
+                for column in self.network.edges[name].columns:
+                    result[:, 6 * k : 6 * k + 6, column] = sign * screws[:, column]
+        return result
+
+    def _displacement(self, name: str, q: Array) -> tuple[Array, Array]:
+        total = (self._identity(len(q)), self._zeros(len(q), 3))
+        for motion in self._motions[name]:
+            total = _product(total, self._step(motion, q))
+        return total
+
+    def _fill(self, name: str, q: Array, start: tuple[Array, Array], screws: Array) -> None:
+        """The displaced screws of a joint whose parent body has the displacement `start`."""
+        for motion in self._motions[name]:
+            columns = slice(motion.column, motion.column + len(motion.screws))
+            local = np.broadcast_to(motion.screws, (len(q), *motion.screws.shape))
+            if motion.kind == "S":
+                local = np.swapaxes(self._rotation_vector(q[:, columns])[1], 1, 2) @ local
+            rotation, translation = start
+            angular = local[:, :, :3] @ np.swapaxes(rotation, 1, 2)
+            linear = local[:, :, 3:] @ np.swapaxes(rotation, 1, 2) + _cross(translation[:, None, :], angular)
+            screws[:, columns, :3], screws[:, columns, 3:] = angular, linear
+            start = _product(start, self._step(motion, q))
+
+    def _step(self, motion: Motion, q: Array) -> tuple[Array, Array]:
+        """(rotation, translation) of one elementary motion."""
+        if motion.kind == "P":
+            return self._identity(len(q)), q[:, motion.column, None] * motion.screws[0, 3:]
+        if motion.kind == "S":
+            rotation, _ = self._rotation_vector(q[:, motion.column : motion.column + 3])
+            return rotation, motion.point - rotation @ motion.point
+        axis = motion.screws[0, :3]
+        angle = q[:, motion.column]
+        hat = _hat(axis[None])[0]
+        sine, cosine = self.arithmetic.sin(angle), self.arithmetic.cos(angle)
+        rotation = self._identity(len(q)) + sine[:, None, None] * hat + (1 - cosine)[:, None, None] * (hat @ hat)
+        moved = motion.point - rotation @ motion.point
+        if motion.kind == "H":
+            # the part of the screw's linear velocity along its axis is the pitch
+            pitch = axis @ motion.screws[0, 3:]
+            moved = moved + angle[:, None] * (pitch * axis)
+        return rotation, moved
+
+    def _rotation_vector(self, vector: Array) -> tuple[Array, Array]:
+        """(rotation, left Jacobian) of rotation vectors: omega = J_l(w) dw/dt."""
+        square = (vector * vector).sum(axis=1)
+        small = np.array([bool(s < self.arithmetic.tiny) for s in square])
+        safe = np.where(small, 1 + 0 * square, square)
+        angle = self.arithmetic.sqrt(safe)
+        half = self.arithmetic.sin(angle / 2) / angle
+        a = np.where(small, 1 + 0 * square, self.arithmetic.sin(angle) / angle)
+        b = np.where(small, (1 + 0 * square) / 2, 2 * half * half)
+        c = np.where(small, (1 + 0 * square) / 6, (1 - a) / safe)
+        hat = _hat(vector)
+        square_hat = hat @ hat
+        one = self._identity(len(vector))
+        rotation = one + a[:, None, None] * hat + b[:, None, None] * square_hat
+        jacobian = one + b[:, None, None] * hat + c[:, None, None] * square_hat
+        return rotation, jacobian
+
+    def _zeros(self, *shape: int) -> Array:
+        result = np.empty(shape, dtype=self.arithmetic.dtype)
+        result[...] = self.arithmetic.read(0)
+        return result
+
+    def _identity(self, count: int) -> Array:
+        result = self._zeros(count, 3, 3)
+        for k in range(3):
+            result[:, k, k] = self.arithmetic.read(1)
+        return result
+
+
+def _motions(edge: Edge, centre: list, arithmetic: Arithmetic) -> tuple[Motion, ...]:
+    """The joint's motions with their screws moved to the centre."""
+    point = [edge.point[k] - centre[k] for k in range(3)]
+    result = []
+    for kind, column in edge.motions:
+        local = edge.screws[column - edge.start : column - edge.start + (3 if kind == "S" else 1)]
+        moved = [_moved(screw, centre) for screw in local]
+        result.append(Motion(kind, column, arithmetic.array(moved), arithmetic.array(point)))
+    return tuple(result)
+
+
+def _moved(screw: tuple, centre: list) -> list:
+    """The same screw with its moment about `centre` instead of O: v - r x omega."""
+    w, v, r = screw[:3], screw[3:], centre
+    return [
+        *w,
+        v[0] - (r[1] * w[2] - r[2] * w[1]),
+        v[1] - (r[2] * w[0] - r[0] * w[2]),
+        v[2] - (r[0] * w[1] - r[1] * w[0]),
+    ]
+
+
+def _product(a: tuple[Array, Array], b: tuple[Array, Array]) -> tuple[Array, Array]:
+    return a[0] @ b[0], (a[0] @ b[1][..., None])[..., 0] + a[1]
+
+
+def _inverse(a: tuple[Array, Array]) -> tuple[Array, Array]:
+    back = np.swapaxes(a[0], 1, 2)
+    return back, -(back @ a[1][..., None])[..., 0]
+
+
+def _small_twist(gap: tuple[Array, Array]) -> Array:
+    rotation, translation = gap
+    half = [
+        (rotation[:, 2, 1] - rotation[:, 1, 2]) / 2,
+        (rotation[:, 0, 2] - rotation[:, 2, 0]) / 2,
+        (rotation[:, 1, 0] - rotation[:, 0, 1]) / 2,
+    ]
+    return np.concatenate([np.stack(half, axis=1), translation], axis=1)
+
+
+def _hat(vector: Array) -> Array:
+    x, y, z = vector[:, 0], vector[:, 1], vector[:, 2]
+    zero = 0 * x
+    rows = [[zero, -z, y], [z, zero, -x], [-y, x, zero]]
+    return np.stack([np.stack(row, axis=1) for row in rows], axis=1)
+
+
+def _cross(a: Array, b: Array) -> Array:
+    return np.stack(
+        [
+            a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1],
+            a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2],
+            a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0],
+        ],
+        axis=-1,
+    )
