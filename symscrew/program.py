@@ -99,8 +99,8 @@ class Program:
         count = dict.fromkeys(CLASSES, 0)
         for instruction in self.instructions:
             count[COUNTED[instruction.op]] += 1
-        # each guard costs an absolute value and a comparison; the sum of all outputs is tested for NaN and Inf
-        computed = {s for slots in self.results for s in slots if isinstance(s, int)}
+        # each guard costs an absolute value and a comparison; the sum of outputs and pivots is tested for NaN and Inf
+        computed = {s for slots in self.results for s in slots if isinstance(s, int)} | {g for g, _ in self.guards}
         count["compare"] += 2 * len(self.guards) + bool(computed)
         count["add"] += max(0, len(computed) - 1)
         count["total"] = sum(count.values())
@@ -357,6 +357,7 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         for guard, threshold in program.guards:
             status = np.where((status == 0) & (np.abs(values[guard]) <= threshold), 1, status)
         total = sum((result.sum(axis=-1) for result in results), start=np.zeros(batch))
+        total = sum((values[guard] for guard, _ in program.guards), start=total)
         status = np.where((status == 0) & ~np.isfinite(total), 2, status)
         for result in results:
             result[status != 0] = np.nan

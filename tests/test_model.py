@@ -321,3 +321,58 @@ def test_link_frames_and_absolute_screws_give_the_same_momentum_rates(name: str)
     for k, bodies in enumerate(owners):
         total = sum((expected[:, labels.index(b)] for b in bodies if b in labels), start=np.zeros((len(q), 6)))
         assert np.abs(got[:, 6 * k : 6 * k + 6] - total).max() < 1e-12 * largest
+
+
+def test_assembly_keeps_the_branch_of_its_guess() -> None:
+    """Open and crossed four-bar: the same crank angle, two configurations, each from its own neighbourhood."""
+    found = model("four_bar")
+    system = found.system
+    y = system.reference[list(found.programs["assemble"].independent)]
+    solutions = []
+    random = np.random.default_rng(4)
+    for _ in range(20):
+        guess = system.reference + np.r_[0, random.uniform(-3, 3, 2)]
+        (q,), status = found("assemble", y, guess)
+        if status == 0:
+            solutions.append(np.mod(q[1:] + np.pi, 2 * np.pi) - np.pi)
+    distinct = np.unique(np.round(solutions, 9), axis=0)
+    assert len(distinct) == 2
+    for branch in distinct:
+        start = np.r_[y, branch]
+        (q,), status = found("assemble", y + 0.2, start)
+        assert status == 0
+        (back,), status = found("assemble", y, q)
+        assert status == 0
+        assert np.abs(back - start).max() < 1e-9
+
+
+def test_assembly_out_of_reach_fails_and_says_so() -> None:
+    found = model("five_bar")
+    y, guess = (inputs[0] for inputs in found.test_inputs["assemble"][:2])
+    failures = 0
+    for angle in np.linspace(0, 2 * np.pi, 12):
+        (q,), status = found("assemble", y + np.array([angle, -angle]), guess)
+        if status:
+            failures += 1
+            assert status in (3, 4) and np.isnan(q).all()
+        else:
+            assert np.abs(run("five_bar", "closure", q)).max() < 1e-12
+    assert failures > 0
+
+
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "four_bar", "ur5"])
+def test_no_function_answers_nan_or_infinite_input(name: str) -> None:
+    """Each input in turn made NaN and infinite: never a number after that, in any function that uses it."""
+    found = model(name)
+    for function, inputs in found.test_inputs.items():
+        state = [array[:1].copy() for array in inputs]
+        (reference, status) = found(function, *state)
+        assert np.all(status == 0)
+        for k, array in enumerate(state):
+            for entry in range(array.shape[1]):
+                for bad in (np.nan, np.inf):
+                    poisoned = [a.copy() for a in state]
+                    poisoned[k][0, entry] = bad
+                    results, status = found(function, *poisoned)
+                    unused = all(np.array_equal(x, y) for x, y in zip(results, reference, strict=True))
+                    assert unused or (status[0] != 0 and all(np.isnan(r).all() for r in results)), (function, k, entry)

@@ -630,7 +630,7 @@ int delta_closure_bias_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 820 (add 296, mul 457, div 12, trig 30, compare 25)
+ * Operations: 832 (add 308, mul 457, div 12, trig 30, compare 25)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
  */
 #define DELTA_VELOCITY_Q_SIZE 22
@@ -687,7 +687,7 @@ int delta_velocity_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1121 (add 456, mul 598, div 12, trig 30, compare 25)
+ * Operations: 1133 (add 468, mul 598, div 12, trig 30, compare 25)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
  */
 #define DELTA_NULL_SPACE_Q_SIZE 22
@@ -732,7 +732,7 @@ int delta_null_space_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1312 (add 501, mul 744, div 12, trig 30, compare 25)
+ * Operations: 1324 (add 513, mul 744, div 12, trig 30, compare 25)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
  */
 #define DELTA_ACCELERATION_Q_SIZE 22
@@ -1061,7 +1061,7 @@ int delta_bias_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1084 (add 400, mul 608, div 15, trig 30, compare 31)
+ * Operations: 1099 (add 415, mul 608, div 15, trig 30, compare 31)
  */
 #define DELTA_INVERSE_DYNAMICS_Q_SIZE 22
 #define DELTA_INVERSE_DYNAMICS_V_SIZE 21
@@ -1102,7 +1102,7 @@ int delta_inverse_dynamics_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 2401 (add 919, mul 1379, div 18, trig 30, compare 55)
+ * Operations: 2419 (add 937, mul 1379, div 18, trig 30, compare 55)
  */
 #define DELTA_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE 22
 #define DELTA_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 3
@@ -1176,7 +1176,7 @@ int delta_inverse_dynamics_independent_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 2140 (add 899, mul 1165, div 15, trig 30, compare 31)
+ * Operations: 2155 (add 914, mul 1165, div 15, trig 30, compare 31)
  */
 #define DELTA_JOINT_REACTIONS_Q_SIZE 22
 #define DELTA_JOINT_REACTIONS_V_SIZE 21
@@ -1225,7 +1225,7 @@ int delta_joint_reactions_batch(
  *   3 not converged: the loops could not be closed from this guess; all outputs are NaN
  *   4 other branch: the loops close only on another assembly branch than the guess; all outputs are
  *     NaN
- * Operations of one Newton step (at most 25 per substep): 1429 (add 567, mul 787, div 14, sqrt 3, trig
+ * Operations of one Newton step (at most 25 per substep): 1441 (add 579, mul 787, div 14, sqrt 3, trig
  * 30, compare 28)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
  */

@@ -6320,7 +6320,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 820 (add 296, mul 457, div 12, trig 30, compare 25)
+    Operations: 832 (add 308, mul 457, div 12, trig 30, compare 25)
     Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
     """
     entries, batch = _entries("velocity", {"q": 22, "y_dot": 3}, arguments)
@@ -7101,7 +7101,7 @@ def velocity(*arguments):
         x797 = 1.0 - x796
         x798 = x797 * x348
         x799 = x795 - x798
-        return _finish(batch, ((x359, x386, x418, x445, x477, x483, x518, x557, x592, x631, x634, x669, x707, x742, x780, x22, x23, x24, x785, x790, x799),), ((x369, 4.173e-10), (x428, 4.173e-10), (x648, 4.173e-10), (x721, 4.173e-10), (x497, 4.173e-10), (x571, 4.173e-10), (x29, 4.173e-10), (x90, 4.173e-10), (x216, 4.173e-10), (x247, 4.173e-10), (x273, 4.173e-10), (x342, 4.173e-10)), (x359, x386, x418, x445, x477, x483, x518, x557, x592, x631, x634, x669, x707, x742, x780, x22, x23, x24, x785, x790, x799))
+        return _finish(batch, ((x359, x386, x418, x445, x477, x483, x518, x557, x592, x631, x634, x669, x707, x742, x780, x22, x23, x24, x785, x790, x799),), ((x369, 4.173e-10), (x428, 4.173e-10), (x648, 4.173e-10), (x721, 4.173e-10), (x497, 4.173e-10), (x571, 4.173e-10), (x29, 4.173e-10), (x90, 4.173e-10), (x216, 4.173e-10), (x247, 4.173e-10), (x273, 4.173e-10), (x342, 4.173e-10)), (x359, x386, x418, x445, x477, x483, x518, x557, x592, x631, x634, x669, x707, x742, x780, x22, x23, x24, x785, x790, x799, x369, x428, x648, x721, x497, x571, x29, x90, x216, x247, x273, x342))
 
 
 def null_space(*arguments):
@@ -7144,7 +7144,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1121 (add 456, mul 598, div 12, trig 30, compare 25)
+    Operations: 1133 (add 468, mul 598, div 12, trig 30, compare 25)
     Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
     """
     entries, batch = _entries("null_space", {"q": 22}, arguments)
@@ -8193,7 +8193,7 @@ def null_space(*arguments):
         x1062 = x711 * x912
         x1063 = x1061 - x1062
         x1064 = x1060 - x1063
-        return _finish(batch, ((x327, x352, x379, x404, x431, x437, x468, x502, x533, x567, x570, x601, x634, x665, x698, 1.0, 0.0, 0.0, x703, x708, x717, x751, x760, x769, x778, x787, x793, x802, x812, x821, x831, x835, x845, x855, x865, x875, 0.0, 1.0, 0.0, x881, x887, x893, x927, x936, x946, x955, x965, x970, x979, x989, x998, x1008, x1011, x1020, x1030, x1039, x1049, 0.0, 0.0, 1.0, x1054, x1059, x1064),), ((x328, 4.173e-10), (x380, 4.173e-10), (x571, 4.173e-10), (x635, 4.173e-10), (x438, 4.173e-10), (x503, 4.173e-10), (x26, 4.173e-10), (x82, 4.173e-10), (x176, 4.173e-10), (x235, 4.173e-10), (x245, 4.173e-10), (x309, 4.173e-10)), (x327, x352, x379, x404, x431, x437, x468, x502, x533, x567, x570, x601, x634, x665, x698, x703, x708, x717, x751, x760, x769, x778, x787, x793, x802, x812, x821, x831, x835, x845, x855, x865, x875, x881, x887, x893, x927, x936, x946, x955, x965, x970, x979, x989, x998, x1008, x1011, x1020, x1030, x1039, x1049, x1054, x1059, x1064))
+        return _finish(batch, ((x327, x352, x379, x404, x431, x437, x468, x502, x533, x567, x570, x601, x634, x665, x698, 1.0, 0.0, 0.0, x703, x708, x717, x751, x760, x769, x778, x787, x793, x802, x812, x821, x831, x835, x845, x855, x865, x875, 0.0, 1.0, 0.0, x881, x887, x893, x927, x936, x946, x955, x965, x970, x979, x989, x998, x1008, x1011, x1020, x1030, x1039, x1049, 0.0, 0.0, 1.0, x1054, x1059, x1064),), ((x328, 4.173e-10), (x380, 4.173e-10), (x571, 4.173e-10), (x635, 4.173e-10), (x438, 4.173e-10), (x503, 4.173e-10), (x26, 4.173e-10), (x82, 4.173e-10), (x176, 4.173e-10), (x235, 4.173e-10), (x245, 4.173e-10), (x309, 4.173e-10)), (x327, x352, x379, x404, x431, x437, x468, x502, x533, x567, x570, x601, x634, x665, x698, x703, x708, x717, x751, x760, x769, x778, x787, x793, x802, x812, x821, x831, x835, x845, x855, x865, x875, x881, x887, x893, x927, x936, x946, x955, x965, x970, x979, x989, x998, x1008, x1011, x1020, x1030, x1039, x1049, x1054, x1059, x1064, x328, x380, x571, x635, x438, x503, x26, x82, x176, x235, x245, x309))
 
 
 def acceleration(*arguments):
@@ -8227,7 +8227,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1312 (add 501, mul 744, div 12, trig 30, compare 25)
+    Operations: 1324 (add 513, mul 744, div 12, trig 30, compare 25)
     Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
     """
     entries, batch = _entries("acceleration", {"q": 22, "v": 21, "y_ddot": 3}, arguments)
@@ -9500,7 +9500,7 @@ def acceleration(*arguments):
         x1310 = x1308 + x1309
         x1311 = x73 * x1300
         x1312 = x1310 - x1311
-        return _finish(batch, ((x656, x701, x750, x795, x844, x855, x907, x963, x1016, x1071, x1078, x1131, x1186, x1238, x1294, x43, x44, x45, x1302, x1307, x1312),), ((x666, 4.173e-10), (x760, 4.173e-10), (x1088, 4.173e-10), (x1196, 4.173e-10), (x865, 4.173e-10), (x973, 4.173e-10), (x50, 4.173e-10), (x182, 4.173e-10), (x312, 4.173e-10), (x368, 4.173e-10), (x378, 4.173e-10), (x417, 4.173e-10)), (x656, x701, x750, x795, x844, x855, x907, x963, x1016, x1071, x1078, x1131, x1186, x1238, x1294, x43, x44, x45, x1302, x1307, x1312))
+        return _finish(batch, ((x656, x701, x750, x795, x844, x855, x907, x963, x1016, x1071, x1078, x1131, x1186, x1238, x1294, x43, x44, x45, x1302, x1307, x1312),), ((x666, 4.173e-10), (x760, 4.173e-10), (x1088, 4.173e-10), (x1196, 4.173e-10), (x865, 4.173e-10), (x973, 4.173e-10), (x50, 4.173e-10), (x182, 4.173e-10), (x312, 4.173e-10), (x368, 4.173e-10), (x378, 4.173e-10), (x417, 4.173e-10)), (x656, x701, x750, x795, x844, x855, x907, x963, x1016, x1071, x1078, x1131, x1186, x1238, x1294, x43, x44, x45, x1302, x1307, x1312, x666, x760, x1088, x1196, x865, x973, x50, x182, x312, x368, x378, x417))
 
 
 def momentum_screws(*arguments):
@@ -15171,7 +15171,7 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1084 (add 400, mul 608, div 15, trig 30, compare 31)
+    Operations: 1099 (add 415, mul 608, div 15, trig 30, compare 31)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 22, "v": 21, "a": 21}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, x31, x32, x33, x34, x35, x36, x37, x38, x39, x40, x41, x42, x43, x44, x45, x46, x47, x48, x49, x50, x51, x52, x53, x54, x55, x56, x57, x58, x59, x60, x61, x62, x63, = entries
@@ -16227,7 +16227,7 @@ def inverse_dynamics(*arguments):
         x1112 = x1107 - x1111
         x1113 = x943 * x1112
         x1114 = -x1113
-        return _finish(batch, ((x1105, x1114, x1110),), ((x93, 7.000000000000001e-10), (x152, 7.000000000000001e-10), (x109, 2.4060000000000003e-10), (x234, 7.000000000000001e-10), (x293, 7.000000000000001e-10), (x250, 2.4894e-10), (x386, 7.000000000000001e-10), (x445, 7.000000000000001e-10), (x402, 2.4167e-10), (x561, 6.308e-11), (x727, 8.1669e-11), (x848, 1.0899e-10), (x942, 2.6513299784327824e-09), (x1031, 3.814282290917805e-09), (x1103, 3.0965732087227415e-09)), (x1105, x1114, x1110))
+        return _finish(batch, ((x1105, x1114, x1110),), ((x93, 7.000000000000001e-10), (x152, 7.000000000000001e-10), (x109, 2.4060000000000003e-10), (x234, 7.000000000000001e-10), (x293, 7.000000000000001e-10), (x250, 2.4894e-10), (x386, 7.000000000000001e-10), (x445, 7.000000000000001e-10), (x402, 2.4167e-10), (x561, 6.308e-11), (x727, 8.1669e-11), (x848, 1.0899e-10), (x942, 2.6513299784327824e-09), (x1031, 3.814282290917805e-09), (x1103, 3.0965732087227415e-09)), (x1105, x1114, x1110, x93, x152, x109, x234, x293, x250, x386, x445, x402, x561, x727, x848, x942, x1031, x1103))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -16252,7 +16252,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 2401 (add 919, mul 1379, div 18, trig 30, compare 55)
+    Operations: 2419 (add 937, mul 1379, div 18, trig 30, compare 55)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 22, "y_dot": 3, "y_ddot": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, = entries
@@ -18601,7 +18601,7 @@ def inverse_dynamics_independent(*arguments):
         x2369 = x2364 - x2368
         x2370 = x2200 * x2369
         x2371 = -x2370
-        return _finish(batch, ((x2362, x2371, x2367),), ((x33, 4.173e-10), (x607, 4.173e-10), (x1049, 4.173e-10), (x714, 4.173e-10), (x939, 4.173e-10), (x833, 4.173e-10), (x38, 4.173e-10), (x97, 4.173e-10), (x223, 4.173e-10), (x254, 4.173e-10), (x280, 4.173e-10), (x349, 4.173e-10), (x33, 7.000000000000001e-10), (x607, 7.000000000000001e-10), (x38, 2.4060000000000003e-10), (x939, 7.000000000000001e-10), (x833, 7.000000000000001e-10), (x223, 2.4894e-10), (x1049, 7.000000000000001e-10), (x714, 7.000000000000001e-10), (x280, 2.4167e-10), (x1894, 6.308e-11), (x2020, 8.1669e-11), (x2106, 1.0899e-10), (x2199, 2.6513299784327824e-09), (x2288, 3.814282290917805e-09), (x2360, 3.0965732087227415e-09)), (x2362, x2371, x2367))
+        return _finish(batch, ((x2362, x2371, x2367),), ((x33, 4.173e-10), (x607, 4.173e-10), (x1049, 4.173e-10), (x714, 4.173e-10), (x939, 4.173e-10), (x833, 4.173e-10), (x38, 4.173e-10), (x97, 4.173e-10), (x223, 4.173e-10), (x254, 4.173e-10), (x280, 4.173e-10), (x349, 4.173e-10), (x33, 7.000000000000001e-10), (x607, 7.000000000000001e-10), (x38, 2.4060000000000003e-10), (x939, 7.000000000000001e-10), (x833, 7.000000000000001e-10), (x223, 2.4894e-10), (x1049, 7.000000000000001e-10), (x714, 7.000000000000001e-10), (x280, 2.4167e-10), (x1894, 6.308e-11), (x2020, 8.1669e-11), (x2106, 1.0899e-10), (x2199, 2.6513299784327824e-09), (x2288, 3.814282290917805e-09), (x2360, 3.0965732087227415e-09)), (x2362, x2371, x2367, x33, x607, x1049, x714, x939, x833, x38, x97, x223, x254, x280, x349, x1894, x2020, x2106, x2199, x2288, x2360))
 
 
 def joint_reactions(*arguments):
@@ -18659,7 +18659,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 2140 (add 899, mul 1165, div 15, trig 30, compare 31)
+    Operations: 2155 (add 914, mul 1165, div 15, trig 30, compare 31)
     """
     entries, batch = _entries("joint_reactions", {"q": 22, "v": 21, "a": 21}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, x31, x32, x33, x34, x35, x36, x37, x38, x39, x40, x41, x42, x43, x44, x45, x46, x47, x48, x49, x50, x51, x52, x53, x54, x55, x56, x57, x58, x59, x60, x61, x62, x63, = entries
@@ -20681,7 +20681,7 @@ def joint_reactions(*arguments):
         x2078 = x2075 * x2056
         x2079 = x2067 * x2045
         x2080 = x2078 - x2079
-        return _finish(batch, ((x1105, x1114, x1110), (x1221, x1229, x1232, x1259, x1261, x1267, x1276, x1277, x1280, x1286, x1293, x1298, x1306, x1308, x1316, x1323, x1328, x1331, x1340, x1341, x1344, x1349, x1354, x1359, x1367, x1369, x1377, x1384, x1389, x1392, x1488, x1492, x1495, x1525, x1528, x1535, x1549, x1562, x1572, x1584, x1593, x1599, x1610, x1622, x1629, x1636, x1641, x1644, x1656, x1667, x1677, x1687, x1695, x1701, x1712, x1722, x1730, x1737, x1742, x1745, x1824, x1827, x1830, x1861, x1864, x1872, x1886, x1900, x1910, x1921, x1930, x1935, x1946, x1957, x1964, x1971, x1976, x1979, x1991, x2003, x2013, x2022, x2030, x2035, x2046, x2057, x2065, x2072, x2077, x2080)), ((x93, 7.000000000000001e-10), (x152, 7.000000000000001e-10), (x109, 2.4060000000000003e-10), (x234, 7.000000000000001e-10), (x293, 7.000000000000001e-10), (x250, 2.4894e-10), (x386, 7.000000000000001e-10), (x445, 7.000000000000001e-10), (x402, 2.4167e-10), (x561, 6.308e-11), (x727, 8.1669e-11), (x848, 1.0899e-10), (x942, 2.6513299784327824e-09), (x1031, 3.814282290917805e-09), (x1103, 3.0965732087227415e-09)), (x1105, x1114, x1110, x1221, x1229, x1232, x1259, x1261, x1267, x1276, x1277, x1280, x1286, x1293, x1298, x1306, x1308, x1316, x1323, x1328, x1331, x1340, x1341, x1344, x1349, x1354, x1359, x1367, x1369, x1377, x1384, x1389, x1392, x1488, x1492, x1495, x1525, x1528, x1535, x1549, x1562, x1572, x1584, x1593, x1599, x1610, x1622, x1629, x1636, x1641, x1644, x1656, x1667, x1677, x1687, x1695, x1701, x1712, x1722, x1730, x1737, x1742, x1745, x1824, x1827, x1830, x1861, x1864, x1872, x1886, x1900, x1910, x1921, x1930, x1935, x1946, x1957, x1964, x1971, x1976, x1979, x1991, x2003, x2013, x2022, x2030, x2035, x2046, x2057, x2065, x2072, x2077, x2080))
+        return _finish(batch, ((x1105, x1114, x1110), (x1221, x1229, x1232, x1259, x1261, x1267, x1276, x1277, x1280, x1286, x1293, x1298, x1306, x1308, x1316, x1323, x1328, x1331, x1340, x1341, x1344, x1349, x1354, x1359, x1367, x1369, x1377, x1384, x1389, x1392, x1488, x1492, x1495, x1525, x1528, x1535, x1549, x1562, x1572, x1584, x1593, x1599, x1610, x1622, x1629, x1636, x1641, x1644, x1656, x1667, x1677, x1687, x1695, x1701, x1712, x1722, x1730, x1737, x1742, x1745, x1824, x1827, x1830, x1861, x1864, x1872, x1886, x1900, x1910, x1921, x1930, x1935, x1946, x1957, x1964, x1971, x1976, x1979, x1991, x2003, x2013, x2022, x2030, x2035, x2046, x2057, x2065, x2072, x2077, x2080)), ((x93, 7.000000000000001e-10), (x152, 7.000000000000001e-10), (x109, 2.4060000000000003e-10), (x234, 7.000000000000001e-10), (x293, 7.000000000000001e-10), (x250, 2.4894e-10), (x386, 7.000000000000001e-10), (x445, 7.000000000000001e-10), (x402, 2.4167e-10), (x561, 6.308e-11), (x727, 8.1669e-11), (x848, 1.0899e-10), (x942, 2.6513299784327824e-09), (x1031, 3.814282290917805e-09), (x1103, 3.0965732087227415e-09)), (x1105, x1114, x1110, x1221, x1229, x1232, x1259, x1261, x1267, x1276, x1277, x1280, x1286, x1293, x1298, x1306, x1308, x1316, x1323, x1328, x1331, x1340, x1341, x1344, x1349, x1354, x1359, x1367, x1369, x1377, x1384, x1389, x1392, x1488, x1492, x1495, x1525, x1528, x1535, x1549, x1562, x1572, x1584, x1593, x1599, x1610, x1622, x1629, x1636, x1641, x1644, x1656, x1667, x1677, x1687, x1695, x1701, x1712, x1722, x1730, x1737, x1742, x1745, x1824, x1827, x1830, x1861, x1864, x1872, x1886, x1900, x1910, x1921, x1930, x1935, x1946, x1957, x1964, x1971, x1976, x1979, x1991, x2003, x2013, x2022, x2030, x2035, x2046, x2057, x2065, x2072, x2077, x2080, x93, x152, x109, x234, x293, x250, x386, x445, x402, x561, x727, x848, x942, x1031, x1103))
 
 
 def _assemble_step(*arguments):
@@ -22069,7 +22069,7 @@ def _assemble_step(*arguments):
         x1402 = x310 * x1401
         x1403 = x349 * x1402
         x1404 = -x1403
-        return _finish(batch, ((x1260, x1262, x1264, x1266, x1268, x1270, x1272, x1274, x1276, x1278, x1280, x1282, x1284, x1286, x1288, x1290, x1292, x1294, x1334, x1335, x1336, x1337), (x1391,), (x1254,), (x1404,)), ((x633, 4.173e-13), (x717, 4.173e-13), (x1038, 4.173e-13), (x1150, 4.173e-13), (x813, 4.173e-13), (x925, 4.173e-13), (x29, 4.173e-13), (x117, 4.173e-13), (x244, 4.173e-13), (x300, 4.173e-13), (x310, 4.173e-13), (x349, 4.173e-13)), (x1260, x1262, x1264, x1266, x1268, x1270, x1272, x1274, x1276, x1278, x1280, x1282, x1284, x1286, x1288, x1290, x1292, x1294, x1334, x1335, x1336, x1337, x1391, x1254, x1404))
+        return _finish(batch, ((x1260, x1262, x1264, x1266, x1268, x1270, x1272, x1274, x1276, x1278, x1280, x1282, x1284, x1286, x1288, x1290, x1292, x1294, x1334, x1335, x1336, x1337), (x1391,), (x1254,), (x1404,)), ((x633, 4.173e-13), (x717, 4.173e-13), (x1038, 4.173e-13), (x1150, 4.173e-13), (x813, 4.173e-13), (x925, 4.173e-13), (x29, 4.173e-13), (x117, 4.173e-13), (x244, 4.173e-13), (x300, 4.173e-13), (x310, 4.173e-13), (x349, 4.173e-13)), (x1260, x1262, x1264, x1266, x1268, x1270, x1272, x1274, x1276, x1278, x1280, x1282, x1284, x1286, x1288, x1290, x1292, x1294, x1334, x1335, x1336, x1337, x1391, x1254, x1404, x633, x717, x1038, x1150, x813, x925, x29, x117, x244, x300, x310, x349))
 
 
 def assemble(*arguments):
@@ -22099,7 +22099,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 1429 (add 567, mul 787, div 14, sqrt 3, trig
+    Operations of one Newton step (at most 25 per substep): 1441 (add 579, mul 787, div 14, sqrt 3, trig
     30, compare 28)
     Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
     """

@@ -1029,7 +1029,7 @@ int four_bar_velocity(
     const double x33 = x8 + x32;
     const double x34 = 2.0 * x33;
     const double x35 = -x34;
-    const double total = (x3 + x35) + x31;
+    const double total = (x3 + x35) + (x31 + x30);
     const int outcome = fabs(x30) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(v, 3);
@@ -1099,7 +1099,7 @@ int four_bar_null_space(
     const double x30 = x6 + x29;
     const double x31 = 2.0 * x30;
     const double x32 = -x31;
-    const double total = x32 + x28;
+    const double total = (x32 + x28) + x27;
     const int outcome = fabs(x27) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(null_space, 3);
@@ -1208,7 +1208,7 @@ int four_bar_acceleration(
     const double x68 = 2.0 * x67;
     const double x69 = -x68;
     const double x70 = x56 + x64;
-    const double total = (x6 + x69) + x70;
+    const double total = (x6 + x69) + (x70 + x54);
     const int outcome = fabs(x54) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(a, 3);
@@ -1885,7 +1885,7 @@ int four_bar_inverse_dynamics(
     const double x78 = x62 * x77;
     const double x79 = x74 + x78;
     const double x80 = x68 / x79;
-    const double total = x80;
+    const double total = (x80 + x51) + x79;
     const int outcome = fabs(x51) <= 1.2634000000000003e-10 || fabs(x79) <= 4.813897755635771e-09 ? 1 :
         !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -2055,7 +2055,7 @@ int four_bar_inverse_dynamics_independent(
     const double x128 = x22 * x127;
     const double x129 = x124 + x128;
     const double x130 = x118 / x129;
-    const double total = x130;
+    const double total = (x130 + x24) + (x26 + x129);
     const int outcome = fabs(x24) <= 3.01689e-10 || fabs(x26) <= 1.2634000000000003e-10 || fabs(x129) <=
         4.813897755635771e-09 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -2351,8 +2351,8 @@ int four_bar_joint_reactions(
     const double x252 = x250 * x251;
     const double x253 = x248 + x252;
     const double x254 = x234 - x253;
-    const double total = (((x80 + x108) + (x111 + x114)) + ((x117 + x122) + (x131 + x135))) + ((x142 + x160) +
-        (x168 + x169));
+    const double total = ((((x80 + x108) + (x111 + x114)) + ((x117 + x122) + (x131 + x135))) + (((x142 + x160)
+        + (x168 + x169)) + ((x51 + x79) + (x198 + x228)))) + x254;
     const int outcome = fabs(x51) <= 1.2634000000000003e-10 || fabs(x79) <= 4.813897755635771e-09 ||
         fabs(x198) <= 1.3789999999999998e-08 || fabs(x228) <= 4.3948000000000004e-08 || fabs(x254) <=
         4.3948000000000004e-08 ? 1 : !isfinite(total) ? 2 : 0;
@@ -2539,7 +2539,7 @@ int four_bar_inverse_velocity(
     const double x51 = x48 + x50;
     const double x52 = 2.0 * x51;
     const double x53 = -x52;
-    const double total = (x45 + x53) + x1;
+    const double total = (x45 + x53) + (x1 + x44);
     const int outcome = fabs(x44) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(v, 3);
@@ -2721,7 +2721,7 @@ int four_bar_inverse_dynamics_platform(
     const double x143 = x11 * x142;
     const double x144 = x139 + x143;
     const double x145 = x133 / x144;
-    const double total = x145;
+    const double total = (x145 + x31) + x144;
     const int outcome = fabs(x31) <= 3.01689e-10 || fabs(x31) <= 1.2634000000000003e-10 || fabs(x144) <=
         4.813897755635771e-09 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -2844,7 +2844,7 @@ static int four_bar_assemble_step(
     const double x78 = sqrt(x77);
     const double x79 = 0.5 * x35;
     const double x80 = -x79;
-    const double total = ((x68 + x70) + (x72 + x78)) + (x62 + x80);
+    const double total = ((x68 + x70) + (x72 + x78)) + ((x62 + x80) + x35);
     const int outcome = fabs(x35) <= 3.01689e-13 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(q_next, 3);

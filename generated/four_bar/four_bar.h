@@ -437,7 +437,7 @@ int four_bar_closure_bias_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 37 (add 11, mul 16, div 1, trig 6, compare 3)
+ * Operations: 38 (add 12, mul 16, div 1, trig 6, compare 3)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
  */
@@ -467,7 +467,7 @@ int four_bar_velocity_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 34 (add 10, mul 14, div 1, trig 6, compare 3)
+ * Operations: 35 (add 11, mul 14, div 1, trig 6, compare 3)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
  */
@@ -499,7 +499,7 @@ int four_bar_null_space_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 69 (add 22, mul 37, div 1, trig 6, compare 3)
+ * Operations: 70 (add 23, mul 37, div 1, trig 6, compare 3)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
  */
@@ -695,7 +695,7 @@ int four_bar_bias_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 77 (add 22, mul 42, div 2, trig 6, compare 5)
+ * Operations: 79 (add 24, mul 42, div 2, trig 6, compare 5)
  */
 #define FOUR_BAR_INVERSE_DYNAMICS_Q_SIZE 3
 #define FOUR_BAR_INVERSE_DYNAMICS_V_SIZE 3
@@ -731,7 +731,7 @@ int four_bar_inverse_dynamics_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 133 (add 39, mul 78, div 3, trig 6, compare 7)
+ * Operations: 136 (add 42, mul 78, div 3, trig 6, compare 7)
  */
 #define FOUR_BAR_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE 3
 #define FOUR_BAR_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 1
@@ -772,7 +772,7 @@ int four_bar_inverse_dynamics_independent_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 268 (add 105, mul 142, div 4, trig 6, compare 11)
+ * Operations: 273 (add 110, mul 142, div 4, trig 6, compare 11)
  * Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
  *   divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
  *   D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -836,7 +836,7 @@ int four_bar_inverse_kinematics_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 57 (add 18, mul 30, div 2, sqrt 1, trig 2, compare 4)
+ * Operations: 58 (add 19, mul 30, div 2, sqrt 1, trig 2, compare 4)
  */
 #define FOUR_BAR_INVERSE_VELOCITY_POSE_SIZE 1
 #define FOUR_BAR_INVERSE_VELOCITY_RATE_SIZE 1
@@ -869,7 +869,7 @@ int four_bar_inverse_velocity_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 150 (add 45, mul 91, div 3, sqrt 1, trig 2, compare 8)
+ * Operations: 152 (add 47, mul 91, div 3, sqrt 1, trig 2, compare 8)
  */
 #define FOUR_BAR_INVERSE_DYNAMICS_PLATFORM_POSE_SIZE 1
 #define FOUR_BAR_INVERSE_DYNAMICS_PLATFORM_RATE_SIZE 1
@@ -905,7 +905,7 @@ int four_bar_inverse_dynamics_platform_batch(
  *   3 not converged: the loops could not be closed from this guess; all outputs are NaN
  *   4 other branch: the loops close only on another assembly branch than the guess; all outputs are
  *     NaN
- * Operations of one Newton step (at most 25 per substep): 85 (add 31, mul 38, div 2, sqrt 2, trig 6,
+ * Operations of one Newton step (at most 25 per substep): 86 (add 32, mul 38, div 2, sqrt 2, trig 6,
  * compare 6)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my

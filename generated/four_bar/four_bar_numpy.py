@@ -663,7 +663,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 37 (add 11, mul 16, div 1, trig 6, compare 3)
+    Operations: 38 (add 12, mul 16, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -702,7 +702,7 @@ def velocity(*arguments):
         x33 = x8 + x32
         x34 = 2.0 * x33
         x35 = -x34
-        return _finish(batch, ((x3, x35, x31),), ((x30, 3.01689e-10),), (x3, x35, x31))
+        return _finish(batch, ((x3, x35, x31),), ((x30, 3.01689e-10),), (x3, x35, x31, x30))
 
 
 def null_space(*arguments):
@@ -717,7 +717,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 34 (add 10, mul 14, div 1, trig 6, compare 3)
+    Operations: 35 (add 11, mul 14, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -754,7 +754,7 @@ def null_space(*arguments):
         x30 = x6 + x29
         x31 = 2.0 * x30
         x32 = -x31
-        return _finish(batch, ((1.0, x32, x28),), ((x27, 3.01689e-10),), (x32, x28))
+        return _finish(batch, ((1.0, x32, x28),), ((x27, 3.01689e-10),), (x32, x28, x27))
 
 
 def acceleration(*arguments):
@@ -773,7 +773,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 69 (add 22, mul 37, div 1, trig 6, compare 3)
+    Operations: 70 (add 23, mul 37, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -844,7 +844,7 @@ def acceleration(*arguments):
         x68 = 2.0 * x67
         x69 = -x68
         x70 = x56 + x64
-        return _finish(batch, ((x6, x69, x70),), ((x54, 3.01689e-10),), (x6, x69, x70))
+        return _finish(batch, ((x6, x69, x70),), ((x54, 3.01689e-10),), (x6, x69, x70, x54))
 
 
 def momentum_screws(*arguments):
@@ -1276,7 +1276,7 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 77 (add 22, mul 42, div 2, trig 6, compare 5)
+    Operations: 79 (add 24, mul 42, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 3, "v": 3, "a": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
@@ -1353,7 +1353,7 @@ def inverse_dynamics(*arguments):
         x78 = x62 * x77
         x79 = x74 + x78
         x80 = x68 / x79
-        return _finish(batch, ((x80,),), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09)), (x80,))
+        return _finish(batch, ((x80,),), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09)), (x80, x51, x79))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1373,7 +1373,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 133 (add 39, mul 78, div 3, trig 6, compare 7)
+    Operations: 136 (add 42, mul 78, div 3, trig 6, compare 7)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1}, arguments)
     x0, x1, x2, x3, x4, = entries
@@ -1504,7 +1504,7 @@ def inverse_dynamics_independent(*arguments):
         x128 = x22 * x127
         x129 = x124 + x128
         x130 = x118 / x129
-        return _finish(batch, ((x130,),), ((x24, 3.01689e-10), (x26, 1.2634000000000003e-10), (x129, 4.813897755635771e-09)), (x130,))
+        return _finish(batch, ((x130,),), ((x24, 3.01689e-10), (x26, 1.2634000000000003e-10), (x129, 4.813897755635771e-09)), (x130, x24, x26, x129))
 
 
 def joint_reactions(*arguments):
@@ -1529,7 +1529,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 268 (add 105, mul 142, div 4, trig 6, compare 11)
+    Operations: 273 (add 110, mul 142, div 4, trig 6, compare 11)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1783,7 +1783,7 @@ def joint_reactions(*arguments):
         x252 = x250 * x251
         x253 = x248 + x252
         x254 = x234 - x253
-        return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x228, 4.3948000000000004e-08), (x254, 4.3948000000000004e-08)), (x80, x108, x111, x114, x117, x122, x131, x135, x142, x160, x168, x169))
+        return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x228, 4.3948000000000004e-08), (x254, 4.3948000000000004e-08)), (x80, x108, x111, x114, x117, x122, x131, x135, x142, x160, x168, x169, x51, x79, x198, x228, x254))
 
 
 def inverse_kinematics(*arguments):
@@ -1856,7 +1856,7 @@ def inverse_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 57 (add 18, mul 30, div 2, sqrt 1, trig 2, compare 4)
+    Operations: 58 (add 19, mul 30, div 2, sqrt 1, trig 2, compare 4)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 1, "rate": 1}, arguments)
     x0, x1, = entries
@@ -1913,7 +1913,7 @@ def inverse_velocity(*arguments):
         x51 = x48 + x50
         x52 = 2.0 * x51
         x53 = -x52
-        return _finish(batch, ((x45, x53, x1),), ((x44, 3.01689e-10),), (x45, x53, x1))
+        return _finish(batch, ((x45, x53, x1),), ((x44, 3.01689e-10),), (x45, x53, x1, x44))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -1933,7 +1933,7 @@ def inverse_dynamics_platform(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 150 (add 45, mul 91, div 3, sqrt 1, trig 2, compare 8)
+    Operations: 152 (add 47, mul 91, div 3, sqrt 1, trig 2, compare 8)
     """
     entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "gain": 1}, arguments)
     x0, x1, x2, = entries
@@ -2081,7 +2081,7 @@ def inverse_dynamics_platform(*arguments):
         x143 = x11 * x142
         x144 = x139 + x143
         x145 = x133 / x144
-        return _finish(batch, ((x145,),), ((x31, 3.01689e-10), (x31, 1.2634000000000003e-10), (x144, 4.813897755635771e-09)), (x145,))
+        return _finish(batch, ((x145,),), ((x31, 3.01689e-10), (x31, 1.2634000000000003e-10), (x144, 4.813897755635771e-09)), (x145, x31, x144))
 
 
 def _assemble_step(*arguments):
@@ -2166,7 +2166,7 @@ def _assemble_step(*arguments):
         x78 = np.sqrt(x77)
         x79 = 0.5 * x35
         x80 = -x79
-        return _finish(batch, ((x68, x70, x72), (x78,), (x62,), (x80,)), ((x35, 3.01689e-13),), (x68, x70, x72, x78, x62, x80))
+        return _finish(batch, ((x68, x70, x72), (x78,), (x62,), (x80,)), ((x35, 3.01689e-13),), (x68, x70, x72, x78, x62, x80, x35))
 
 
 def assemble(*arguments):
@@ -2186,7 +2186,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 85 (add 31, mul 38, div 2, sqrt 2, trig 6,
+    Operations of one Newton step (at most 25 per substep): 86 (add 32, mul 38, div 2, sqrt 2, trig 6,
     compare 6)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my

@@ -681,7 +681,7 @@ int stewart_6ups_closure_bias_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 686 (add 251, mul 365, div 15, trig 24, compare 31)
+ * Operations: 701 (add 266, mul 365, div 15, trig 24, compare 31)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2,
  *   platform_pose.qx, platform_pose.qy, platform_pose.qz
  */
@@ -752,7 +752,7 @@ int stewart_6ups_velocity_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1008 (add 419, mul 519, div 15, trig 24, compare 31)
+ * Operations: 1023 (add 434, mul 519, div 15, trig 24, compare 31)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2,
  *   platform_pose.qx, platform_pose.qy, platform_pose.qz
  */
@@ -801,7 +801,7 @@ int stewart_6ups_null_space_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1065 (add 395, mul 600, div 15, trig 24, compare 31)
+ * Operations: 1080 (add 410, mul 600, div 15, trig 24, compare 31)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2,
  *   platform_pose.qx, platform_pose.qy, platform_pose.qz
  */
@@ -1142,7 +1142,7 @@ int stewart_6ups_bias_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 992 (add 373, mul 540, div 18, trig 24, compare 37)
+ * Operations: 1010 (add 391, mul 540, div 18, trig 24, compare 37)
  */
 #define STEWART_6UPS_INVERSE_DYNAMICS_Q_SIZE 25
 #define STEWART_6UPS_INVERSE_DYNAMICS_V_SIZE 24
@@ -1185,7 +1185,7 @@ int stewart_6ups_inverse_dynamics_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 2007 (add 769, mul 1126, div 21, trig 24, compare 67)
+ * Operations: 2028 (add 790, mul 1126, div 21, trig 24, compare 67)
  */
 #define STEWART_6UPS_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE 25
 #define STEWART_6UPS_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 6
@@ -1260,7 +1260,7 @@ int stewart_6ups_inverse_dynamics_independent_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1928 (add 853, mul 996, div 18, trig 24, compare 37)
+ * Operations: 1946 (add 871, mul 996, div 18, trig 24, compare 37)
  */
 #define STEWART_6UPS_JOINT_REACTIONS_Q_SIZE 25
 #define STEWART_6UPS_JOINT_REACTIONS_V_SIZE 24
@@ -1334,7 +1334,7 @@ int stewart_6ups_inverse_kinematics_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 520 (add 210, mul 255, div 18, sqrt 12, compare 25)
+ * Operations: 532 (add 222, mul 255, div 18, sqrt 12, compare 25)
  */
 #define STEWART_6UPS_INVERSE_VELOCITY_POSE_SIZE 7
 #define STEWART_6UPS_INVERSE_VELOCITY_RATE_SIZE 6
@@ -1370,7 +1370,7 @@ int stewart_6ups_inverse_velocity_batch(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1680 (add 647, mul 936, div 24, sqrt 12, compare 61)
+ * Operations: 1698 (add 665, mul 936, div 24, sqrt 12, compare 61)
  */
 #define STEWART_6UPS_INVERSE_DYNAMICS_PLATFORM_POSE_SIZE 7
 #define STEWART_6UPS_INVERSE_DYNAMICS_PLATFORM_RATE_SIZE 6
@@ -1417,7 +1417,7 @@ int stewart_6ups_inverse_dynamics_platform_batch(
  *   3 not converged: the loops could not be closed from this guess; all outputs are NaN
  *   4 other branch: the loops close only on another assembly branch than the guess; all outputs are
  *     NaN
- * Operations of one Newton step (at most 25 per substep): 1441 (add 571, mul 744, div 29, sqrt 15,
+ * Operations of one Newton step (at most 25 per substep): 1456 (add 586, mul 744, div 29, sqrt 15,
  * trig 36, compare 46)
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2,
  *   platform_pose.qx, platform_pose.qy, platform_pose.qz

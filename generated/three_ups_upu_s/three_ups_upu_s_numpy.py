@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 10ae568f5277c601
+Programs: e32b046ffcb2f5c1
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower: the radius of gyration 0.9038 m exceeds the body's extent 0.3 m (joint
@@ -3361,7 +3361,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 377 (add 131, mul 196, div 11, trig 16, compare 23)
+    Operations: 388 (add 142, mul 196, div 11, trig 16, compare 23)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("velocity", {"q": 16, "y_dot": 2}, arguments)
@@ -3707,7 +3707,7 @@ def velocity(*arguments):
         x355 = x353 + x354
         x356 = x84 * x154
         x357 = x355 - x356
-        return _finish(batch, ((x151, x157, x174, x197, x215, x232, x253, x271, x287, x307, x326, x342, x347, x352, x357),), ((x250, 6.62327e-10), (x195, 6.62327e-10), (x305, 6.62327e-10), (x20, 6.62327e-10), (x251, 6.62327e-10), (x196, 6.62327e-10), (x306, 6.62327e-10), (x74, 1.0e-09), (x78, 6.62327e-10), (x110, 1.0e-09), (x133, 1.0e-09)), (x151, x157, x174, x197, x215, x232, x253, x271, x287, x307, x326, x342, x347, x352, x357))
+        return _finish(batch, ((x151, x157, x174, x197, x215, x232, x253, x271, x287, x307, x326, x342, x347, x352, x357),), ((x250, 6.62327e-10), (x195, 6.62327e-10), (x305, 6.62327e-10), (x20, 6.62327e-10), (x251, 6.62327e-10), (x196, 6.62327e-10), (x306, 6.62327e-10), (x74, 1.0e-09), (x78, 6.62327e-10), (x110, 1.0e-09), (x133, 1.0e-09)), (x151, x157, x174, x197, x215, x232, x253, x271, x287, x307, x326, x342, x347, x352, x357, x250, x195, x305, x20, x251, x196, x306, x74, x78, x110, x133))
 
 
 def null_space(*arguments):
@@ -3733,7 +3733,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 497 (add 185, mul 262, div 11, trig 16, compare 23)
+    Operations: 508 (add 196, mul 262, div 11, trig 16, compare 23)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("null_space", {"q": 16}, arguments)
@@ -4184,7 +4184,7 @@ def null_space(*arguments):
         x458 = x64 * x363
         x459 = x457 - x458
         x460 = x456 - x459
-        return _finish(batch, ((x146, x152, x169, x193, x212, x229, x251, x270, x286, x307, x327, x343, x348, x353, x358, x377, x384, x389, x396, x403, x408, x414, x421, x427, x434, x440, x445, x450, x455, x460),), ((x232, 6.62327e-10), (x172, 6.62327e-10), (x289, 6.62327e-10), (x18, 6.62327e-10), (x233, 6.62327e-10), (x173, 6.62327e-10), (x290, 6.62327e-10), (x72, 1.0e-09), (x76, 6.62327e-10), (x125, 1.0e-09), (x129, 1.0e-09)), (x146, x152, x169, x193, x212, x229, x251, x270, x286, x307, x327, x343, x348, x353, x358, x377, x384, x389, x396, x403, x408, x414, x421, x427, x434, x440, x445, x450, x455, x460))
+        return _finish(batch, ((x146, x152, x169, x193, x212, x229, x251, x270, x286, x307, x327, x343, x348, x353, x358, x377, x384, x389, x396, x403, x408, x414, x421, x427, x434, x440, x445, x450, x455, x460),), ((x232, 6.62327e-10), (x172, 6.62327e-10), (x289, 6.62327e-10), (x18, 6.62327e-10), (x233, 6.62327e-10), (x173, 6.62327e-10), (x290, 6.62327e-10), (x72, 1.0e-09), (x76, 6.62327e-10), (x125, 1.0e-09), (x129, 1.0e-09)), (x146, x152, x169, x193, x212, x229, x251, x270, x286, x307, x327, x343, x348, x353, x358, x377, x384, x389, x396, x403, x408, x414, x421, x427, x434, x440, x445, x450, x455, x460, x232, x172, x289, x18, x233, x173, x290, x72, x76, x125, x129))
 
 
 def acceleration(*arguments):
@@ -4212,7 +4212,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 721 (add 269, mul 402, div 11, trig 16, compare 23)
+    Operations: 732 (add 280, mul 402, div 11, trig 16, compare 23)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("acceleration", {"q": 16, "v": 15, "y_ddot": 2}, arguments)
@@ -4902,7 +4902,7 @@ def acceleration(*arguments):
         x714 = x712 + x713
         x715 = x130 * x704
         x716 = x714 + x715
-        return _finish(batch, ((x344, x354, x381, x435, x475, x502, x541, x574, x601, x640, x673, x700, x706, x711, x716),), ((x503, 6.62327e-10), (x382, 6.62327e-10), (x602, 6.62327e-10), (x35, 6.62327e-10), (x539, 6.62327e-10), (x434, 6.62327e-10), (x638, 6.62327e-10), (x89, 1.0e-09), (x93, 6.62327e-10), (x286, 1.0e-09), (x325, 1.0e-09)), (x344, x354, x381, x435, x475, x502, x541, x574, x601, x640, x673, x700, x706, x711, x716))
+        return _finish(batch, ((x344, x354, x381, x435, x475, x502, x541, x574, x601, x640, x673, x700, x706, x711, x716),), ((x503, 6.62327e-10), (x382, 6.62327e-10), (x602, 6.62327e-10), (x35, 6.62327e-10), (x539, 6.62327e-10), (x434, 6.62327e-10), (x638, 6.62327e-10), (x89, 1.0e-09), (x93, 6.62327e-10), (x286, 1.0e-09), (x325, 1.0e-09)), (x344, x354, x381, x435, x475, x502, x541, x574, x601, x640, x673, x700, x706, x711, x716, x503, x382, x602, x35, x539, x434, x638, x89, x93, x286, x325))
 
 
 def momentum_screws(*arguments):
@@ -8442,7 +8442,7 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 634 (add 228, mul 356, div 11, trig 16, compare 23)
+    Operations: 645 (add 239, mul 356, div 11, trig 16, compare 23)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -9057,7 +9057,7 @@ def inverse_dynamics(*arguments):
         x651 = x564 * x641
         x652 = x600 * x639
         x653 = x651 + x652
-        return _finish(batch, ((x644, x647, x650, x653),), ((x240, 6.358200000000001e-10), (x265, 5.448800000000001e-10), (x327, 6.365800000000001e-10), (x352, 5.4541e-10), (x413, 6.2676e-10), (x438, 5.386100000000001e-10), (x93, 6.1635e-10), (x98, 5.312900000000001e-10), (x127, 3.9681000000000005e-10), (x566, 4.891323844e-10), (x638, 4.894541520999999e-10)), (x644, x647, x650, x653))
+        return _finish(batch, ((x644, x647, x650, x653),), ((x240, 6.358200000000001e-10), (x265, 5.448800000000001e-10), (x327, 6.365800000000001e-10), (x352, 5.4541e-10), (x413, 6.2676e-10), (x438, 5.386100000000001e-10), (x93, 6.1635e-10), (x98, 5.312900000000001e-10), (x127, 3.9681000000000005e-10), (x566, 4.891323844e-10), (x638, 4.894541520999999e-10)), (x644, x647, x650, x653, x240, x265, x327, x352, x413, x438, x93, x98, x127, x566, x638))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -9080,7 +9080,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1253 (add 461, mul 716, div 15, trig 16, compare 45)
+    Operations: 1268 (add 476, mul 716, div 15, trig 16, compare 45)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -10292,7 +10292,7 @@ def inverse_dynamics_independent(*arguments):
         x1222 = x170 * x1212
         x1223 = x1171 * x1210
         x1224 = x1222 + x1223
-        return _finish(batch, ((x1215, x1218, x1221, x1224),), ((x786, 6.62327e-10), (x601, 6.62327e-10), (x952, 6.62327e-10), (x67, 6.62327e-10), (x787, 6.62327e-10), (x602, 6.62327e-10), (x953, 6.62327e-10), (x180, 1.0e-09), (x196, 6.62327e-10), (x228, 1.0e-09), (x232, 1.0e-09), (x601, 6.358200000000001e-10), (x602, 5.448800000000001e-10), (x786, 6.365800000000001e-10), (x787, 5.4541e-10), (x952, 6.2676e-10), (x953, 5.386100000000001e-10), (x67, 6.1635e-10), (x72, 5.312900000000001e-10), (x101, 3.9681000000000005e-10), (x172, 4.891323844e-10), (x1209, 4.894541520999999e-10)), (x1215, x1218, x1221, x1224))
+        return _finish(batch, ((x1215, x1218, x1221, x1224),), ((x786, 6.62327e-10), (x601, 6.62327e-10), (x952, 6.62327e-10), (x67, 6.62327e-10), (x787, 6.62327e-10), (x602, 6.62327e-10), (x953, 6.62327e-10), (x180, 1.0e-09), (x196, 6.62327e-10), (x228, 1.0e-09), (x232, 1.0e-09), (x601, 6.358200000000001e-10), (x602, 5.448800000000001e-10), (x786, 6.365800000000001e-10), (x787, 5.4541e-10), (x952, 6.2676e-10), (x953, 5.386100000000001e-10), (x67, 6.1635e-10), (x72, 5.312900000000001e-10), (x101, 3.9681000000000005e-10), (x172, 4.891323844e-10), (x1209, 4.894541520999999e-10)), (x1215, x1218, x1221, x1224, x786, x601, x952, x67, x787, x602, x953, x180, x196, x228, x232, x72, x101, x172, x1209))
 
 
 def inverse_dynamics_preload(*arguments):
@@ -10325,7 +10325,7 @@ def inverse_dynamics_preload(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 666 (add 240, mul 372, div 15, trig 16, compare 23)
+    Operations: 689 (add 255, mul 372, div 15, trig 16, compare 31)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -10972,7 +10972,7 @@ def inverse_dynamics_preload(*arguments):
         x691 = x628 * x675
         x692 = x690 + x691
         x693 = x53 + x692
-        return _finish(batch, ((x681, x685, x689, x693),), ((x250, 6.358200000000001e-10), (x275, 5.448800000000001e-10), (x337, 6.365800000000001e-10), (x362, 5.4541e-10), (x423, 6.2676e-10), (x448, 5.386100000000001e-10), (x101, 6.1635e-10), (x106, 5.312900000000001e-10), (x135, 3.9681000000000005e-10), (x590, 4.891323844e-10), (x674, 4.894541520999999e-10)), (x681, x685, x689, x693))
+        return _finish(batch, ((x681, x685, x689, x693),), ((x250, 6.358200000000001e-10), (x275, 5.448800000000001e-10), (x337, 6.365800000000001e-10), (x362, 5.4541e-10), (x423, 6.2676e-10), (x448, 5.386100000000001e-10), (x101, 6.1635e-10), (x106, 5.312900000000001e-10), (x135, 3.9681000000000005e-10), (x590, 4.891323844e-10), (x674, 4.894541520999999e-10), (x46, 0.0), (x47, 0.0), (x48, 0.0), (x49, 0.0)), (x681, x685, x689, x693, x250, x275, x337, x362, x423, x448, x101, x106, x135, x590, x674, x46, x47, x48, x49))
 
 
 def joint_reactions(*arguments):
@@ -11021,7 +11021,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1307 (add 588, mul 669, div 11, trig 16, compare 23)
+    Operations: 1318 (add 599, mul 669, div 11, trig 16, compare 23)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -12234,7 +12234,7 @@ def joint_reactions(*arguments):
         x1249 = x441 * x1213
         x1250 = x440 - x1249
         x1251 = x1248 - x1250
-        return _finish(batch, ((x644, x647, x651, x654), (x680, x705, x709, x736, x743, x746, x747, x751, x756, x765, x782, x792, x796, x801, x806, x812, x820, x828, x848, x851, x854, x875, x878, x882, x886, x887, x891, x908, x916, x926, x930, x932, x937, x940, x944, x947, x959, x970, x974, x992, x998, x1001, x1002, x1007, x1011, x1021, x1036, x1045, x1047, x1052, x1057, x1060, x1063, x1066, x1086, x1089, x1092, x1112, x1116, x1119, x1124, x1125, x1130, x1147, x1155, x1165, x1170, x1172, x1176, x1179, x1182, x1185, x1216, x1234, x1251, 0.0, 0.0, 0.0)), ((x240, 6.358200000000001e-10), (x265, 5.448800000000001e-10), (x327, 6.365800000000001e-10), (x352, 5.4541e-10), (x413, 6.2676e-10), (x438, 5.386100000000001e-10), (x93, 6.1635e-10), (x98, 5.312900000000001e-10), (x127, 3.9681000000000005e-10), (x566, 4.891323844e-10), (x638, 4.894541520999999e-10)), (x644, x647, x651, x654, x680, x705, x709, x736, x743, x746, x747, x751, x756, x765, x782, x792, x796, x801, x806, x812, x820, x828, x848, x851, x854, x875, x878, x882, x886, x887, x891, x908, x916, x926, x930, x932, x937, x940, x944, x947, x959, x970, x974, x992, x998, x1001, x1002, x1007, x1011, x1021, x1036, x1045, x1047, x1052, x1057, x1060, x1063, x1066, x1086, x1089, x1092, x1112, x1116, x1119, x1124, x1125, x1130, x1147, x1155, x1165, x1170, x1172, x1176, x1179, x1182, x1185, x1216, x1234, x1251))
+        return _finish(batch, ((x644, x647, x651, x654), (x680, x705, x709, x736, x743, x746, x747, x751, x756, x765, x782, x792, x796, x801, x806, x812, x820, x828, x848, x851, x854, x875, x878, x882, x886, x887, x891, x908, x916, x926, x930, x932, x937, x940, x944, x947, x959, x970, x974, x992, x998, x1001, x1002, x1007, x1011, x1021, x1036, x1045, x1047, x1052, x1057, x1060, x1063, x1066, x1086, x1089, x1092, x1112, x1116, x1119, x1124, x1125, x1130, x1147, x1155, x1165, x1170, x1172, x1176, x1179, x1182, x1185, x1216, x1234, x1251, 0.0, 0.0, 0.0)), ((x240, 6.358200000000001e-10), (x265, 5.448800000000001e-10), (x327, 6.365800000000001e-10), (x352, 5.4541e-10), (x413, 6.2676e-10), (x438, 5.386100000000001e-10), (x93, 6.1635e-10), (x98, 5.312900000000001e-10), (x127, 3.9681000000000005e-10), (x566, 4.891323844e-10), (x638, 4.894541520999999e-10)), (x644, x647, x651, x654, x680, x705, x709, x736, x743, x746, x747, x751, x756, x765, x782, x792, x796, x801, x806, x812, x820, x828, x848, x851, x854, x875, x878, x882, x886, x887, x891, x908, x916, x926, x930, x932, x937, x940, x944, x947, x959, x970, x974, x992, x998, x1001, x1002, x1007, x1011, x1021, x1036, x1045, x1047, x1052, x1057, x1060, x1063, x1066, x1086, x1089, x1092, x1112, x1116, x1119, x1124, x1125, x1130, x1147, x1155, x1165, x1170, x1172, x1176, x1179, x1182, x1185, x1216, x1234, x1251, x240, x265, x327, x352, x413, x438, x93, x98, x127, x566, x638))
 
 
 def inverse_kinematics(*arguments):
@@ -12428,7 +12428,7 @@ def inverse_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 261 (add 94, mul 130, div 12, sqrt 8, compare 17)
+    Operations: 269 (add 102, mul 130, div 12, sqrt 8, compare 17)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 4, "rate": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, = entries
@@ -12663,7 +12663,7 @@ def inverse_velocity(*arguments):
         x234 = x218 * x225
         x235 = x229 * x222
         x236 = x234 - x235
-        return _finish(batch, ((x82, x94, x97, x131, x142, x145, x176, x187, x190, x221, x233, x236, x4, x5, x6),), ((x168, 6.62327e-10), (x123, 6.62327e-10), (x213, 6.62327e-10), (x74, 6.62327e-10), (x174, 6.62327e-10), (x129, 6.62327e-10), (x219, 6.62327e-10), (x80, 6.62327e-10)), (x82, x94, x97, x131, x142, x145, x176, x187, x190, x221, x233, x236, x4, x5, x6))
+        return _finish(batch, ((x82, x94, x97, x131, x142, x145, x176, x187, x190, x221, x233, x236, x4, x5, x6),), ((x168, 6.62327e-10), (x123, 6.62327e-10), (x213, 6.62327e-10), (x74, 6.62327e-10), (x174, 6.62327e-10), (x129, 6.62327e-10), (x219, 6.62327e-10), (x80, 6.62327e-10)), (x82, x94, x97, x131, x142, x145, x176, x187, x190, x221, x233, x236, x4, x5, x6, x168, x123, x213, x74, x174, x129, x219, x80))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -12683,7 +12683,7 @@ def inverse_dynamics_platform(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 972 (add 347, mul 563, div 15, sqrt 8, compare 39)
+    Operations: 983 (add 358, mul 563, div 15, sqrt 8, compare 39)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -13620,7 +13620,7 @@ def inverse_dynamics_platform(*arguments):
         x937 = x898 * x922
         x938 = x936 + x937
         x939 = -x938
-        return _finish(batch, ((x928, x932, x935, x939),), ((x500, 6.62327e-10), (x328, 6.62327e-10), (x643, 6.62327e-10), (x45, 6.62327e-10), (x530, 6.62327e-10), (x335, 6.62327e-10), (x650, 6.62327e-10), (x83, 6.62327e-10), (x328, 6.358200000000001e-10), (x335, 5.448800000000001e-10), (x500, 6.365800000000001e-10), (x530, 5.4541e-10), (x643, 6.2676e-10), (x650, 5.386100000000001e-10), (x45, 6.1635e-10), (x83, 5.312900000000001e-10), (x104, 3.9681000000000005e-10), (x907, 4.891323844e-10), (x921, 4.894541520999999e-10)), (x928, x932, x935, x939))
+        return _finish(batch, ((x928, x932, x935, x939),), ((x500, 6.62327e-10), (x328, 6.62327e-10), (x643, 6.62327e-10), (x45, 6.62327e-10), (x530, 6.62327e-10), (x335, 6.62327e-10), (x650, 6.62327e-10), (x83, 6.62327e-10), (x328, 6.358200000000001e-10), (x335, 5.448800000000001e-10), (x500, 6.365800000000001e-10), (x530, 5.4541e-10), (x643, 6.2676e-10), (x650, 5.386100000000001e-10), (x45, 6.1635e-10), (x83, 5.312900000000001e-10), (x104, 3.9681000000000005e-10), (x907, 4.891323844e-10), (x921, 4.894541520999999e-10)), (x928, x932, x935, x939, x500, x328, x643, x45, x530, x335, x650, x83, x104, x907, x921))
 
 
 def _assemble_step(*arguments):
@@ -14423,7 +14423,7 @@ def _assemble_step(*arguments):
         x810 = x139 * x809
         x811 = x169 * x810
         x812 = -x811
-        return _finish(batch, ((x596, x621, x622, x651, x673, x674, x696, x716, x717, x742, x762, x763, x554, x550, x551, x555), (x801,), (x506,), (x812,)), ((x242, 6.62327e-13), (x286, 6.62327e-13), (x199, 6.62327e-13), (x68, 6.62327e-13), (x423, 6.62327e-13), (x375, 6.62327e-13), (x471, 6.62327e-13), (x72, 1.0e-12), (x105, 6.62327e-13), (x139, 1.0e-12), (x169, 1.0e-12)), (x596, x621, x622, x651, x673, x674, x696, x716, x717, x742, x762, x763, x554, x550, x551, x555, x801, x506, x812))
+        return _finish(batch, ((x596, x621, x622, x651, x673, x674, x696, x716, x717, x742, x762, x763, x554, x550, x551, x555), (x801,), (x506,), (x812,)), ((x242, 6.62327e-13), (x286, 6.62327e-13), (x199, 6.62327e-13), (x68, 6.62327e-13), (x423, 6.62327e-13), (x375, 6.62327e-13), (x471, 6.62327e-13), (x72, 1.0e-12), (x105, 6.62327e-13), (x139, 1.0e-12), (x169, 1.0e-12)), (x596, x621, x622, x651, x673, x674, x696, x716, x717, x742, x762, x763, x554, x550, x551, x555, x801, x506, x812, x242, x286, x199, x68, x423, x375, x471, x72, x105, x139, x169))
 
 
 def assemble(*arguments):
@@ -14449,7 +14449,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 836 (add 312, mul 430, div 21, sqrt 11, trig
+    Operations of one Newton step (at most 25 per substep): 847 (add 323, mul 430, div 21, sqrt 11, trig
     28, compare 34)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """

@@ -46,8 +46,12 @@ def input_entries(program: Program) -> list[tuple[Port, int]]:
 
 
 def checked_slots(program: Program) -> list[int]:
-    """The slots whose sum must be finite: every computed output once, in order."""
-    return list(dict.fromkeys(s for slots in program.results for s in slots if isinstance(s, int)))
+    """The slots whose sum must be finite: every computed output and every guarded pivot once, in order.
+
+    The pivots, because an infinite one would make its quotients 0.
+    """
+    outputs = [s for slots in program.results for s in slots if isinstance(s, int)]
+    return list(dict.fromkeys([*outputs, *(slot for slot, _ in program.guards)]))
 
 
 def balanced_sum(terms: Sequence[str]) -> str:

@@ -228,6 +228,7 @@ def _with_preload(equations: Equations) -> Function:
     ]
     text = "Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives."
     guards = guarded((*equations.balance.guards, *solution.guards))
+    guards += [(weight, 0.0) for weight in weights]  # a weight of 0, NaN or infinity is an error, not a choice
     return function(
         system,
         "inverse_dynamics_preload",
