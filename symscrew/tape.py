@@ -23,7 +23,8 @@ import sympy
 
 from symscrew.operations import CONTEXT, IN_SYMPY, apply_high_precision, apply_numpy, evaluate_constant
 
-ZERO_BELOW = CONTEXT.mpf(10) ** -45
+ZERO_BITS = -149  # a constant below 2^-149, about 1e-45, is zero
+ZERO_BELOW = CONTEXT.mpf(2) ** ZERO_BITS
 KEY_BITS = 150  # constants that agree to 45 digits are one constant
 
 
@@ -89,6 +90,7 @@ class Tape:
     def __init__(self) -> None:
         self.nodes: list[Node] = []
         self._known: dict[tuple, Node] = {}
+        self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
         self._parameter_values: list[dict[int, Any]] = []
         self._settled: dict[int, Node] = {}
@@ -118,15 +120,16 @@ class Tape:
         if isinstance(value, sympy.Basic):
             exact = value
             value = high_precision(value)
-        number = CONTEXT.mpf(value)
-        if not CONTEXT.isfinite(number):
+        number = value if isinstance(value, CONTEXT.mpf) else CONTEXT.mpf(value)
+        sign, mantissa, exponent, bits = number._mpf_
+        if not mantissa and exponent:
             raise ZeroDivisionError("a constant of the model is not finite: check the geometry for a division by 0")
-        if abs(number) < ZERO_BELOW:
-            number = CONTEXT.mpf(0)
-        if number < 0:
+        if exponent + bits < ZERO_BITS:
+            sign, number = 0, CONTEXT.zero
+        if sign:
             inner = self.constant(-number, None if exact is None else _negative(exact))
             return self._make("neg", (inner,), number)
-        key = ("const", mpmath.mpf(number)._mpf_ if number == 0 else _rounded(number))
+        key = ("const", _rounded(number))
         found = self._known.get(key)
         if found is None:
             found = Node(self, len(self.nodes), "const", (exact,), number)
@@ -144,12 +147,12 @@ class Tape:
 
     def add(self, x: Node, y: Node) -> Node:
         """x + y; differences and sums of negatives are normalised."""
-        if x.value is not None and y.value is not None:
-            return self.constant(x.value + y.value, ("add", x, y))
         if x is self.zero:
             return y
         if y is self.zero:
             return x
+        if x.value is not None and y.value is not None:
+            return self._fold("add", x, y)
         if x.value is not None or y.value is not None:
             merged = self._merge_constant(*((x, y) if x.value is not None else (y, x)))
             if merged is not None:
@@ -166,6 +169,14 @@ class Tape:
         if x_negative:
             a, b = b, a
         return self._make("sub", (a, b)) if a.index < b.index else self.neg(self._make("sub", (b, a)))
+
+    def _fold(self, op: str, x: Node, y: Node) -> Node:
+        """The sum or product of two constants, computed once."""
+        key = (op, x.index, y.index) if x.index < y.index else (op, y.index, x.index)
+        if key not in self._folded:
+            value = x.value + y.value if op == "add" else x.value * y.value
+            self._folded[key] = self.constant(value, (op, x, y))
+        return self._folded[key]
 
     def _merge_constant(self, constant: Node, other: Node) -> Node | None:
         """constant + (constant2 +- y) as (constant + constant2) +- y, or None if `other` has no constant."""
@@ -186,10 +197,10 @@ class Tape:
 
     def mul(self, x: Node, y: Node) -> Node:
         """x y; signs move outwards, constants together."""
-        if x.value is not None and y.value is not None:
-            return self.constant(x.value * y.value, ("mul", x, y))
         if x is self.zero or y is self.zero:
             return self.zero
+        if x.value is not None and y.value is not None:
+            return self._fold("mul", x, y)
         negative = (x.op == "neg") != (y.op == "neg")
         x = x.args[0] if x.op == "neg" else x
         y = y.args[0] if y.op == "neg" else y
