@@ -10,7 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.elimination import Elimination, Guard, eliminate
+import numpy as np
+
+from symscrew.elimination import NEGLIGIBLE, Elimination, Guard, eliminate
 from symscrew.errors import DescriptionError
 from symscrew.screws import Vector, add, cross, dot, scale
 from symscrew.system import System
@@ -225,6 +227,17 @@ class Loops:
     def guards(self) -> tuple[Guard, ...]:
         """Pivots to watch."""
         return (*self.elimination.guards, *self.small.guards)
+
+    @property
+    def singular_reference(self) -> bool:
+        """Whether the closure has a smaller rank in the reference configuration than near it."""
+        system = self.system
+        if not system.cuts:
+            return False
+        matrix = system.numeric(system.dense_jacobian(), (system.inputs.q, system.reference[None, :]))
+        scales = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        values = np.linalg.svd(matrix.reshape(-1, len(scales)) * scales, compute_uv=False)
+        return int((values > NEGLIGIBLE * values[0]).sum()) < len(self.elimination.steps)
 
     @property
     def redundant(self) -> tuple[str, ...]:

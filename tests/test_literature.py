@@ -76,3 +76,13 @@ def test_a_rigid_loop_is_a_structure_with_reactions() -> None:
         onto_ground += sign * reactions[k]
     weight = 9.81 * sum(float(b.mass) for b in mechanism.bodies.values() if b.mass is not None)
     assert onto_ground[:3] == pytest.approx([0, 0, weight], abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "singular"),
+    [("planar_4bar", False), ("bennett", False), ("collinear_3R", True), ("threebar_parallel_unequal", True)],
+)
+def test_a_singular_reference_configuration_is_noted(name: str, singular: bool) -> None:
+    """Where the closure loses rank in the reference configuration the model says so."""
+    notes = derive(with_masses(build(ENTRIES[name]))).notes
+    assert any("the reference configuration is singular" in note for note in notes) == singular

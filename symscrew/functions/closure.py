@@ -76,6 +76,11 @@ def _notes(system: System, loops: Loops) -> tuple[str, ...]:
     notes = [f"independent coordinates y: {', '.join(loops.labels) or 'none'}"]
     if loops.redundant:
         notes.append(f"redundant closure constraints (satisfied by the others): {', '.join(loops.redundant)}")
+    if loops.singular_reference:
+        notes.append(
+            "the reference configuration is singular: the closure loses rank there, and functions that solve it "
+            "return status 1 at and close to it"
+        )
     return tuple(notes)
 
 
