@@ -212,7 +212,7 @@ def test_identities_of_random_mechanisms(seed: int) -> None:
     assert found.kutzbach + found.overconstraints == found.dof
     assert found.constraints is not None
     assert found.constraints.rank + found.platform.dof == 6
-    assert found.finite.dof <= found.dof
+    assert found.finite.dof is not None and found.finite.dof <= found.dof
     assert found.internal_freedoms >= 0
 
 

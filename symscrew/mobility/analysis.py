@@ -107,7 +107,7 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None) -> Mobili
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
     constraints = limb_constraints(limbs) if limbs and mechanism.platform is not None else None
-    finite = finite_mobility(network, first_order)
+    finite = finite_mobility(network)
     closure = first_order.closure
     method = (
         f"certified numeric: ranks decided with 60 digits, smallest pivot {closure.smallest_pivot:.1e}, "

@@ -21,8 +21,13 @@ from symscrew.mobility.variety import Array, ClosureVariety
 RADII = (0.1, 0.02)
 INWARDS = 6
 KEPT = 8
+UNDECIDED = 0
 SIGNAL = 1e-10
 """g must be this large at random points of a sphere for a zero in double precision to mean something."""
+
+
+class UndecidedError(ArithmeticError):
+    """The configuration is singular, and double precision does not tell the dimension of the motion through it."""
 
 
 @dataclass(frozen=True)
@@ -51,8 +56,15 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
         )
         for dimension, text in _dimensions(coarse, fine, kept, radius).items():
             found.setdefault(dimension, text)
+    if set(found) - {UNDECIDED}:
+        found.pop(UNDECIDED, None)
+    elif found:
+        raise UndecidedError(
+            "real motion leads away from this singular configuration, but in double precision its "
+            "dimension cannot be told"
+        )
     if not evidence:
-        raise ArithmeticError("the reduced closure is too small on all spheres to find its zeros in double precision")
+        raise UndecidedError("the reduced closure is too small on all spheres to find its zeros in double precision")
     return Branches(tuple(sorted(found)), (*evidence, *(found[d] for d in sorted(found))))
 
 
@@ -119,7 +131,9 @@ def _dimensions(coarse: ClosureVariety, fine: ClosureVariety, zeros: Array, radi
     return found
 
 
-def _dimension_at(coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float) -> tuple[int, str]:
+def _dimension_at(
+    coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float, depth: int = 0
+) -> tuple[int, str]:
     """(dimension of the configuration space at a generic point of a branch, how it was decided)."""
     there, residual = local_refined(coarse, fine, q)
     instantaneous = there.dof
@@ -136,21 +150,31 @@ def _dimension_at(coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius
             f"a branch of dimension {instantaneous}: at a point of it (closed to {residual:.0e}) finite motions "
             f"along all {instantaneous} instantaneous freedoms close in 60 digits; {gap}"
         )
-    dimension = _span_dimension(coarse, there, radius / 10)
-    return (
-        dimension,
-        f"a branch of dimension {dimension}, shaky all along: {instantaneous} instantaneous freedoms on it",
-    )
+    zeros = _zeros_around(coarse, there, radius / 10)
+    fewest = min(zeros, key=lambda q: local_refined(coarse, fine, q)[0].dof, default=None)
+    if fewest is not None and depth < 2 and local_refined(coarse, fine, fewest)[0].dof < instantaneous:
+        # the zero lies where branches meet; a neighbour shows one of them
+        return _dimension_at(coarse, fine, fewest, radius / 10, depth + 1)
+    dimension = _spanned(zeros, there, radius / 10)
+    if dimension and dimension == _spanned(_zeros_around(coarse, there, radius / 30), there, radius / 30):
+        text = f"a branch of dimension {dimension}, shaky all along: {instantaneous} instantaneous freedoms on it"
+        return dimension, text
+    return UNDECIDED, "a zero on it could not be classified"
 
 
-def _span_dimension(variety: ClosureVariety, there: Local, radius: float) -> int:
-    """Dimension that the zeros around a point of a shaky branch span."""
-    starts = np.array(list(flatten(there.dof, 20 + 6 * there.dof)))
+def _zeros_around(variety: ClosureVariety, there: Local, radius: float) -> Array:
+    """Displacements of zeros of the closure on a sphere around a zero."""
+    starts = np.array(list(flatten(there.dof, 16 + 4 * there.dof)))
     reduced = ReducedClosure(variety, there)
     scale = max(_scale(reduced, starts, radius), 1e-12)
     values = reduced.zeros_on_sphere(radius * starts, radius, scale)
-    index = is_zero(values, radius, scale, 1e-7)
-    if not len(index):
+    return values.q[is_zero(values, radius, scale, 1e-7)]
+
+
+def _spanned(zeros: Array, there: Local, radius: float) -> int:
+    """Dimension of the space of directions from a zero to those around it."""
+    if not len(zeros):
         return 0
-    spread = np.linalg.svd(values.u[index] / radius, compute_uv=False) / np.sqrt(len(index))
+    directions = (zeros - there.q) @ there.kernel / radius
+    spread = np.linalg.svd(directions, compute_uv=False) / np.sqrt(len(zeros))
     return int((spread > 0.05).sum())

@@ -21,8 +21,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.mobility.branches import find_branches
-from symscrew.mobility.instantaneous import Instantaneous
+from symscrew.mobility.blocks import blocks_of
+from symscrew.mobility.branches import UndecidedError, find_branches
 from symscrew.mobility.local import Local, definite_stress, flatten, local_at, quadratic_forms, vanishes
 from symscrew.mobility.network import Network
 from symscrew.mobility.screw_systems import null_space
@@ -37,11 +37,12 @@ class FiniteMobility:
     `dof`: dimension of the configuration space here; `smooth`: it is a manifold of the instantaneous dimension;
     `branches`: the dimensions that branches through a singular configuration have, None where smooth; `kind`:
     `smooth`, `infinitesimal` (no real motion, some instantaneous), `singular` (one dimension, fewer than
-    instantaneous or several branches) or `kinematotropic` (branches of different dimension). `evidence` says how it
+    instantaneous or several branches), `kinematotropic` (branches of different dimension) or `undecided` (singular,
+    `dof` None). `evidence` says how it
     was decided, `proved` whether without sampling.
     """
 
-    dof: int
+    dof: int | None
     smooth: bool
     branches: tuple[int, ...] | None
     kind: str
@@ -49,20 +50,48 @@ class FiniteMobility:
     proved: bool
 
 
-def finite_mobility(network: Network, first_order: Instantaneous) -> FiniteMobility:
-    """Decides between smooth point, infinitesimal freedom and branches; see the module's text."""
-    dof = first_order.dof
-    redundant = 6 * len(network.chords) - first_order.closure.rank
+def finite_mobility(network: Network) -> FiniteMobility:
+    """Decides between smooth point, infinitesimal freedom and branches, block by block; see the module's text."""
+    try:
+        parts = [_block_mobility(block) for block in blocks_of(network)]
+    except UndecidedError as error:
+        return FiniteMobility(None, False, None, "undecided", (str(error),), False)
+    smooth = all(part.smooth for part in parts)
+    evidence = tuple(dict.fromkeys(text for part in parts for text in part.evidence))
+    proved = all(part.proved for part in parts)
+    if smooth:
+        return FiniteMobility(sum(part.dof or 0 for part in parts), True, None, "smooth", evidence, proved)
+    dimensions = {0}
+    for part in parts:
+        own = (part.branches or (0,)) if part.branches is not None else (part.dof or 0,)
+        dimensions = {a + b for a in dimensions for b in own}
+    branches = tuple(sorted(dimensions - {0}))
+    return FiniteMobility(max(dimensions), False, branches, _kind(branches), evidence, proved)
+
+
+def _kind(branches: Sequence[int]) -> str:
+    if not branches:
+        return "infinitesimal"
+    return "kinematotropic" if len(branches) > 1 else "singular"
+
+
+def _block_mobility(network: Network) -> FiniteMobility:
+    rows = network.loop_rows()
+    motions = null_space(rows, network.freedoms).basis
+    dof = len(motions)
+    if not network.chords:
+        return _smooth(dof, "joints outside of loops move freely", proved=True)
     if dof == 0:
         return _smooth(0, "no instantaneous motion, hence none", proved=True)
-    if redundant == 0:
+    if len(rows) == network.freedoms - dof:
         text = "the closure equations are independent, so that the configuration space is smooth (implicit functions)"
         return _smooth(dof, text, proved=True)
     slim, spins = without_spins(network)
-    motions = null_space(slim.loop_rows(), slim.freedoms).basis if spins else first_order.motions
-    if len(motions) + spins != dof:  # not independent spins after all
-        slim, spins, motions = network, 0, first_order.motions
-    return _with_spins(_by_reduced_closure(slim, motions, dof - spins), spins)
+    if spins:
+        fewer = null_space(slim.loop_rows(), slim.freedoms).basis
+        if len(fewer) + spins == dof:
+            return _with_spins(_by_reduced_closure(slim, fewer, dof - spins), spins)
+    return _by_reduced_closure(network, motions, dof)
 
 
 def _with_spins(found: FiniteMobility, spins: int) -> FiniteMobility:
@@ -73,7 +102,8 @@ def _with_spins(found: FiniteMobility, spins: int) -> FiniteMobility:
     branches = found.branches
     if branches is not None:
         branches = tuple(b + spins for b in branches) or (spins,)
-    return replace(found, dof=found.dof + spins, branches=branches, evidence=(text, *found.evidence))
+    kind = found.kind if branches is None else _kind(branches)
+    return replace(found, dof=(found.dof or 0) + spins, branches=branches, kind=kind, evidence=(text, *found.evidence))
 
 
 def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int) -> FiniteMobility:
@@ -111,8 +141,7 @@ def _singular(
     evidence = (text, *found.evidence)
     if not found.dimensions:
         return FiniteMobility(0, False, (), "infinitesimal", evidence, False)
-    kind = "kinematotropic" if len(found.dimensions) > 1 else "singular"
-    return FiniteMobility(max(found.dimensions), False, found.dimensions, kind, evidence, False)
+    return FiniteMobility(max(found.dimensions), False, found.dimensions, _kind(found.dimensions), evidence, False)
 
 
 def _smooth(dof: int, text: str, *, proved: bool) -> FiniteMobility:

@@ -128,7 +128,7 @@ def network_of(mechanism: Mechanism) -> Network:
         edges[joint.name] = edge
         start += len(edge.screws)
     bodies = tuple(dict.fromkeys((mechanism.ground, *mechanism.bodies)))
-    tree = _spanning_tree(mechanism.ground, edges)
+    tree = spanning_tree(mechanism.ground, edges)
     used = {name for name, _ in tree}
     driven = tuple(edges[joint.name].start + index for joint in mechanism.joints.values() for index in joint.driven)
     chords = tuple(name for name in edges if name not in used)
@@ -223,8 +223,8 @@ def _characteristic_length(mechanism: Mechanism) -> Any:
     return CONTEXT.sqrt(square)
 
 
-def _spanning_tree(ground: str, edges: Mapping[str, Edge]) -> tuple[tuple[str, int], ...]:
-    """Breadth first from the ground; joints with fewest freedoms first, so that S joints close the loops."""
+def spanning_tree(ground: str, edges: Mapping[str, Edge]) -> tuple[tuple[str, int], ...]:
+    """(joint, sense), breadth first from the ground; fewest freedoms first, so that S joints close the loops."""
     reached = {ground}
     front = [ground]
     tree: list[tuple[str, int]] = []

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from symscrew.mobility.blocks import shifted
 from symscrew.mobility.network import Edge, Network
 from symscrew.operations import CONTEXT
 from symscrew.screws import IDENTITY, Vector, cross, dot, revolute, scale, subtract
@@ -22,7 +23,7 @@ def without_spins(network: Network) -> tuple[Network, int]:
     edges: dict[str, Edge] = {}
     start = 0
     for name, edge in network.edges.items():
-        edges[name] = _across(edge, spins[name], start) if name in spins else _shifted(edge, start)
+        edges[name] = _across(edge, spins[name], start) if name in spins else shifted(edge, start)
         start += len(edges[name].screws)
     return replace(network, edges=edges, driven=()), len(spins)
 
@@ -75,8 +76,3 @@ def _across(edge: Edge, line: Vector, start: int) -> Edge:
         tuple(CONTEXT.mpf(c) for c in revolute(axis, edge.point).components) for axis in (first, cross(line, first))
     )
     return replace(edge, motions=(("R", start), ("R", start + 1)), screws=screws, start=start)
-
-
-def _shifted(edge: Edge, start: int) -> Edge:
-    motions = tuple((kind, column - edge.start + start) for kind, column in edge.motions)
-    return replace(edge, motions=motions, start=start)
