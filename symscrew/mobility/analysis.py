@@ -6,8 +6,10 @@ network -> instantaneous -> limbs, platform -> finite.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from symscrew.mechanism import Mechanism
+from symscrew.mobility.checks import Check, verify
 from symscrew.mobility.finite import FiniteMobility, finite_mobility
 from symscrew.mobility.instantaneous import (
     BodyFreedoms,
@@ -20,7 +22,9 @@ from symscrew.mobility.instantaneous import (
     moved_body,
 )  # fmt: skip
 from symscrew.mobility.network import Network, network_of
+from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.screw_systems import ScrewSystem
+from symscrew.mobility.symbolic import SymbolicMobility, symbolic_mobility
 from symscrew.mobility.words import describe_twist, describe_wrench
 
 
@@ -70,6 +74,20 @@ class Mobility:
     def freedoms(self) -> ScrewSystem | None:
         """The platform's freedoms; None for a mechanism without limbs or platform."""
         return self.platform.freedoms if self.limbs and self.mechanism.platform is not None else None
+
+    @cached_property
+    def symbolic(self) -> SymbolicMobility | None:
+        """Constraints and freedoms in the parameters, and where they degenerate; None where it is not available."""
+        return symbolic_mobility(self.mechanism)
+
+    @cached_property
+    def redundant(self) -> Overconstraints:
+        """Self-stresses: joints whose reactions are not unique, and how to remove the redundancy."""
+        return overconstraints(self.network, self.first_order)
+
+    def verify(self) -> tuple[Check, ...]:
+        """Every claim checked again by another route; see `symscrew.mobility.checks`."""
+        return verify(self)
 
     def report(self) -> str:
         """The result in words, one line a fact."""

@@ -1,0 +1,96 @@
+"""Every claim of a mobility result checked again by another route."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symscrew.mobility.screw_systems import eliminate
+from symscrew.mobility.symbolic import numbers_at
+
+if TYPE_CHECKING:
+    from symscrew.mobility.analysis import Mobility
+
+
+@dataclass(frozen=True)
+class Check:
+    """A claim, whether it holds, and by how much."""
+
+    claim: str
+    holds: bool
+    evidence: str
+
+
+def verify(found: Mobility) -> tuple[Check, ...]:
+    """Ranks by singular values in double precision, reciprocity, motions in the closure, symbols against numbers."""
+    checks = [_rank(found), _closure(found), _reciprocity(found)]
+    count = found.kutzbach + found.overconstraints == found.dof
+    checks.append(Check("Kutzbach + overconstraints = dof", count, f"{found.kutzbach} + {found.overconstraints}"))
+    if found.finite.dof is not None:
+        bounded = found.finite.dof <= found.dof and (not found.finite.smooth or found.finite.dof == found.dof)
+        checks.append(Check("finite mobility at most the instantaneous", bounded, f"{found.finite.dof} <= {found.dof}"))
+    return (*checks, *_symbols(found))
+
+
+def _rank(found: Mobility) -> Check:
+    rank = found.first_order.closure.rank
+    rows = np.array([[float(c) for c in row] for row in found.first_order.rows])
+    if not rows.size:
+        return Check("rank of the closure", rank == 0, "no loops")
+    values = np.linalg.svd(rows, compute_uv=False)
+    smallest = values[rank - 1] if rank else float("inf")
+    largest = values[rank] if rank < len(values) else 0.0
+    text = f"singular values {smallest:.2e} | {largest:.2e} in double precision"
+    return Check("rank of the closure", bool(largest < 1e-11 * values[0] and smallest > largest), text)
+
+
+def _closure(found: Mobility) -> Check:
+    worst = max(
+        (abs(sum(a * b for a, b in zip(row, motion, strict=True)))
+         for motion in found.first_order.motions for row in found.first_order.rows),
+        default=0,
+    )  # fmt: skip
+    return Check(
+        "motions keep all loops closed", bool(worst < 1e-25), f"largest velocity of closure {float(worst):.1e}"
+    )
+
+
+def _reciprocity(found: Mobility) -> Check:
+    wrenches = [*found.platform.constraints.basis, *(w for limb in found.limbs for w in limb.constraints.basis)]
+    if found.platform.body != found.mechanism.platform:
+        wrenches = [*found.platform.constraints.basis]
+    worst = max((abs(_power(t, w)) for t in found.platform.freedoms.basis for w in wrenches), default=0)
+    dimensions = found.platform.dof + len(found.platform.constraints.basis)
+    return Check(
+        "freedoms reciprocal to constraints, dimensions add to 6",
+        bool(worst < 1e-20) and dimensions == 6,
+        f"largest power {float(worst):.1e}, {found.platform.dof} + {6 - found.platform.dof}",
+    )
+
+
+def _symbols(found: Mobility) -> list[Check]:
+    """The symbolic spaces at the parameters' values against the numeric ones."""
+    if found.symbolic is None:
+        return []
+    checks = []
+    for limb, numeric in zip(found.symbolic.limbs, found.limbs, strict=True):
+        values = numbers_at(limb.constraints, found.mechanism)
+        same = _same_space(values, numeric.constraints.basis)
+        checks.append(Check(f"{limb.name}: symbols agree with numbers", same, f"{len(values)} constraints"))
+    if found.constraints is not None and found.platform.body == found.mechanism.platform:
+        values = numbers_at(found.symbolic.freedoms, found.mechanism)
+        same = _same_space(values, found.platform.freedoms.basis)
+        checks.append(Check("platform: symbols agree with numbers", same, f"{len(values)} freedoms"))
+    return checks
+
+
+def _same_space(a: Sequence[Sequence], b: Sequence[Sequence]) -> bool:
+    ranks = {eliminate(list(x), 6).rank for x in (a, b, [*a, *b])}
+    return len(ranks) == 1
+
+
+def _power(twist: Sequence, wrench: Sequence) -> Any:
+    return sum(twist[k] * wrench[(k + 3) % 6] for k in range(6))

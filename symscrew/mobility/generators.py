@@ -1,0 +1,214 @@
+"""Expressions of a description as polynomials over generators in which zero is decidable.
+
+Generators are the parameters, sine and cosine of each angle with c^2 + s^2 = 1, and a square root w with
+w^2 = its radicand. In lexicographic order with w before c before s before the parameters, these relations are a
+Groebner basis (their leading terms w^2, c^2 are coprime), so every polynomial has one normal form, and it is
+zero exactly when the normal form is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy.polys.rings import PolyRing
+
+from symscrew.mechanism import Mechanism
+from symscrew.tape import high_precision
+
+Poly = Any
+"""An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
+
+
+class NotPolynomialError(ValueError):
+    """An expression has a function that is neither rational, nor a sine or cosine, nor a square root."""
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """numerator / denominator, both in normal form."""
+
+    numerator: Any
+    denominator: Any
+
+
+class Generators:
+    """The ring of the given expressions; `mechanism` gives the parameters' values, for signs of square roots."""
+
+    def __init__(self, mechanism: Mechanism, expressions: Iterable[sympy.Expr]) -> None:
+        self.values = {p.symbol: p.value for p in mechanism.parameters.values()}
+        prepared = [sympy.expand_trig(e) for e in expressions]
+        parameters, angles, roots = _atoms(prepared)
+        for angle in angles:
+            if not angle.free_symbols:
+                raise NotPolynomialError(f"sin({angle}) is an algebraic number of high degree")
+        self.parameters = parameters
+        atoms = [*roots, *(sympy.cos(a) for a in angles), *(sympy.sin(a) for a in angles), *parameters]
+        names = [f"g{k}" for k in range(len(atoms))] or ["unused"]
+        self.ring = PolyRing(names, sympy.QQ, sympy.lex)
+        self.atoms: dict[sympy.Expr, Poly] = dict(zip(atoms, self.ring.gens, strict=False))
+        self._back = dict(zip(self.ring.symbols, atoms, strict=False))
+        self._relations = [self.atoms[sympy.cos(a)] ** 2 + self.atoms[sympy.sin(a)] ** 2 - 1 for a in angles]
+        self._replaced: dict[sympy.Expr, Fraction] = {}
+        self._radicands: list[Poly] = [self.ring.one]
+        self._roots: list[tuple[Poly, Poly]] = []
+        for root in reversed(roots):
+            self._define_root(root)
+
+    def read(self, expression: sympy.Expr) -> Fraction:
+        """The expression as a fraction of normal forms."""
+        return self._read(sympy.expand_trig(expression))
+
+    def normal(self, poly: Poly) -> Poly:
+        """The normal form."""
+        return poly.rem(self._relations) if self._relations else poly
+
+    def product(self, a: Poly, b: Poly) -> Poly:
+        """Normal form of a product."""
+        return self.normal(a * b) if a and b else self.ring.zero
+
+    def expression(self, poly: Poly) -> sympy.Expr:
+        """The polynomial in the description's own words."""
+        return poly.as_expr().xreplace(self._back) if poly else sympy.S.Zero
+
+    def determinant(self, rows: Sequence[Sequence[Poly]]) -> Poly:
+        """Determinant without divisions, by expansion along the sparsest row."""
+        if not rows:
+            return self.ring.one
+        k = min(range(len(rows)), key=lambda i: sum(1 for c in rows[i] if c))
+        total = self.ring.zero
+        others = [row for i, row in enumerate(rows) if i != k]
+        for j, entry in enumerate(rows[k]):
+            if entry:
+                minor = self.determinant([[*row[:j], *row[j + 1 :]] for row in others])
+                term = self.product(entry, minor)
+                total = total + term if (j + k) % 2 == 0 else total - term
+        return self.normal(total)
+
+    def common_factor(self, polys: Iterable[Poly]) -> Poly:
+        """Greatest common divisor of the normal forms (1 for none)."""
+        result = self.ring.zero
+        for poly in polys:
+            result = result.gcd(poly)
+            if result == 1:
+                break
+        return result or self.ring.one
+
+    def factors(self, poly: Poly) -> list[Poly]:
+        """Irreducible factors that can vanish for real values of the generators, each once."""
+        if not poly or poly.is_ground:
+            return []
+        return [factor for factor, _ in poly.factor_list()[1] if not self._never_zero(factor)]
+
+    def number(self, poly: Poly, values: Mapping[sympy.Symbol, sympy.Expr] | None = None) -> Any:
+        """Value in 60 digits at the parameters' values, or at others."""
+        return high_precision(self.expression(poly).xreplace(dict(values if values is not None else self.values)))
+
+    def _never_zero(self, poly: Poly) -> bool:
+        """A constant, or a sum of even powers: it vanishes nowhere or where several generators do at once."""
+        if poly.is_ground:
+            return True
+        signs = {coefficient > 0 for _, coefficient in poly.terms()}
+        even = all(exponent % 2 == 0 for monomial, _ in poly.terms() for exponent in monomial)
+        return len(signs) == 1 and even
+
+    def _define_root(self, root: sympy.Expr) -> None:
+        """w^2 = radicand, squares taken out: sqrt(L^2 (s^2 + c^2)) is |L|, its sign that of the values."""
+        inner = self._read(root.base)
+        square = self.product(inner.numerator, inner.denominator)  # sqrt(n/d) = sqrt(n d) / d, up to the sign of d
+        coefficient, factors = square.factor_list()
+        outside, rest = self.ring.one, self.ring.one
+        for factor, power in factors:
+            outside = self.product(outside, factor ** (power // 2))
+            rest = self.product(rest, factor ** (power % 2))
+        top = sympy.sqrt(sympy.Rational(int(coefficient.numerator), int(coefficient.denominator)))
+        if top.is_Rational:
+            outside = outside * sympy.QQ(int(top.p), int(top.q))
+        else:
+            rest = rest * coefficient
+        here = outside
+        if not rest.is_ground or not top.is_Rational:
+            here = self.product(outside, self._root_of(rest, root))
+        sign = 1 if self.number(here) * self.number(inner.denominator) >= 0 else -1
+        self._replaced[root] = Fraction(sign * here, inner.denominator)
+
+    def _root_of(self, radicand: Poly, root: sympy.Expr) -> Poly:
+        """The generator w with w^2 = radicand; one that is there already when the radicand is."""
+        for known, generator in self._roots:
+            if known == radicand:
+                return generator
+        self._check_independent(radicand)
+        generator = self.atoms[root]
+        self._roots.append((radicand, generator))
+        self._relations.insert(0, generator**2 - radicand)
+        self._back[self.ring.symbols[list(self.atoms).index(root)]] = sympy.sqrt(self.expression(radicand))
+        return generator
+
+    def _check_independent(self, radicand: Poly) -> None:
+        """A new root must not be a product of earlier ones, or the ring would have divisors of zero."""
+        for products in list(self._radicands):
+            together = products * radicand
+            coefficient, factors = together.factor_list()
+            number = sympy.sqrt(sympy.Rational(int(coefficient.numerator), int(coefficient.denominator)))
+            if number.is_Rational and all(power % 2 == 0 for _, power in factors):
+                raise NotPolynomialError("square roots that are products of each other")
+        self._radicands += [products * radicand for products in self._radicands]
+
+    def _read(self, e: sympy.Expr) -> Fraction:
+        one = self.ring.one
+        if e.is_Rational:
+            return Fraction(self.ring.one * sympy.QQ(int(e.p), int(e.q)), one)
+        if e in self._replaced:
+            return self._replaced[e]
+        if e in self.atoms:
+            return Fraction(self.atoms[e], one)
+        if e.is_Add:
+            parts = [self._read(a) for a in e.args]
+            total = parts[0]
+            for part in parts[1:]:
+                top = self.product(total.numerator, part.denominator) + self.product(part.numerator, total.denominator)
+                bottom = self.product(total.denominator, part.denominator)
+                if total.denominator == part.denominator:
+                    top, bottom = total.numerator + part.numerator, total.denominator
+                total = Fraction(self.normal(top), bottom)
+            return total
+        if e.is_Mul:
+            top, bottom = one, one
+            for part in map(self._read, e.args):
+                top, bottom = self.product(top, part.numerator), self.product(bottom, part.denominator)
+            return Fraction(top, bottom)
+        if e.is_Pow and e.exp.is_Rational and e.exp.q in (1, 2):
+            base = self._read(e.base if e.exp.q == 1 else sympy.sqrt(e.base))
+            power = abs(int(e.exp.p))
+            top, bottom = self.normal(base.numerator**power), self.normal(base.denominator**power)
+            return Fraction(top, bottom) if e.exp > 0 else Fraction(bottom, top)
+        raise NotPolynomialError(f"{e} is neither rational in the parameters nor a sine, cosine or square root")
+
+
+def _atoms(expressions: Iterable[sympy.Expr]) -> tuple[list, list, list]:
+    """(parameters, angles, square roots, inner ones last) in the expressions, sorted by name."""
+    parameters: set = set()
+    angles: set = set()
+    roots: set = set()
+    stack = list(expressions)
+    while stack:
+        e = stack.pop()
+        if e.is_Symbol:
+            parameters.add(e)
+        elif isinstance(e, (sympy.sin, sympy.cos)):
+            angles.add(e.args[0])
+            parameters |= e.args[0].free_symbols
+        elif e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
+            roots.add(sympy.sqrt(e.base))
+            stack.append(e.base)
+        else:
+            stack += e.args
+    outer_first = sorted(roots, key=lambda root: (-_nesting(root), str(root)))
+    return sorted(parameters, key=str), sorted(angles, key=str), outer_first
+
+
+def _nesting(e: sympy.Expr) -> int:
+    own = int(e.is_Pow and e.exp.is_Rational and e.exp.q == 2)
+    return own + max((_nesting(a) for a in e.args), default=0)

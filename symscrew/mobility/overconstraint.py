@@ -1,0 +1,96 @@
+"""Which constraints are redundant: reactions that are not unique, and joints to free.
+
+A redundant constraint is a self-stress: joint wrenches in equilibrium without load, one wrench per loop. A joint
+whose wrench takes part in a self-stress has no unique reaction. Giving a joint one freedom more, along a twist on
+which the self-stress does work, removes one redundant constraint and adds no mobility.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symscrew.mobility.instantaneous import Instantaneous
+from symscrew.mobility.network import Network
+from symscrew.mobility.screw_systems import eliminate, normalised, null_space, swapped
+from symscrew.mobility.words import describe_wrench
+
+
+@dataclass(frozen=True)
+class Overconstraints:
+    """Self-stresses: joint -> wrenches (f ; m_O) that it can carry without load, scaled to metres.
+
+    `cure`: one joint for each redundant constraint that can be removed by one more freedom there, with the
+    wrench that the joint must then give up, in words.
+    """
+
+    count: int
+    wrenches: dict[str, tuple[tuple, ...]]
+    cure: tuple[str, ...]
+
+    @property
+    def statically_indeterminate(self) -> tuple[str, ...]:
+        """Joints whose reaction is not unique."""
+        return tuple(self.wrenches)
+
+
+def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
+    """The self-stresses of the closure: the left null space of its rows."""
+    rows = found.rows
+    if not rows or not found.overconstraints:
+        return Overconstraints(0, {}, ())
+    transposed = [list(column) for column in zip(*rows, strict=True)]
+    stresses = null_space(transposed, len(rows)).basis
+    wrenches: dict[str, tuple[tuple, ...]] = {}
+    carried: dict[str, list[list]] = {}
+    for name in network.edges:
+        signs = [sum(sign for joint, sign in loop if joint == name) for loop in network.loops()]
+        own = [_wrench(stress, signs) for stress in stresses]
+        carried[name] = own
+        independent = eliminate(own, 6)
+        if independent.rank:
+            wrenches[name] = tuple(_in_metres(row, network) for row in independent.rows)
+    return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network))
+
+
+def _wrench(stress: Sequence, signs: Sequence[int]) -> list:
+    """The wrench that a joint carries in a self-stress, as (f ; m): the stress pairs with (omega ; v)."""
+    total = [sum(sign * stress[6 * k + i] for k, sign in enumerate(signs)) for i in range(6)]
+    return swapped(total)
+
+
+def _in_metres(wrench: Sequence, network: Network) -> tuple:
+    return normalised((*wrench[:3], *(c * network.length for c in wrench[3:])))
+
+
+def _cure(carried: dict[str, list[list]], count: int, network: Network) -> tuple[str, ...]:
+    """Greedy: free one component of a joint's wrench; the self-stresses left carry none of it."""
+    combinations = [[1 if i == j else 0 for i in range(count)] for j in range(count)]
+    texts = []
+    while combinations:
+        best = None
+        for name, own in carried.items():
+            left = [[sum(c[k] * own[k][i] for k in range(count)) for i in range(6)] for c in combinations]
+            sizes = [(abs(w[i]), i) for w in left for i in range(6)]
+            size, component = max(sizes)
+            if size and (best is None or size > best[0] * 1.000001):
+                best = (size, name, component, left)
+        if best is None or best[0] < 1e-20:
+            break
+        _, name, component, left = best
+        work = [w[component] for w in left]
+        lead = max(range(len(work)), key=lambda k: abs(work[k]))
+        texts.append(
+            f"{name}: free {_freedom(component)}; it carries a {describe_wrench(_in_metres(left[lead], network))}"
+        )
+        combinations = [
+            [a - work[k] / work[lead] * b for a, b in zip(row, combinations[lead], strict=True)]
+            for k, row in enumerate(combinations)
+            if k != lead
+        ]
+    return tuple(texts)
+
+
+def _freedom(component: int) -> str:
+    kind = "the translation along" if component < 3 else "the rotation about an axis through O parallel to"
+    return f"{kind} {'xyz'[component % 3]}"

@@ -1,0 +1,201 @@
+"""A mobility result as text, JSON values, Markdown, HTML and LaTeX."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import sympy
+
+from symscrew.mobility.words import describe_twist, describe_wrench
+
+if TYPE_CHECKING:
+    from symscrew.mobility.analysis import Mobility
+    from symscrew.mobility.symbolic import Vector
+
+
+def values(found: Mobility) -> dict[str, Any]:
+    """The result as JSON values; exact forms as strings beside the numbers."""
+    finite, platform, symbolic = found.finite, found.platform, found.symbolic
+    exact = {limb.name: limb.constraints for limb in symbolic.limbs} if symbolic else {}
+    return {
+        "mechanism": found.mechanism.name,
+        "kutzbach": found.kutzbach,
+        "dof": found.dof,
+        "dof_finite": finite.dof,
+        "smooth": finite.smooth,
+        "branches": None if finite.branches is None else list(finite.branches),
+        "overconstraints": found.overconstraints,
+        "internal_freedoms": found.internal_freedoms,
+        "platform": {
+            "body": platform.body,
+            "dof": platform.dof,
+            "type": platform.type,
+            "freedoms": [[float(c) for c in twist] for twist in platform.freedoms.basis],
+            "freedoms_exact": [[str(c) for c in t] for t in symbolic.freedoms] if symbolic else None,
+        },
+        "limbs": [
+            {
+                "name": limb.name,
+                "constraints": [[float(c) for c in wrench] for wrench in limb.constraints.basis],
+                "constraints_exact": [[str(c) for c in w] for w in exact[limb.name]] if limb.name in exact else None,
+            }
+            for limb in found.limbs
+        ],
+        "dof_drives_locked": found.dof_drives_locked,
+        "loci": [
+            {"kind": locus.kind, "where": locus.where, "zero": str(locus.expression), "meaning": locus.meaning}
+            for locus in (symbolic.loci if symbolic else ())
+        ],
+        "overconstraint_joints": list(found.redundant.statically_indeterminate),
+        "method": found.method,
+        "evidence": list(finite.evidence),
+        "proved": finite.proved,
+    }
+
+
+def sections(found: Mobility) -> list[tuple[str, list[str]]]:
+    """(heading, lines) of the whole report in words; formulas between dollar signs."""
+    result = [("Mobility", _summary(found))]
+    symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
+    for limb in found.limbs:
+        lines = [f"{len(limb.screws)} joint freedoms, {len(limb.constraints.basis)} constraints"]
+        lines += [describe_wrench(w) for w in limb.constraints.basis]
+        if limb.name in symbolic and symbolic[limb.name].constraints:
+            lines.append(f"in symbols (f ; m): {_formulas(symbolic[limb.name].constraints)}")
+        result.append((f"Limb {limb.name}", lines))
+    lines = [f"{found.platform.dof} freedoms, type {found.platform.type}"]
+    lines += [describe_twist(t) for t in found.platform.freedoms.basis]
+    if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
+        lines.append(f"in symbols (omega ; v): {_formulas(found.symbolic.freedoms)}")
+    result.append((f"Freedoms of {found.platform.body}", lines))
+    if found.symbolic is not None and found.symbolic.loci:
+        lines = [
+            f"${sympy.latex(locus.expression)} = 0$ ({locus.where}): {locus.meaning}" for locus in found.symbolic.loci
+        ]
+        result.append(("Where it degenerates", lines))
+    if found.redundant.count:
+        result.append(("Redundant constraints", _redundant(found)))
+    result.append(("How it was decided", [found.method, *found.finite.evidence]))
+    return result
+
+
+def _summary(found: Mobility) -> list[str]:
+    finite = found.finite
+    lines = [f"{found.dof} instantaneous freedoms; Kutzbach-Gruebler counts {found.kutzbach}"]
+    if found.overconstraints:
+        lines.append(
+            f"The count is {found.overconstraints} too low, because {found.overconstraints} of the "
+            f"{6 * len(found.network.chords)} closure equations follow from the others"
+        )
+    if found.internal_freedoms:
+        lines.append(f"{found.internal_freedoms} freedoms with {found.platform.body} at rest (internal)")
+    if finite.smooth:
+        lines.append(f"Finite mobility {finite.dof}: a smooth point of the configuration space")
+    elif finite.dof is None:
+        lines.append("A singular point of the configuration space; the finite mobility is not decided")
+    elif not finite.branches:
+        lines.append("No finite mobility: the configuration is isolated, its freedoms are infinitesimal (shaky)")
+    else:
+        lines.append(
+            f"Finite mobility {finite.dof}: a singular point ({finite.kind}); dimensions of the branches through it: "
+            + ", ".join(map(str, finite.branches))
+        )
+    if found.dof_drives_locked is not None:
+        lines.append(f"{found.dof_drives_locked} freedoms left with all drives locked")
+    return lines
+
+
+def _redundant(found: Mobility) -> list[str]:
+    joints = ", ".join(found.redundant.statically_indeterminate)
+    return [
+        f"The reactions of {joints} are not unique",
+        "One change for each redundant constraint:",
+        *found.redundant.cure,
+    ]
+
+
+def _formulas(vectors: Sequence[Vector]) -> str:
+    return ", ".join("$" + _screw(vector) + "$" for vector in vectors)
+
+
+def _screw(vector: Vector) -> str:
+    texts = [sympy.latex(c) for c in vector]
+    return r"\left(" + ", ".join(texts[:3]) + r";\; " + ", ".join(texts[3:]) + r"\right)"
+
+
+def text(found: Mobility) -> str:
+    """Plain text, one line a fact."""
+    lines = []
+    for heading, facts in sections(found):
+        lines += [heading, *(f"    {fact.replace('$', '')}" for fact in facts)]
+    return "\n".join(lines)
+
+
+def markdown(found: Mobility) -> str:
+    """A Markdown document with formulas between dollar signs."""
+    lines = [f"# Mobility of {found.mechanism.name}", ""]
+    if found.mechanism.source:
+        lines += [found.mechanism.source, ""]
+    for heading, facts in sections(found):
+        lines += [f"## {heading}", "", *(f"- {fact}" for fact in facts), ""]
+    return "\n".join(lines)
+
+
+def page(found: Mobility) -> str:
+    """An HTML page without scripts: formulas as MathML, which browsers render."""
+    name = html.escape(found.mechanism.name)
+    parts = [f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mobility of {name}</title>',
+             "<style>body{font:16px/1.5 serif;max-width:50em;margin:2em auto}h2{font-size:1.1em}</style>",
+             f"</head><body>\n<h1>Mobility of {name}</h1>", f"<p>{html.escape(found.mechanism.source)}</p>"]  # fmt: skip
+    formulas = _mathml(found)
+    for heading, facts in sections(found):
+        parts.append(f"<h2>{html.escape(heading)}</h2>\n<ul>")
+        parts += [f"<li>{_with_mathml(fact, formulas)}</li>" for fact in facts]
+        parts.append("</ul>")
+    return "\n".join([*parts, "</body></html>\n"])
+
+
+def _mathml(found: Mobility) -> dict[str, str]:
+    """LaTeX of every formula of the report -> MathML."""
+    from sympy.printing.mathml import mathml
+
+    def presented(expression: sympy.Expr) -> str:
+        return str(mathml(expression, printer="presentation"))
+
+    result: dict[str, str] = {}
+    if found.symbolic is None:
+        return result
+    for vector in (*(w for limb in found.symbolic.limbs for w in limb.constraints), *found.symbolic.freedoms):
+        cells = [presented(c) for c in vector]
+        inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
+        result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
+    for locus in found.symbolic.loci:
+        body = f"{presented(locus.expression)}<mo>=</mo><mn>0</mn>"
+        result[f"{sympy.latex(locus.expression)} = 0"] = f"<math>{body}</math>"
+    return result
+
+
+def _with_mathml(fact: str, formulas: dict[str, str]) -> str:
+    pieces = re.split(r"\$(.*?)\$", fact)
+    return "".join(formulas.get(p, html.escape(p)) if k % 2 else html.escape(p) for k, p in enumerate(pieces))
+
+
+def latex(found: Mobility) -> str:
+    """A LaTeX document of the report."""
+    lines = [r"\documentclass{article}", r"\usepackage{amsmath}", r"\begin{document}",
+             rf"\section*{{Mobility of {_escaped(found.mechanism.name)}}}"]  # fmt: skip
+    for heading, facts in sections(found):
+        lines += [rf"\subsection*{{{_escaped(heading)}}}", r"\begin{itemize}"]
+        for fact in facts:
+            pieces = re.split(r"(\$.*?\$)", fact)
+            lines.append(r"\item " + "".join(p if p.startswith("$") else _escaped(p) for p in pieces))
+        lines.append(r"\end{itemize}")
+    return "\n".join([*lines, r"\end{document}", ""])
+
+
+def _escaped(words: str) -> str:
+    marks = {"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\~{}", "|": r"\textbar{}", "<": r"\textless{}"}
+    return "".join(marks.get(c, "\\" + c if c in "_%&#${}" else c) for c in words)
