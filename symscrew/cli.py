@@ -110,7 +110,17 @@ def parser() -> argparse.ArgumentParser:
     check.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")
     check.add_argument("--json", action="store_true", help="as JSON")
 
-    _mechanism(_command(commands, "mobility", report_mobility, "constraints and freedoms by reciprocal screws"))
+    mobility = _command(commands, "mobility", report_mobility, "constraints and freedoms by reciprocal screws")
+    _mechanism(mobility)
+    mobility.add_argument(
+        "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        help="a parameter, or a joint coordinate (joint or joint.i) [rad, m]",
+    )  # fmt: skip
+    mobility.add_argument("--body", metavar="NAME", help="whose freedoms; default: the platform")
+    mobility.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
+    mobility.add_argument("--json", action="store_true", help="as JSON")
+    mobility.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
+
     picture = _command(commands, "draw", draw_mechanism, "a picture of a mechanism in its reference configuration")
     _mechanism(picture)
     picture.add_argument("--out", metavar="FILE.png", required=True, help="the picture")
@@ -264,11 +274,9 @@ def check_output(options: argparse.Namespace) -> int:
 
 def report_mobility(options: argparse.Namespace) -> int:
     """`symscrew mobility`."""
-    from symscrew import catalogue
-    from symscrew.mobility import analyse_mobility
+    from symscrew.mobility.command import run
 
-    print(analyse_mobility(catalogue.find(options.mechanism)).report())
-    return 0
+    return run(options)
 
 
 def draw_mechanism(options: argparse.Namespace) -> int:

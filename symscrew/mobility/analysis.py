@@ -5,11 +5,14 @@ network -> instantaneous -> limbs, platform -> finite.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from symscrew.mechanism import Mechanism
 from symscrew.mobility.checks import Check, verify
+from symscrew.mobility.configuration import displaced, with_parameters
 from symscrew.mobility.finite import FiniteMobility, finite_mobility
 from symscrew.mobility.instantaneous import (
     BodyFreedoms,
@@ -44,6 +47,7 @@ class Mobility:
     limbs: tuple[LimbMobility, ...]
     constraints: ScrewSystem | None
     method: str
+    in_reference: bool = True
 
     @property
     def dof(self) -> int:
@@ -77,8 +81,11 @@ class Mobility:
 
     @cached_property
     def symbolic(self) -> SymbolicMobility | None:
-        """Constraints and freedoms in the parameters, and where they degenerate; None where it is not available."""
-        return symbolic_mobility(self.mechanism)
+        """Constraints and freedoms in the parameters, and where they degenerate; None where not available.
+
+        Symbols describe the reference configuration.
+        """
+        return symbolic_mobility(self.mechanism) if self.in_reference else None
 
     @cached_property
     def redundant(self) -> Overconstraints:
@@ -108,27 +115,44 @@ class Mobility:
         return "\n".join(lines)
 
 
-def analyse_mobility(mechanism: Mechanism, *, body: str | None = None) -> Mobility:
-    """Mobility of the mechanism in its reference configuration.
+def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mapping[str, Any] | None = None) -> Mobility:
+    """Mobility of the mechanism in its reference configuration, or in the one that `at` says.
 
     Args:
         mechanism: any mechanism; loops are found from its graph.
         body: whose freedoms to report; default the platform, without one the body farthest from the ground.
+        at: values of parameters, and of joint coordinates (`joint`, `joint.i`; [rad], [m]) that the loops are
+            assembled to from the reference configuration.
+
+    Raises:
+        DescriptionError: unknown body, parameter or coordinate, or no assembly there.
 
     >>> from symscrew import catalogue
     >>> found = analyse_mobility(catalogue.load("bennett"))
     >>> found.dof, found.kutzbach, found.finite.dof
     (1, -2, 1)
     """
-    network = network_of(mechanism)
+    mechanism, coordinates = with_parameters(mechanism, at or {})
+    network, residual = displaced(mechanism, network_of(mechanism), coordinates)
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
     constraints = limb_constraints(limbs) if limbs and mechanism.platform is not None else None
-    finite = finite_mobility(network)
     closure = first_order.closure
     method = (
         f"certified numeric: ranks decided with 60 digits, smallest pivot {closure.smallest_pivot:.1e}, "
         f"largest number taken for zero {closure.largest_zero:.1e}"
     )
-    return Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, method)
+    if coordinates:
+        method += f"; loops assembled to {residual:.0e}"
+    return Mobility(
+        mechanism,
+        network,
+        first_order,
+        finite_mobility(network),
+        platform,
+        limbs,
+        constraints,
+        method,
+        in_reference=not coordinates,
+    )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symscrew.mobility.screw_systems import eliminate
+from symscrew.mobility.screw_systems import ZERO_BELOW, eliminate
 from symscrew.mobility.symbolic import numbers_at
 
 if TYPE_CHECKING:
@@ -77,14 +77,29 @@ def _symbols(found: Mobility) -> list[Check]:
         return []
     checks = []
     for limb, numeric in zip(found.symbolic.limbs, found.limbs, strict=True):
-        values = numbers_at(limb.constraints, found.mechanism)
-        same = _same_space(values, numeric.constraints.basis)
-        checks.append(Check(f"{limb.name}: symbols agree with numbers", same, f"{len(values)} constraints"))
+        checks.append(_symbolic_space(found, limb.name, limb.constraints, numeric.constraints.basis, "limb"))
     if found.constraints is not None and found.platform.body == found.mechanism.platform:
-        values = numbers_at(found.symbolic.freedoms, found.mechanism)
-        same = _same_space(values, found.platform.freedoms.basis)
-        checks.append(Check("platform: symbols agree with numbers", same, f"{len(values)} freedoms"))
+        name, freedoms = found.platform.body, found.platform.freedoms.basis
+        checks.append(_symbolic_space(found, name, found.symbolic.freedoms, freedoms, "constraint"))
     return checks
+
+
+def _symbolic_space(found: Mobility, name: str, symbols: Sequence, numeric: Sequence, kind: str) -> Check:
+    """The same space; on a locus of degeneration the numbers must contain what the symbols say."""
+    assert found.symbolic is not None
+    values = numbers_at(symbols, found.mechanism)
+    degenerate = [
+        locus
+        for locus in found.symbolic.loci
+        if locus.kind in (kind, "limb")
+        and (locus.where == name or kind == "constraint")
+        and abs(numbers_at([(locus.expression,)], found.mechanism)[0][0]) < ZERO_BELOW
+    ]
+    claim = f"{name}: symbols agree with numbers"
+    if degenerate:
+        inside = eliminate([*numeric, *values], 6).rank == len(numeric)
+        return Check(claim, inside, f"on the locus {degenerate[0].expression} = 0, where they have more")
+    return Check(claim, _same_space(values, numeric), f"{len(values)} vectors")
 
 
 def _same_space(a: Sequence[Sequence], b: Sequence[Sequence]) -> bool:

@@ -147,9 +147,10 @@ def markdown(found: Mobility) -> str:
 def page(found: Mobility) -> str:
     """An HTML page without scripts: formulas as MathML, which browsers render."""
     name = html.escape(found.mechanism.name)
+    source = html.escape(found.mechanism.source)
     parts = [f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mobility of {name}</title>',
              "<style>body{font:16px/1.5 serif;max-width:50em;margin:2em auto}h2{font-size:1.1em}</style>",
-             f"</head><body>\n<h1>Mobility of {name}</h1>", f"<p>{html.escape(found.mechanism.source)}</p>"]  # fmt: skip
+             f"</head><body>\n<h1>Mobility of {name}</h1>", f"<p>{source}</p>"]  # fmt: skip
     formulas = _mathml(found)
     for heading, facts in sections(found):
         parts.append(f"<h2>{html.escape(heading)}</h2>\n<ul>")

@@ -72,13 +72,23 @@ class ClosureVariety:
     def __init__(self, network: Network, arithmetic: Arithmetic = DOUBLE) -> None:
         self.network, self.arithmetic = network, arithmetic
         edges = list(network.edges.values())
-        centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
+        self.centre = centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
         self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
         self.columns = network.freedoms
         self.rows = 6 * len(network.chords)
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
+        screws, poses = self.forward(q)
+        residuals = self._zeros(len(q), self.rows)
+        for k, name in enumerate(self.network.chords):
+            edge = self.network.edges[name]
+            gap = _product(_product(poses[edge.parent], self._displacement(name, q)), _inverse(poses[edge.child]))
+            residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
+        return residuals, self._jacobian(screws)
+
+    def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
+        """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
         count = len(q)
         screws = self._zeros(count, self.columns, 6)
         poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
@@ -92,14 +102,9 @@ class ClosureVariety:
             else:
                 start = poses[outer] = _product(poses[inner], _inverse(step))
             self._fill(name, q, start, screws)
-        residuals = self._zeros(count, self.rows)
-        for k, name in enumerate(self.network.chords):
-            edge = self.network.edges[name]
-            start = poses[edge.parent]
-            self._fill(name, q, start, screws)
-            gap = _product(_product(start, self._displacement(name, q)), _inverse(poses[edge.child]))
-            residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
-        return residuals, self._jacobian(screws)
+        for name in self.network.chords:
+            self._fill(name, q, poses[self.network.edges[name].parent], screws)
+        return screws, poses
 
     def residual(self, q: Array) -> Array:
         """The residual at one point."""

@@ -1,0 +1,55 @@
+"""What `symscrew mobility` does."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+
+from symscrew.errors import DescriptionError, shorten
+from symscrew.mobility import report
+from symscrew.mobility.analysis import Mobility, analyse_mobility
+
+FORMATS = {".md": report.markdown, ".html": report.page, ".tex": report.latex}
+
+
+def run(options: argparse.Namespace) -> int:
+    """Analyse, print, write; 1 when a claim is not verified."""
+    from symscrew import catalogue
+
+    writer = None
+    if options.out:
+        writer = FORMATS.get(Path(options.out).suffix)
+        if writer is None:
+            raise DescriptionError(f"--out: expected a file name in {', '.join(FORMATS)}, got {shorten(options.out)}")
+    mechanism = catalogue.find(options.mechanism)
+    found = analyse_mobility(mechanism, body=options.body, at=dict(_setting(text) for text in options.at))
+    failed = [check.claim for check in found.verify() if not check.holds]
+    verdict = _verdict(found, options.expect, failed)
+    if options.json:
+        values = {**report.values(found), "verified": not failed, "expected": options.expect}
+        print(json.dumps(values, indent=1))
+    else:
+        print(found.report())
+        print(report.text(found))
+        print(verdict)
+    if writer is not None:
+        Path(options.out).write_text(writer(found), encoding="utf-8")
+    return 1 if failed or (options.expect is not None and found.finite.dof != options.expect) else 0
+
+
+def _setting(text: str) -> tuple[str, str]:
+    name, mark, value = text.partition("=")
+    if not mark or not name or not value:
+        raise DescriptionError(f"--at: expected KEY=VALUE, got {shorten(text)}")
+    return name.strip(), value.strip()
+
+
+def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
+    if failed:
+        return f"NOT VERIFIED: {'; '.join(failed)}"
+    if expect is None:
+        return "verified by another route"
+    if found.finite.dof == expect:
+        return f"verified: finite mobility {expect}"
+    return f"NOT as expected: finite mobility {found.finite.dof}, expected {expect}"

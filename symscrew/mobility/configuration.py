@@ -1,0 +1,133 @@
+"""Other configurations: parameters and joint coordinates set, loops assembled from the reference configuration.
+
+The path to the given coordinates is walked in small steps, each closed by Newton's method in double precision; the
+end is refined to 60 digits. The mechanism then has the screws of the displaced joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.expressions import exact, numeric
+from symscrew.mechanism import Mechanism
+from symscrew.mobility.local import CLOSED
+from symscrew.mobility.network import Edge, Network
+from symscrew.mobility.variety import DIGITS_60, Array, ClosureVariety
+from symscrew.operations import CONTEXT
+from symscrew.screws import IDENTITY, revolute
+from symscrew.tape import high_precision
+from symscrew.validation import validate
+
+STEPS = 24
+
+
+def with_parameters(mechanism: Mechanism, at: Mapping[str, Any]) -> tuple[Mechanism, dict[str, Any]]:
+    """(the mechanism with the parameters among `at` changed, the other entries of `at`)."""
+    changed, others = dict(mechanism.parameters), {}
+    for name, value in at.items():
+        if name in changed:
+            number = exact(value, where=name)
+            numeric(number, where=name)
+            changed[name] = replace(changed[name], value=number)
+        else:
+            others[name] = value
+    if len(others) == len(at):
+        return mechanism, others
+    result = replace(mechanism, parameters=changed)
+    validate(result)
+    return result, others
+
+
+def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> tuple[Network, float]:
+    """(the network where the named joint coordinates have the given values, closure residual).
+
+    Names are `joint` or `joint.i`; values are angles [rad] and lengths [m] as the description counts them.
+
+    Raises:
+        DescriptionError: unknown coordinate, or the loops cannot be assembled there.
+    """
+    if not at:
+        return network, 0.0
+    targets = dict(_target(mechanism, network, name, value) for name, value in at.items())
+    coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
+    q = np.zeros(coarse.columns)
+    columns = list(targets)
+    goal = np.array([float(targets[c]) for c in columns])
+    for k in range(1, STEPS + 1):
+        q = _closed(coarse, q, columns, goal * k / STEPS, ", ".join(at))
+    point = np.array([CONTEXT.mpf(float(c)) for c in q], dtype=object)
+    inverse = np.linalg.pinv(_stacked(coarse, q, columns, goal)[1], rcond=1e-9)
+    for _ in range(8):
+        missing = np.array([point[c] - targets[c] for c in columns], dtype=object)
+        residual = np.concatenate([fine.residual(point), missing]).astype(float)
+        if np.linalg.norm(residual) < 1e-52:
+            break
+        point = point - np.array([CONTEXT.mpf(float(c)) for c in inverse @ residual], dtype=object)
+    left = float(np.linalg.norm(np.concatenate([fine.residual(point), missing]).astype(float)))
+    if left > CLOSED:
+        raise DescriptionError(f"at {', '.join(at)}: the loops close only to {left:.1e}; a singular configuration?")
+    return _moved(network, fine, point), left
+
+
+def _target(mechanism: Mechanism, network: Network, name: str, value: Any) -> tuple[int, Any]:
+    """(column, displacement from the reference in units of the network)."""
+    joint, _, index = name.partition(".")
+    if joint not in network.edges:
+        known = [*mechanism.parameters, *network.edges]
+        raise DescriptionError(f"at {name}: no parameter or joint of this name; {did_you_mean(joint, known)}")
+    edge = network.edges[joint]
+    kinds = [kind for kind, _ in edge.motions]
+    place = int(index) if index.isdecimal() else 0
+    if "S" in kinds or place >= len(kinds) or (not index and len(kinds) > 1) or (index and not index.isdecimal()):
+        raise DescriptionError(
+            f"at {name}: expected {joint} or {joint}.i for a single coordinate; this joint of type {edge.type} has "
+            f"{'rotations that are no coordinates' if 'S' in kinds else len(kinds)}"
+        )
+    reference = mechanism.joints[joint].reference
+    start = high_precision(mechanism.number(reference[place])) if place < len(reference) else CONTEXT.zero
+    displacement = high_precision(exact(value, where=name)) - start
+    return edge.motions[place][1], displacement / network.length if kinds[place] == "P" else displacement
+
+
+def _stacked(variety: ClosureVariety, q: Array, columns: list[int], goal: Array) -> tuple[Array, Array]:
+    residuals, jacobians = variety.evaluate(q[None])
+    picked = np.eye(len(q))[columns]
+    return np.concatenate([residuals[0], q[columns] - goal]), np.concatenate([jacobians[0], picked])
+
+
+def _closed(variety: ClosureVariety, q: Array, columns: list[int], goal: Array, names: str) -> Array:
+    for _ in range(30):
+        residual, jacobian = _stacked(variety, q, columns, goal)
+        if np.linalg.norm(residual) < 1e-13:
+            return q
+        q = q - np.linalg.pinv(jacobian, rcond=1e-9) @ residual
+    if np.linalg.norm(residual) < 1e-9:
+        return q
+    raise DescriptionError(f"at {names}: the loops cannot be assembled there from the reference configuration")
+
+
+def _moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
+    screws, poses = fine.forward(point[None])
+    centre = fine.centre
+    edges: dict[str, Edge] = {}
+    for edge in network.edges.values():
+        rotation, translation = (part[0] for part in poses[edge.child])
+        local = np.array([edge.point[k] - centre[k] for k in range(3)], dtype=object)
+        moved = rotation @ local + translation
+        place = (moved[0] + centre[0], moved[1] + centre[1], moved[2] + centre[2])
+        rows = []
+        for kind, column in edge.motions:
+            if kind == "S":
+                rows += [tuple(CONTEXT.mpf(c) for c in revolute(axis, place).components) for axis in IDENTITY]
+            else:
+                w, v = screws[0, column, :3], screws[0, column, 3:]
+                shift = (centre[1] * w[2] - centre[2] * w[1], centre[2] * w[0] - centre[0] * w[2],
+                         centre[0] * w[1] - centre[1] * w[0])  # fmt: skip
+                rows.append((*w, *(a + b for a, b in zip(v, shift, strict=True))))
+        edges[edge.name] = replace(edge, point=place, screws=tuple(rows))
+    return replace(network, edges=edges)
