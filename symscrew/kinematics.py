@@ -12,19 +12,14 @@ from dataclasses import dataclass
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
 from symscrew.screws import (
-    IDENTITY,
     ZERO,
-    Matrix,
     Pose,
     Scalar,
     Twist,
-    Vector,
-    cross,
     helical,
     prismatic,
     product,
     revolute,
-    scale,
     subtract,
     transform,
     transpose,
@@ -87,19 +82,3 @@ def displacement(frame: Frame, pose: Pose) -> Pose:
     """How a link has moved since the reference configuration: x_now = rotation x_reference + translation."""
     rotation = product(pose.rotation, transpose(frame.axes))
     return Pose(rotation, subtract(pose.translation, transform(rotation, frame.origin)))
-
-
-def spin_about(axis: Vector, cosine: Scalar, sine: Scalar) -> Matrix:
-    """Rotation matrix about a unit axis."""
-    rows = []
-    for i in range(3):
-        skew = cross(IDENTITY[i], axis)  # row i of [axis]x, transposed sign
-        rows.append(
-            tuple((1 - cosine) * axis[i] * axis[j] + (cosine if i == j else 0) - sine * skew[j] for j in range(3))
-        )
-    return (rows[0], rows[1], rows[2])  # type: ignore[return-value]
-
-
-def negated(vector: Vector) -> Vector:
-    """-vector."""
-    return scale(-1, vector)

@@ -410,12 +410,3 @@ def _newton(
         if residual[0] < iteration.tolerance and step[0] < iteration.tolerance:
             return q, 0 if orientation[0] * sign > 0 else 4
     return q, 3
-
-
-def sample_inputs(tape: Tape, function: Function, values: Mapping[str, np.ndarray]) -> dict[Node, np.ndarray]:
-    """Sample values of a function's input nodes from arrays (samples, size) by port name."""
-    return {
-        node: np.asarray(values[port.name])[:, k]
-        for port, nodes in zip(function.inputs, function.arguments, strict=True)
-        for k, node in enumerate(nodes)
-    }
