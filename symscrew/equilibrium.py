@@ -67,9 +67,28 @@ class Setting:
                 accumulate(total, column, scale(sign * factor, row.force), scale(sign * factor, row.couple))
         return total
 
-    def drive_scale(self, v_index: int) -> float:
-        """Unit scale of a drive's column."""
-        return 1.0 if self.tree.v[v_index].kind == "length" else self.length
+    def before_motion(
+        self, link: Link, here: Wrenches, loads: Mapping[int, tuple[Vector, Vector]], at_cut: Callable[[int], Wrenches]
+    ) -> Wrenches:
+        """All that the joint of a link must supply, in the axes before its motion, at its origin.
+
+        `here` are the wrenches on the link in its own axes; the loads and the cuts where it is the hub
+        (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
+        """
+        placed = self.placed[link.index]
+        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
+        if link.index in loads:
+            force, moment = loads[link.index]
+            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+        for c, cut in enumerate(self.cuts):
+            if cut.hub != link.index:
+                continue
+            arm = placed.before(cut.contact)
+            for column, (f, m) in at_cut(c).items():
+                f = carry(self.tree, self.placed, cut.tip, cut.hub, f, before=True)
+                m = carry(self.tree, self.placed, cut.tip, cut.hub, m, before=True)
+                accumulate(result, column, f, add(m, cross(arm, f)))
+        return result
 
 
 @dataclass
@@ -150,7 +169,7 @@ class _Elimination:
         here = self.waiting.pop(link.index)
         force, moment = self.wrench(link)
         accumulate(here, ONE, force, moment)
-        before = self._before_motion(link, here)
+        before = setting.before_motion(link, here, self.loads, self._cut_wrench)
         screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
         before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
         if link.joint == setting.tree.virtual and link.parent == GROUND:
@@ -179,24 +198,6 @@ class _Elimination:
             return self.setting.tape.node(dot(frame.axis, f))
         value = m[2]
         return self.setting.tape.node(value + frame.pitch * f[2] if link.motion.kind == "H" else value)
-
-    def _before_motion(self, link: Link, here: Wrenches) -> Wrenches:
-        """All wrenches on the link in the axes before its motion: its own, loads, cuts where it is the hub."""
-        setting = self.setting
-        placed = setting.placed[link.index]
-        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
-        if link.index in self.loads:
-            force, moment = self.loads[link.index]
-            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
-        for c, cut in enumerate(setting.cuts):
-            if cut.hub != link.index:
-                continue
-            arm = placed.before(cut.contact)
-            for column, (f, m) in self._cut_wrench(c).items():
-                f = carry(setting.tree, setting.placed, cut.tip, cut.hub, f, before=True)
-                m = carry(setting.tree, setting.placed, cut.tip, cut.hub, m, before=True)
-                accumulate(result, column, f, add(m, cross(arm, f)))
-        return result
 
     def _cut_wrench(self, c: int) -> Wrenches:
         """The cut joint's wrench on its tip at its point, tip axes, per column that is still unknown."""

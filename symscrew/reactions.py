@@ -13,7 +13,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.closure import carry
 from symscrew.drives import solve_symmetric
 from symscrew.elimination import NEGLIGIBLE, Affine, Column, Guard, magnitude
 from symscrew.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
@@ -67,6 +66,10 @@ def joint_wrenches(
 ) -> list[JointWrench]:
     """The wrench through every joint, from the tips to the ground, without the drives' shares."""
     tree = setting.tree
+
+    def with_drives(c: int) -> Wrenches:
+        return setting.cut_wrench(c, multipliers, lambda k: {ONE: u[k]})
+
     waiting: dict[int, Wrenches] = {link.index: {} for link in tree.links}
     result: dict[str, JointWrench] = {}
     for c, cut in enumerate(setting.cuts):
@@ -75,13 +78,13 @@ def joint_wrenches(
         place = Pose(pose[cut.tip].rotation, pose[cut.tip].point(cut.tip_point))
         signed: Wrenches = {k: (scale(sign, f), scale(sign, m)) for k, (f, m) in at_tip.items()}
         result[cut.joint.name] = JointWrench(cut.joint.name, signed, place)
-        for column, (f, m) in setting.cut_wrench(c, multipliers, lambda k: {ONE: u[k]}).items():
+        for column, (f, m) in with_drives(c).items():
             if cut.tip != GROUND:
                 accumulate(waiting[cut.tip], column, scale(-1, f), scale(-1, add(m, cross(cut.tip_point, f))))
     for link in reversed(tree.links[1:]):
         here = waiting.pop(link.index)
         accumulate(here, ONE, *wrench(link))
-        before = _before(setting, link, here, loads, multipliers, u)
+        before = setting.before_motion(link, here, loads, with_drives)
         placed = setting.placed[link.index]
         joint = tree.joints[link.joint]
         last = tree.links_of(joint.name)[-1]
@@ -92,31 +95,6 @@ def joint_wrenches(
             if link.parent != GROUND:
                 accumulate(waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
     return list(result.values())
-
-
-def _before(
-    setting: Setting,
-    link: Link,
-    here: Wrenches,
-    loads: Mapping[int, tuple[Vector, Vector]],
-    multipliers: Mapping[Column, Affine],
-    u: Sequence[Node],
-) -> Wrenches:
-    """All wrenches that the joint of a link must supply, in the axes before its motion, at its origin."""
-    placed = setting.placed[link.index]
-    result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
-    if link.index in loads:
-        force, moment = loads[link.index]
-        accumulate(result, ONE, scale(-1, force), scale(-1, moment))
-    for c, cut in enumerate(setting.cuts):
-        if cut.hub != link.index:
-            continue
-        arm = placed.before(cut.contact)
-        for column, (f, m) in setting.cut_wrench(c, multipliers, lambda k: {ONE: u[k]}).items():
-            f = carry(setting.tree, setting.placed, cut.tip, cut.hub, f, before=True)
-            m = carry(setting.tree, setting.placed, cut.tip, cut.hub, m, before=True)
-            accumulate(result, column, f, add(m, cross(arm, f)))
-    return result
 
 
 def _tree_reaction(

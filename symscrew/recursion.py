@@ -35,8 +35,6 @@ from symscrew.screws import (
 from symscrew.tape import Node, Tape
 from symscrew.tree import Link, Tree
 
-Z: Vector = (0, 0, 1)
-
 
 @dataclass(frozen=True)
 class Placement:
