@@ -41,6 +41,7 @@ class Setting:
         (),
         (),
     )  # forces, couples it cannot bear
+    joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
 
     def row_scale(self, v_index: int | None) -> float:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
@@ -229,7 +230,12 @@ class _Elimination:
             entry = self.setting.tape.node(screw(wrench))
             if entry is not self.setting.tape.zero:
                 row[column] = entry
-        drive = self.setting.drives.get(v_index) if v_index is not None else None
+        if v_index is None:
+            return row
+        known = self.setting.joint_forces.get(v_index)
+        if known is not None:
+            row[ONE] = row.get(ONE, self.setting.tape.zero) - known
+        drive = self.setting.drives.get(v_index)
         if drive is not None:
             row["drive", drive] = row.get(("drive", drive), self.setting.tape.zero) - self.setting.tape.one
         return row

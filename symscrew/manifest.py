@@ -18,6 +18,7 @@ from symscrew.effects import Effect
 from symscrew.export.listing import model_hash, statuses
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
+from symscrew.system import characteristic_length
 
 TOOL = "symscrew"
 LARGEST = 64_000_000
@@ -38,6 +39,7 @@ def manifest(model: Model, *, targets: Sequence[str], files: Sequence[str]) -> d
         "effects": [effect_to_json(effect) for effect in model.effects],
         "independent": _independent(model),
         "parameters": _parameters(model),
+        "characteristic_length": _characteristic_length(model),
         "notes": list(model.notes),
         "targets": list(targets),
         "files": sorted(files),
@@ -51,6 +53,16 @@ def _independent(model: Model) -> list[str]:
         if isinstance(program, Iteration):
             return [program.inputs[1].labels[k] for k in program.independent]
     return []
+
+
+def _characteristic_length(model: Model) -> dict[str, Any]:
+    """By what norms and thresholds of mixed quantities divide lengths, and whether the description chose it."""
+    chosen = model.mechanism.characteristic_length is not None
+    return {
+        "value": characteristic_length(model.mechanism),
+        "unit": "m",
+        "source": "description" if chosen else "default",
+    }
 
 
 def _parameters(model: Model) -> dict[str, Any]:
@@ -143,7 +155,7 @@ def effect_from_json(entry: Any) -> Effect:
     Raises:
         OutputError: the type or a field is unknown.
     """
-    known = {name: getattr(effect_module, name) for name in effect_module.__all__ if name != "Effect"}
+    known = {name: getattr(effect_module, name) for name in effect_module.__all__ if name not in ("Acting", "Effect")}
     kind = entry.get("type") if isinstance(entry, dict) else None
     if not isinstance(kind, str) or kind not in known:
         raise OutputError(f"manifest.json: expected an effect ({', '.join(known)}), got {entry!r:.80}")

@@ -123,19 +123,23 @@ def _tree_reaction(
 def _remove_other_drives(
     setting: Setting, pose: Sequence[Pose], last: Link, columns: Wrenches, place: Pose, u: Sequence[Node]
 ) -> None:
-    """Take the shares of drives on the joint's other motions (compound and helical joints) out of column 1."""
+    """Take the shares of drives and known forces on a joint's other motions (compound, helical) out of column 1."""
     sign = -1 if last.inverted else 1
     for link in setting.tree.links_of(last.joint):
-        drive = setting.drives.get(link.v.start) if link.v.stop > link.v.start else None
         cleared = link is last and link.motion.kind != "H"
-        if drive is None or cleared or link.motion.kind == "S":
+        if cleared or link.motion.kind == "S" or link.v.stop == link.v.start:
             continue
+        drive, known = setting.drives.get(link.v.start), setting.joint_forces.get(link.v.start)
+        if drive is None and known is None:
+            continue
+        share = setting.tape.zero if drive is None else u[drive]
+        share = share if known is None else share + known
         if link.motion.kind == "P":
             axis, part = pose[link.parent].direction(setting.frames[link.index].axis), "force"
         else:
             axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"  # type: ignore[assignment]
         back = tuple(zip(*place.rotation, strict=True))
-        local = scale(-sign * u[drive], transform(back, axis))  # type: ignore[arg-type]
+        local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
         accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))
 
 

@@ -21,7 +21,7 @@ from symscrew.joints import JOINT_TYPES
 from symscrew.mechanism import Mechanism
 from symscrew.program import Function, Port, evaluate, lower
 from symscrew.recursion import Inertia, Placement, Rates, link_inertias, placements, poses, rates, twists
-from symscrew.screws import Pose, Twist, Vector, add, cross, dot, transform, transpose
+from symscrew.screws import Pose, Twist, Vector, add, cross, dot, subtract, transform, transpose
 from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND, Tree, spanning_tree
 
@@ -97,19 +97,19 @@ class System:
         """Inertia of every link about its origin, link axes."""
         return link_inertias(self.mechanism, self.tree, self.frames, self.geometry)
 
+    def local_point(self, link: int, point: Vector) -> Vector:
+        """A point given in the reference configuration, in link coordinates."""
+        frame = self.frames[link]
+        return self.geometry.settle(transform(transpose(frame.axes), subtract(point, frame.origin)))
+
     def rates(self, a: Sequence[Node], ground_acceleration: tuple = (0, 0, 0)) -> tuple[Rates, ...]:
         """Rates of every link for given accelerations of the tree."""
         return rates(self.tree, self.frames, self.placed, self.inputs.v, a, ground_acceleration)
 
     @cached_property
     def length(self) -> float:
-        """Characteristic length [m]: root mean square distance of the joints' points from their centre."""
-        points = [[float(self.mechanism.number(c)) for c in joint.point] for joint in self.mechanism.joints.values()]
-        points += [[float(self.mechanism.number(c)) for c in p.at] for p in self.mechanism.points.values()]
-        cloud = np.array(points)
-        size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
-        # Rounded, so that the same description gives the same bytes on every machine.
-        return float(f"{size:.6g}") if size > 0 else 1.0
+        """Characteristic length [m]; see `characteristic_length`."""
+        return characteristic_length(self.mechanism)
 
     @cached_property
     def drives(self) -> tuple[tuple[str, int], ...]:
@@ -351,6 +351,22 @@ class System:
         for node, value in zip(self.parameters, self.parameter_values, strict=True):
             values[node] = np.full(len(q), value)
         self.tape.set_samples(values)
+
+
+def characteristic_length(mechanism: Mechanism) -> float:
+    """The length [m] by which norms of mixed quantities divide lengths: the description's, if it gives one.
+
+    Else the root mean square distance of the joints' points and the named points from their centre: invariant
+    under rigid motions, proportional to the unit; 1 where all points coincide.
+    """
+    if mechanism.characteristic_length is not None:
+        return float(mechanism.number(mechanism.characteristic_length))
+    points = [[float(mechanism.number(c)) for c in joint.point] for joint in mechanism.joints.values()]
+    points += [[float(mechanism.number(c)) for c in p.at] for p in mechanism.points.values()]
+    cloud = np.array(points)
+    size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
+    # Rounded, so that the same description gives the same bytes on every machine.
+    return float(f"{size:.6g}") if size > 0 else 1.0
 
 
 def _rotated(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:

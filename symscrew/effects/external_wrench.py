@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symscrew.effects.acting import Acting
+from symscrew.program import Port
+
+UNITS = ("N",) * 3 + ("N m",) * 3
+LABELS = ("fx", "fy", "fz", "mx", "my", "mz")
+
 
 @dataclass(frozen=True)
 class ExternalWrench:
@@ -19,3 +25,10 @@ class ExternalWrench:
     def port(self) -> str:
         """Name of the input."""
         return f"load_{self.point}"
+
+    def act(self, acting: Acting) -> None:
+        """Push the body at the point with the input's force and moment."""
+        point = acting.point(self.point, "external wrench")
+        text = f"force and moment on {point.body} at {point.name}, absolute axes"
+        fx, fy, fz, mx, my, mz = acting.input(Port(self.port, (6,), UNITS, LABELS, text), "external load")
+        acting.push(point, (fx, fy, fz), (mx, my, mz))

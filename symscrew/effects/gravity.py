@@ -7,6 +7,9 @@ from fractions import Fraction
 
 import sympy
 
+from symscrew.effects.acting import Acting
+from symscrew.screws import add, dot, scale
+
 
 @dataclass(frozen=True)
 class Gravity:
@@ -25,6 +28,15 @@ class Gravity:
             raise ValueError(f"gravity: expected 3 components [m/s^2], got {len(self.acceleration)}")
         x, y, z = (_exact(c) for c in self.acceleration)
         return (x, y, z)
+
+    def act(self, acting: Acting) -> None:
+        """Accelerate the ground by -g; the potential is -sum g . (m o + R s) over all links."""
+        system = acting.system
+        field = system.geometry.vector(self.exact)
+        acting.accelerate_ground(scale(-1, field))
+        for pose, inertia in zip(system.pose[1:], system.inertia[1:], strict=True):
+            moment = add(scale(inertia.mass, pose.translation), pose.direction(inertia.first))
+            acting.store(-dot(field, moment))
 
 
 def _exact(value: str | int | float | Fraction) -> sympy.Rational:

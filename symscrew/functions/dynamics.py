@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
-from symscrew.closure import carry
 from symscrew.drives import DriveSolution, solve_drives
-from symscrew.effects import Effect, ExternalWrench, Gravity
+from symscrew.effects import Acting, Effect
 from symscrew.equilibrium import Balance, Setting, accumulate, balance
-from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions.closure import guarded
-from symscrew.functions.kinematics import local_point
 from symscrew.functions.ports import (
     WRENCH_LABELS,
     WRENCH_UNITS,
@@ -34,69 +30,13 @@ from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import GROUND, Link
 
-Loads = dict[int, tuple[Vector, Vector]]
-
-
-@dataclass(frozen=True)
-class Forces:
-    """What the effects contribute: the ground's acceleration (gravity), loads per link, further inputs."""
-
-    ground_acceleration: Vector
-    loads: Loads
-    inputs: tuple[tuple[Port, tuple[Node, ...]], ...]
-
-
-def forces(system: System, effects: Sequence[Effect]) -> Forces:
-    """The effects of a scene, as the recursions take them."""
-    ground: Vector = ZERO
-    loads: Loads = {}
-    inputs = []
-    for effect in effects:
-        if isinstance(effect, Gravity):
-            ground = scale(-1, system.geometry.vector(effect.exact))
-        elif isinstance(effect, ExternalWrench):
-            inputs.append(_external(system, effect, loads))
-    return Forces(ground, loads, tuple(inputs))
-
-
-def _external(system: System, effect: ExternalWrench, loads: Loads) -> tuple[Port, tuple[Node, ...]]:
-    points = system.mechanism.points
-    if effect.point not in points:
-        raise DescriptionError(
-            f"external wrench: expected a named point of the mechanism, got {effect.point!r}"
-            + did_you_mean(effect.point, points)
-        )
-    point = points[effect.point]
-    port = Port(
-        effect.port,
-        (6,),
-        WRENCH_UNITS,
-        WRENCH_LABELS,
-        f"force and moment on {point.body} at {point.name}, absolute axes",
-    )
-    nodes = tuple(
-        system.tape.symbol(f"{effect.port}_{label}", unit, f"external load {label} at {point.name}")
-        for label, unit in zip(WRENCH_LABELS, WRENCH_UNITS, strict=True)
-    )
-    link = system.tree.link_of_body[point.body]
-    if link != GROUND:
-        force, moment = (
-            carry(system.tree, system.placed, GROUND, link, vector, before=True)
-            for vector in ((nodes[0], nodes[1], nodes[2]), (nodes[3], nodes[4], nodes[5]))
-        )
-        arm = system.placed[link].before(local_point(system, link, system.geometry.vector(point.at)))
-        here = {"": loads.get(link, (ZERO, ZERO))}
-        accumulate(here, "", force, add(moment, cross(arm, force)))
-        loads[link] = here[""]
-    return port, nodes
-
 
 class Equations:
     """Equilibrium of a system under effects, eliminated once for all dynamic functions."""
 
     def __init__(self, system: System, effects: Sequence[Effect]) -> None:
         self.system = system
-        self.forces = forces(system, effects)
+        self.forces = Acting(system, effects)
         self.setting = Setting(
             system.tape,
             system.tree,
@@ -107,6 +47,7 @@ class Equations:
             system.cut_drives(),
             system.length,
             system.virtual_directions(),
+            self.forces.joint_forces,
         )
         self.inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
         self.rates = system.rates(system.inputs.a, self.forces.ground_acceleration)
@@ -276,8 +217,9 @@ def _joint_reactions(equations: Equations) -> Function:
 # -- the tree's own equations ------------------------------------------------------------------------------
 
 
-def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], loads: Loads) -> list[Node]:
-    """Generalised forces (for v) of wrenches on the links (link axes, at their origins), less the loads."""
+def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], acting: Acting) -> list[Node]:
+    """Generalised forces (for v) of wrenches on the links (link axes, at their origins), less what acts."""
+    loads = acting.loads
     tree, tape = system.tree, system.tape
     result = [tape.zero] * len(tree.v)
     waiting = dict(wrench)
@@ -293,13 +235,15 @@ def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], lo
                 add(force, scale(-1, transform(back, f))),
                 add(moment, scale(-1, transform(back, m))),
             )
-        for k, value in enumerate(_projected(link, frame, force, moment)):
-            result[link.v.start + k] = tape.node(value)
+        for k, value in enumerate(_projected(link, frame, force, moment), start=link.v.start):
+            result[k] = tape.node(value)
         if link.parent != GROUND:
             force, moment = placed.inwards(force), placed.inwards(moment)
             here = {"": waiting.get(link.parent, (ZERO, ZERO))}
             accumulate(here, "", force, add(moment, cross(placed.offset, force)))
             waiting[link.parent] = here[""]
+    for k, known in acting.joint_forces.items():
+        result[k] = result[k] - known
     return result
 
 
@@ -317,11 +261,11 @@ def _projected(link: Link, frame: object, force: Vector, moment: Vector) -> tupl
 
 
 def _bias(system: System, effects: Sequence[Effect]) -> Function:
-    acting = forces(system, effects)
+    acting = Acting(system, effects)
     inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
     rates = system.rates([system.tape.zero] * len(system.tree.v), acting.ground_acceleration)
     wrench = {link.index: inertial_wrench(inertia[link.index], rates[link.index]) for link in system.tree.links[1:]}
-    values = _generalised(system, wrench, acting.loads)
+    values = _generalised(system, wrench, acting)
     units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
     port = Port("bias", (len(values),), units, tuple(c.label for c in system.tree.v), "generalised forces at a = 0")
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]

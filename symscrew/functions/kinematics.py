@@ -122,7 +122,7 @@ def _points(system: System, motion: Motion) -> list[Function]:
     accelerations: list[object] = []
     for point in points.values():
         link = system.tree.link_of_body[point.body]
-        local = local_point(system, link, system.geometry.vector(point.at))
+        local = system.local_point(link, system.geometry.vector(point.at))
         at = system.pose[link].point(local)
         positions += at
         velocities += motion.links[link].twist.velocity_at(at)
@@ -147,12 +147,6 @@ def _points(system: System, motion: Motion) -> list[Function]:
             [(position, positions), (velocity, velocities), (acceleration, accelerations)],
         ),
     ]
-
-
-def local_point(system: System, link: int, point: Vector) -> Vector:
-    """A point given in the reference configuration, in link coordinates."""
-    frame = system.frames[link]
-    return system.geometry.settle(transform(transpose(frame.axes), subtract(point, frame.origin)))
 
 
 def acceleration_at(motion: BodyMotion, at: Vector) -> Vector:
@@ -232,7 +226,7 @@ def _joint_points(system: System) -> Function:
             values += system.pose[cut[name].tip].point(cut[name].tip_point)
             continue
         link = system.tree.link_of_body[joint.child]
-        values += system.pose[link].point(local_point(system, link, system.geometry.vector(joint.point)))
+        values += system.pose[link].point(system.local_point(link, system.geometry.vector(joint.point)))
     names = list(system.mechanism.joints)
     port = columns_port("points", names, "xyz", ("m",) * 3, "absolute position of every joint's point")
     text = "Positions of the joints' points, carried by the child body: where the joint reactions act."

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from symscrew.effects import Effect, Gravity
+from symscrew.effects import Acting, Effect
 from symscrew.functions.kinematics import Motion, moving_bodies
 from symscrew.functions.ports import (
     MOMENTUM_LABELS,
@@ -65,8 +63,8 @@ def momentum_functions(system: System, motion: Motion, effects: tuple[Effect, ..
                  [(momenta, screws), (total, (*total_linear, *total_angular))]),
         function(system, "momentum_rates", "Rates of the momentum screws: sums of all force screws, eq. (35).",
                  [q, v, (a_port(system), system.inputs.a)], [(rate, rates)]),
-        function(system, "energy", "Kinetic energy and potential energy of gravity (zero at O).", [q, v],
-                 [(energy, (_kinetic(system), _potential(system, effects)))]),
+        function(system, "energy", "Kinetic energy and potential energy of the effects (gravity: zero at O).", [q, v],
+                 [(energy, (_kinetic(system), Acting(system, effects).potential))]),
     ]  # fmt: skip
 
 
@@ -82,15 +80,3 @@ def _kinetic(system: System) -> Node:
         # omega . J omega with J = trace(Sigma) - Sigma
         total = total + (trace * dot(w, w) - dot(w, transform(inertia.second, w)))
     return total * tape.reciprocal(tape.node(2))
-
-
-def _potential(system: System, effects: Sequence[Effect]) -> Node:
-    """-sum g . (m o + R s) over all links."""
-    total = system.tape.zero
-    for effect in effects:
-        if isinstance(effect, Gravity):
-            field = system.geometry.vector(effect.exact)
-            for pose, inertia in zip(system.pose[1:], system.inertia[1:], strict=True):
-                moment = add(scale(inertia.mass, pose.translation), pose.direction(inertia.first))
-                total = total - dot(field, moment)
-    return total
