@@ -37,13 +37,19 @@ class MechanismBuilder:
         platform: str | None = None,
         description: str = "",
         source: str = "",
+        characteristic_length: Any = None,
     ) -> None:
-        """Start the mechanism `name` with the given ground body and, for limbs, platform body."""
+        """Start the mechanism `name` with the given ground body and, for limbs, platform body.
+
+        `characteristic_length` [m] is what norms that mix lengths and angles divide lengths by; left out it is
+        the root mean square distance of the joints' and named points from their centre.
+        """
         self._name = check_name(name, "mechanism.name")
         self._ground = check_name(ground, "mechanism.ground")
         self._platform = None if platform is None else check_name(platform, "mechanism.platform")
         self._description = check_text(description, "mechanism.description")
         self._source = check_text(source, "mechanism.source")
+        self._characteristic_length = characteristic_length
         self._parameters: dict[str, dict[str, Any]] = {}
         self._bodies: dict[str, dict[str, Any]] = {}
         self._joints: dict[str, dict[str, Any]] = {}
@@ -164,6 +170,7 @@ class MechanismBuilder:
             platform=self._platform,
             description=self._description,
             source=self._source,
+            characteristic_length=reader.characteristic_length(self._characteristic_length),
         )
         warnings = validate(mechanism, {name: f for name, f in features.items() if f is not None})
         return dataclasses.replace(mechanism, warnings=warnings)

@@ -1,6 +1,6 @@
 """A mechanism from a TOML file, and back.
 
-    [mechanism]                 name, ground, platform, description, source
+    [mechanism]                 name, ground, platform, description, source, characteristic_length
     [parameters.NAME]           value, unit, description, run_time
     [bodies.NAME]               mass, com, inertia
     [joints.NAME]               type, parent, child, point, axes, pitch, driven, reference,
@@ -33,7 +33,7 @@ MAX_NESTING = 40
 MAX_KEY_PARTS = 20
 
 KEYS: dict[str, tuple[str, ...]] = {
-    "mechanism": ("name", "ground", "platform", "description", "source"),
+    "mechanism": ("name", "ground", "platform", "description", "source", "characteristic_length"),
     "parameters": ("value", "unit", "description", "run_time"),
     "bodies": ("mass", "com", "inertia"),
     "joints": (
@@ -163,7 +163,10 @@ def dumps(mechanism: Mechanism) -> str:
     for key in ("platform", "description", "source"):
         if getattr(mechanism, key):
             head[key] = getattr(mechanism, key)
-    blocks = [_block("mechanism", {key: _quote(value) for key, value in head.items()})]
+    entries = {key: _quote(value) for key, value in head.items()}
+    if mechanism.characteristic_length is not None:
+        entries["characteristic_length"] = _number(mechanism.characteristic_length)
+    blocks = [_block("mechanism", entries)]
     blocks += [_block(f"parameters.{p.name}", _parameter(p)) for p in mechanism.parameters.values()]
     blocks += [
         _block(f"bodies.{body.name}", _body(body))

@@ -92,7 +92,11 @@ class Limb:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """A validated mechanism. Mappings keep the order of the description."""
+    """A validated mechanism. Mappings keep the order of the description.
+
+    `characteristic_length` [m] is what norms of mixed quantities divide lengths by; None for the default
+    (`System.length`).
+    """
 
     name: str
     ground: str
@@ -104,6 +108,7 @@ class Mechanism:
     platform: str | None = None
     description: str = ""
     source: str = ""
+    characteristic_length: sympy.Expr | None = None
     warnings: tuple[str, ...] = ()
 
     def baked(self, expression: sympy.Expr) -> sympy.Expr:

@@ -8,7 +8,8 @@ mechanism --System--> tape, tree, frames, closure
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from symscrew.limb_solutions import hub_links
 from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
 from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
+from symscrew.reader import Reader
 from symscrew.system import System
 
 
@@ -54,12 +56,18 @@ def derive(
     effects: Sequence[Effect] = (Gravity(),),
     *,
     independent: Sequence[str] | None = None,
+    length: Any = None,
 ) -> Model:
     """The model of a mechanism: every function, for every mechanism, by the same path.
 
     `independent` names the independent coordinates y by labels of q (default: the platform's own where it
-    hangs on one joint, else the drives). Raises DescriptionError for names that do not exist.
+    hangs on one joint, else the drives). `length` [m] is the characteristic length by which norms of mixed
+    quantities divide lengths: a number or text with an expression of the parameters, in place of the description's.
+    Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
+    if length is not None:
+        read = Reader(dict(mechanism.parameters)).characteristic_length(length)
+        mechanism = replace(mechanism, characteristic_length=read)
     system = System(mechanism)
     system.use_samples()
     loops = Loops(system, independent)

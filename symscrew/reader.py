@@ -34,6 +34,23 @@ class Reader:
             numeric(expression, where=where)
         return expression
 
+    def characteristic_length(self, value: Any) -> sympy.Expr | None:
+        """The mechanism's characteristic length [m]: positive, the same for all values of run-time parameters."""
+        if value is None:
+            return None
+        where = "mechanism.characteristic_length"
+        length = self.number(value, where)
+        changing = sorted(n for n, p in self.parameters.items() if p.run_time and p.symbol in length.free_symbols)
+        if changing:
+            raise DescriptionError(
+                f"{where}: depends on the run-time parameter {changing[0]!r}, but scales must not change while the "
+                "generated code runs; give a number or an expression of baked parameters"
+            )
+        size = length.xreplace({p.symbol: p.value for p in self.parameters.values()})
+        if not numeric(size, where=where) > 0:
+            raise DescriptionError(f"{where}: expected a length above 0 m, got {shorten(value)}")
+        return length
+
     def vector(self, value: Any, where: str) -> Vector:
         """Three numbers; the middle of two points if that is how the point is given."""
         if isinstance(value, Between):
