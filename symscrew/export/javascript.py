@@ -1,0 +1,199 @@
+"""JavaScript of a model: one script without dependencies, for a page or for Node, a function per program.
+
+    const { status, v } = four_bar.velocity(q, y_dot);
+
+Arguments are arrays of numbers, results are Float64Arrays, matrices column by column as in the C code; the
+statuses are the same, and results are NaN where the status is not 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from symscrew.export.listing import (
+    Operand,
+    balanced_sum,
+    banner,
+    check_names,
+    checked_slots,
+    decimal,
+    expressions,
+    function_lines,
+    input_entries,
+    live_instructions,
+    wrapped,
+)
+from symscrew.model import Model
+from symscrew.program import Iteration, Program
+
+TABLE = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "neg": "-{0}",
+    "reciprocal": "1.0 / {0}",
+    "div": "{0} / {1}",
+    "sqrt": "Math.sqrt({0})",
+    "sin": "Math.sin({0})",
+    "cos": "Math.cos({0})",
+    "tan": "Math.tan({0})",
+    "atan2": "Math.atan2({0}, {1})",
+    "abs": "Math.abs({0})",
+    "less": "{0} < {1} ? 1.0 : 0.0",
+    "select": "{0} !== 0.0 ? {1} : {2}",
+}
+
+RESERVED = frozenset(
+    "arguments debugger eval function implements in instanceof interface let module null package super undefined var "
+    "with document globalThis self top window".split()
+)
+
+RUNTIME = """
+  /* The arrays of a call, after a check of how many there are and how long they are. */
+  function check(name, sizes, given) {
+    const ports = Object.keys(sizes);
+    if (given.length !== ports.length) {
+      throw new TypeError(`${name} expects ${ports.length} arrays (${ports.join(", ")}), got ${given.length}`);
+    }
+    ports.forEach((port, k) => {
+      if (given[k].length !== sizes[port]) {
+        throw new TypeError(`${name}: ${port} has ${sizes[port]} entries, got ${given[k].length}`);
+      }
+    });
+  }
+
+  /* Status 2 if `total` is not finite; outputs are NaN where the status is not 0. */
+  function finish(status, total, outputs) {
+    outputs.status = status === 0 && !Number.isFinite(total) ? 2 : status;
+    if (outputs.status !== 0) {
+      for (const value of Object.values(outputs)) {
+        if (typeof value === "object") {
+          value.fill(NaN);
+        }
+      }
+    }
+    return outputs;
+  }
+
+  /* Newton's iteration at one target: { status, q }. */
+  function newton(step, settings, q, target, parameters, branch) {
+    for (let count = 0; count < settings.max_steps; ++count) {
+      const made = step(q, target, ...parameters);
+      if (made.status !== 0) {
+        return { status: 3, q };
+      }
+      q = made.q_next;
+      if (made.residual[0] < settings.tolerance && made.step[0] < settings.tolerance) {
+        return { status: made.orientation[0] * branch > 0.0 ? 0 : 4, q };
+      }
+    }
+    return { status: 3, q };
+  }
+
+  /* From the guess to y with more and more substeps until all of them converge on the guess's branch. */
+  function iterate(step, settings, y, guess, ...parameters) {
+    if (![y, guess, ...parameters].every((array) => Array.from(array).every(Number.isFinite))) {
+      return { q: new Float64Array(guess.length).fill(NaN), status: 2 };
+    }
+    const start = settings.independent.map((k) => guess[k]);
+    const branch = step(guess, start, ...parameters).orientation[0];
+    let status = 3;
+    for (let substeps = 1; substeps <= settings.max_substeps; substeps *= 2) {
+      let q = guess;
+      status = 0;
+      for (let k = 1; k <= substeps && status === 0; ++k) {
+        const target = start.map((from, i) => from + (y[i] - from) * (k / substeps));
+        ({ status, q } = newton(step, settings, q, target, parameters, branch));
+      }
+      if (status === 0) {
+        return { q: Float64Array.from(q), status };
+      }
+    }
+    return { q: new Float64Array(guess.length).fill(NaN), status };
+  }
+"""
+
+
+def print_javascript(model: Model) -> dict[str, str]:
+    """File name to text: `<name>.js`, with all functions of a model.
+
+    The script defines the constant `<name>` (with an underscore after a word that JavaScript keeps for itself),
+    an object of functions; Node gets it by `require`.
+    """
+    return {f"{model.name}.js": print_script(model, model.name + "_" * (model.name in RESERVED))}
+
+
+def print_script(model: Model, constant: str, functions: Iterable[str] | None = None) -> str:
+    """A script that defines `constant`, an object with all functions of a model, or only those named.
+
+    Each function returns an object with `status`, an array per output, and `guard`: the smallest pivot as a
+    multiple of the threshold below which the function fails (Infinity where nothing is guarded).
+    """
+    check_names(model)
+    chosen = list(model.programs) if functions is None else [n for n in model.programs if n in set(functions)]
+    lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " */", '"use strict";']
+    lines += [f"const {constant} = (() => {{", *RUNTIME.strip("\n").splitlines()]
+    for name in chosen:
+        program = model.programs[name]
+        body = _iteration(name, program) if isinstance(program, Iteration) else _function(name, program)
+        lines += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
+    lines += ["", *wrapped(f"return {{ {', '.join(chosen)} }};", first="  ", later="    "), "})();"]
+    lines += ['if (typeof module !== "undefined") {', f"  module.exports = {constant};", "}"]
+    return "\n".join([*lines, ""])
+
+
+def _comment(lines: Sequence[str]) -> list[str]:
+    return ["/*", *(f" * {line}" for line in lines), " */"]
+
+
+def _operand(value: int | float) -> str:
+    return f"${value}" if isinstance(value, int) else decimal(value)
+
+
+def _sizes(program: Program | Iteration) -> str:
+    return "{ " + "".join(f"{port.name}: {port.size}, " for port in program.inputs).rstrip(", ") + " }"
+
+
+def _function(name: str, program: Program, operand: Operand = _operand) -> list[str]:
+    """The definition of a straight-line function: load, compute, check."""
+    live, read = live_instructions(program)
+    place = {port.name: i for i, port in enumerate(program.inputs)}
+    loads = [
+        f"  const {operand(slot)} = given[{place[port.name]}][{k}];"
+        for slot, (port, k) in enumerate(input_entries(program))
+        if slot in read
+    ]
+    pivots = ", ".join(f"Math.abs({operand(slot)}) / {decimal(threshold)}" for slot, threshold in program.guards)
+    small = " || ".join(f"Math.abs({operand(slot)}) <= {decimal(threshold)}" for slot, threshold in program.guards)
+    total = balanced_sum([operand(slot) for slot in checked_slots(program)] or ["0.0"])
+    outputs = [
+        f"    {port.name}: Float64Array.of({', '.join(operand(slot) for slot in slots)}),"
+        for port, slots in zip(program.outputs, program.results, strict=True)
+    ]
+    return [
+        f"function {name}(...given) {{",
+        f'  check("{name}", {_sizes(program)}, given);',
+        *loads,
+        *(f"  const {operand(target)} = {text};" for target, text in expressions(live, TABLE, operand)),
+        f"  const guard = {f'Math.min({pivots})' if pivots else 'Infinity'};",
+        f"  return finish({f'{small} ? 1 : 0' if small else '0'}, {total}, {{",
+        *outputs,
+        "    guard,",
+        "  });",
+        "}",
+    ]
+
+
+def _iteration(name: str, iteration: Iteration) -> list[str]:
+    settings = (
+        f"{{ tolerance: {decimal(iteration.tolerance)}, max_steps: {iteration.max_steps}, "
+        f"max_substeps: {iteration.max_substeps}, independent: [{', '.join(map(str, iteration.independent))}] }}"
+    )
+    return [
+        *_function(f"{name}_step", iteration.step),
+        "",
+        f"function {name}(...given) {{",
+        f'  check("{name}", {_sizes(iteration)}, given);',
+        f"  return iterate({name}_step, {settings}, ...given);",
+        "}",
+    ]
