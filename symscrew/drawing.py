@@ -6,7 +6,6 @@ joints are markers by type, the driven ones filled. What is farther from the vie
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +16,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Mechanism, Vector
+from symscrew.mechanism import Mechanism
+from symscrew.outline import along, body_points, numbers, plate
 from symscrew.plots import COLOURS, style, symbol
 
 Array = np.ndarray
@@ -25,7 +25,6 @@ Array = np.ndarray
 MARKERS = {"R": "o", "P": "s", "H": "h", "C": "p", "U": "D", "S": "o", "E": "^", "fixed": "x", "free": "*"}
 SIZES = {"R": 5.0, "P": 5.0, "S": 8.0, "U": 6.5}
 GROUND, PLATFORM, LINK = "#8a8a8a", COLOURS[0], "#3a3a3a"
-FLAT = 1e-9
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,7 @@ def mechanism_figure(
     mechanism: Mechanism, *, elevation: float = 20.0, azimuth: float = -62.0, width: float = 4.6, labels: bool = True
 ) -> Figure:
     """The mechanism in its reference configuration, with its named points and absolute axes."""
-    points = _body_points(mechanism)
+    points = body_points(mechanism)
     whole = np.concatenate([p for p in points.values() if len(p)] or [np.zeros((1, 3))])
     view = camera(whole, elevation, azimuth)
     length = 0.5 * float(np.ptp(whole, axis=0).max()) or 1.0
@@ -88,41 +87,18 @@ def _depth(mechanism: Mechanism, view: Camera, body: str, places: Array) -> floa
     return -np.inf if body == mechanism.ground else view.depth(places)
 
 
-def _number(mechanism: Mechanism, vector: Vector) -> Array:
-    return np.array([float(mechanism.number(c)) for c in vector])
-
-
-def _body_points(mechanism: Mechanism) -> dict[str, Array]:
-    """Joint points and named points of every body, without repetition."""
-    found: dict[str, list[Array]] = {name: [] for name in (mechanism.ground, *mechanism.bodies)}
-    for joint in mechanism.joints.values():
-        for body in (joint.parent, joint.child):
-            found[body].append(_number(mechanism, joint.point))
-    for point in mechanism.points.values():
-        found[point.body].append(_number(mechanism, point.at))
-    return {body: _distinct(places) for body, places in found.items()}
-
-
-def _distinct(places: Sequence[Array]) -> Array:
-    kept: list[Array] = []
-    for place in places:
-        if all(np.linalg.norm(place - other) > FLAT for other in kept):
-            kept.append(place)
-    return np.array(kept).reshape(-1, 3)
-
-
 def _body(axes: Axes, view: Camera, mechanism: Mechanism, body: str, places: Array, order: float) -> None:
     colour = GROUND if body == mechanism.ground else PLATFORM if body == mechanism.platform else LINK
-    plate = _plate(places) if len(places) > 2 else None
-    if plate is None:
+    flat = plate(places) if len(places) > 2 else None
+    if flat is None:
         if body == mechanism.ground:
             return
         # the outer part of a sliding pair is drawn thicker than the one that slides in it
         outer = any(j.type == "P" and j.parent == body for j in mechanism.joints.values())
         thick = 4.6 if outer else 2.2
-        axes.plot(*view(_along(places)).T, color=colour, linewidth=thick, solid_capstyle="round", zorder=order)
+        axes.plot(*view(along(places)).T, color=colour, linewidth=thick, solid_capstyle="round", zorder=order)
         return
-    inside, corners = plate
+    inside, corners = flat
     axes.fill(*view(corners).T, facecolor=colour, alpha=0.16, edgecolor="none", zorder=order)
     axes.plot(*view(np.vstack([corners, corners[:1]])).T, color=colour, linewidth=1.5, zorder=order)
     middle = corners.mean(axis=0)
@@ -131,61 +107,10 @@ def _body(axes: Axes, view: Camera, mechanism: Mechanism, body: str, places: Arr
         axes.plot(*strut.T, color=colour, linewidth=1.5, linestyle=(0, (4, 1.5)), zorder=order)
 
 
-def _along(places: Array) -> Array:
-    """Points of a bar in order along its longest direction."""
-    if len(places) < 3:
-        return places
-    middle = places - places.mean(axis=0)
-    direction = np.linalg.svd(middle)[2][0]
-    return places[np.argsort(middle @ direction)]
-
-
-def _plate(places: Array) -> tuple[Array, Array] | None:
-    """The plane that holds most of the points: which lie in it, and the corners of their hull, in order."""
-    best: tuple[int, Array, Array] | None = None
-    for i in range(len(places)):
-        for j in range(i):
-            for k in range(j):
-                normal = np.cross(places[j] - places[i], places[k] - places[i])
-                size = np.linalg.norm(normal)
-                if size < 1e-6 * np.ptp(places, axis=0).max() ** 2:
-                    continue
-                inside = np.abs((places - places[i]) @ (normal / size)) < 1e-6
-                if best is None or inside.sum() > best[0]:
-                    best = (int(inside.sum()), inside, normal / size)
-    if best is None:
-        return None
-    _, inside, normal = best
-    flat = places[inside]
-    first = flat[np.argmax(np.linalg.norm(flat - flat.mean(axis=0), axis=1))] - flat.mean(axis=0)
-    second = np.cross(normal, first)
-    plane = np.stack([(flat - flat.mean(axis=0)) @ first, (flat - flat.mean(axis=0)) @ second], axis=1)
-    return inside, flat[_hull(plane)]
-
-
-def _hull(points: Array) -> list[int]:
-    """Indices of the corners of the convex hull of plane points, in order (Andrew's monotone chain)."""
-    order = sorted(range(len(points)), key=lambda i: (points[i][0], points[i][1]))
-
-    def half(indices: Sequence[int]) -> list[int]:
-        chain: list[int] = []
-        for i in indices:
-            while len(chain) > 1 and _turn(points[chain[-2]], points[chain[-1]], points[i]) <= FLAT:
-                chain.pop()
-            chain.append(i)
-        return chain[:-1]
-
-    return half(order) + half(order[::-1])
-
-
-def _turn(a: Array, b: Array, c: Array) -> float:
-    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
-
-
 def _joints(axes: Axes, view: Camera, mechanism: Mechanism) -> None:
     for joint in mechanism.joints.values():
         axes.plot(
-            *view(_number(mechanism, joint.point)), marker=MARKERS[joint.type], markersize=SIZES.get(joint.type, 6.0),
+            *view(numbers(mechanism, joint.point)), marker=MARKERS[joint.type], markersize=SIZES.get(joint.type, 6.0),
             color="black", markerfacecolor=COLOURS[1] if joint.driven else "white", markeredgewidth=0.9,
             linestyle="none", zorder=5,
         )  # fmt: skip
@@ -213,7 +138,7 @@ def _pair(vector: Array) -> tuple[float, float]:
 
 def _labels(axes: Axes, view: Camera, mechanism: Mechanism, length: float) -> None:
     """Names of the named points, moved outwards from the middle of the picture by a few points of type."""
-    places = {name: _number(mechanism, point.at) for name, point in mechanism.points.items()}
+    places = {name: numbers(mechanism, point.at) for name, point in mechanism.points.items()}
     middle = view(np.mean(list(places.values()) or [np.zeros(3)], axis=0))
     for name, place in places.items():
         at = view(place)

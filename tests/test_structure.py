@@ -26,7 +26,7 @@ STAGES = (
     ("functions", "quantities"),
     ("model",),
     ("export", "manifest", "compiled", "generation", "verification"),
-    ("motion", "drawing", "plots", "demo", "console", "cli"),
+    ("motion", "outline", "drawing", "plots", "demo", "console", "view", "cli"),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 

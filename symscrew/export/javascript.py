@@ -43,10 +43,8 @@ TABLE = {
     "select": "{0} !== 0.0 ? {1} : {2}",
 }
 
-RESERVED = frozenset(
-    "arguments debugger eval function implements in instanceof interface let module null package super undefined var "
-    "with document globalThis self top window".split()
-)
+WORDS = "arguments debugger eval function implements in instanceof interface let module null package super undefined"
+RESERVED = frozenset(f"{WORDS} var with document globalThis self top window".split())
 
 RUNTIME = """
   /* The arrays of a call, after a check of how many there are and how long they are. */
