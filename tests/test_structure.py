@@ -22,7 +22,7 @@ STAGES = (
     ("mobility", "tree", "frames", "recursion", "closure", "system"),
     ("kinematics", "momentum", "effects"),
     ("elimination", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),
-    ("equilibrium", "drives", "reactions"),
+    ("equilibrium", "drives", "reactions", "tree_dynamics"),
     ("functions", "quantities"),
     ("model",),
     ("export", "manifest", "compiled", "generation", "verification"),

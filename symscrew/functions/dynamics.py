@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from symscrew.drives import DriveSolution, solve_drives
 from symscrew.effects import Acting, Effect
-from symscrew.equilibrium import Balance, Setting, accumulate, balance
+from symscrew.equilibrium import Balance, Setting, balance
 from symscrew.functions.closure import guarded
 from symscrew.functions.ports import (
     WRENCH_LABELS,
@@ -24,11 +24,12 @@ from symscrew.functions.ports import (
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
 from symscrew.reactions import joint_wrenches, numeric_multipliers, solve_reactions
-from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, regrouped
-from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.recursion import inertial_wrench, regrouped
+from symscrew.screws import ZERO, Vector
 from symscrew.system import System
 from symscrew.tape import Node
-from symscrew.tree import GROUND, Link
+from symscrew.tree import Link
+from symscrew.tree_dynamics import generalised_forces, mass_matrix
 
 
 class Equations:
@@ -214,58 +215,12 @@ def _joint_reactions(equations: Equations) -> Function:
     return function(system, "joint_reactions", text, _inputs(equations), outputs, guards, notes)
 
 
-# -- the tree's own equations ------------------------------------------------------------------------------
-
-
-def _generalised(system: System, wrench: Mapping[int, tuple[Vector, Vector]], acting: Acting) -> list[Node]:
-    """Generalised forces (for v) of wrenches on the links (link axes, at their origins), less what acts."""
-    loads = acting.loads
-    tree, tape = system.tree, system.tape
-    result = [tape.zero] * len(tree.v)
-    waiting = dict(wrench)
-    for link in reversed(tree.links[1:]):
-        placed, frame = system.placed[link.index], system.frames[link.index]
-        if link.index not in waiting and link.index not in loads:
-            continue
-        force, moment = waiting.get(link.index, (ZERO, ZERO))
-        if link.index in loads:
-            f, m = loads[link.index]
-            back = transpose(placed.turn)
-            force, moment = (
-                add(force, scale(-1, transform(back, f))),
-                add(moment, scale(-1, transform(back, m))),
-            )
-        for k, value in enumerate(_projected(link, frame, force, moment), start=link.v.start):
-            result[k] = tape.node(value)
-        if link.parent != GROUND:
-            force, moment = placed.inwards(force), placed.inwards(moment)
-            here = {"": waiting.get(link.parent, (ZERO, ZERO))}
-            accumulate(here, "", force, add(moment, cross(placed.offset, force)))
-            waiting[link.parent] = here[""]
-    for k, known in acting.joint_forces.items():
-        result[k] = result[k] - known
-    return result
-
-
-def _projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple:
-    """S . W of the link's freedoms for v, link axes."""
-    if link.motion.kind == "F":
-        return ()
-    if link.motion.kind == "S":
-        return moment
-    if link.motion.kind == "P":
-        return (dot(frame.axis, force),)  # type: ignore[attr-defined]
-    if link.motion.kind == "H":
-        return (moment[2] + frame.pitch * force[2],)  # type: ignore[attr-defined]
-    return (moment[2],)
-
-
 def _bias(system: System, effects: Sequence[Effect]) -> Function:
     acting = Acting(system, effects)
     inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
     rates = system.rates([system.tape.zero] * len(system.tree.v), acting.ground_acceleration)
     wrench = {link.index: inertial_wrench(inertia[link.index], rates[link.index]) for link in system.tree.links[1:]}
-    values = _generalised(system, wrench, acting)
+    values = generalised_forces(system, wrench, acting)
     units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
     port = Port("bias", (len(values),), units, tuple(c.label for c in system.tree.v), "generalised forces at a = 0")
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
@@ -274,72 +229,12 @@ def _bias(system: System, effects: Sequence[Effect]) -> Function:
 
 
 def _mass_matrix(system: System) -> Function:
-    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint."""
-    tree, tape = system.tree, system.tape
-    composite: list[Inertia] = list(regrouped(tree, system.frames, system.inertia, system.geometry))
-    n = len(tree.v)
-    matrix = [[tape.zero] * n for _ in range(n)]
-    for link in reversed(tree.links[1:]):
-        for k in range(link.v.start, link.v.stop):
-            wrench = _unit_wrench(system, link, k - link.v.start, composite[link.index])
-            for j, value in _pushed(system, link, wrench):
-                matrix[j][k] = matrix[k][j] = value
-        if link.parent != GROUND:
-            moved = _moved_inertia(system, link, composite[link.index])
-            composite[link.parent] = Inertia(
-                composite[link.parent].mass + moved.mass,
-                add(composite[link.parent].first, moved.first),
-                tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
-            )
-    labels = tuple(f"{a.label}|{b.label}" for b in tree.v for a in tree.v)
-    kinds = [c.kind == "length" for c in tree.v]
+    matrix = mass_matrix(system)
+    n = len(matrix)
+    labels = tuple(f"{a.label}|{b.label}" for b in system.tree.v for a in system.tree.v)
+    kinds = [c.kind == "length" for c in system.tree.v]
     units = tuple(("kg m^2", "kg m", "kg")[int(a) + int(b)] for b in kinds for a in kinds)
     port = Port("mass_matrix", (n, n), units, labels, "symmetric; kinetic energy = v.M.v / 2")
     text = "Mass matrix of the tree (cut joints open)."
     values = [matrix[i][j] for j in range(n) for i in range(n)]
     return function(system, "mass_matrix", text, [(q_port(system), system.inputs.q)], [(port, values)])
-
-
-def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
-    """Inertial wrench of a composite body at rest under a unit acceleration of one freedom of its joint."""
-    frame = system.frames[link.index]
-    alpha: Vector = ZERO
-    origin: Vector = ZERO
-    if link.motion.kind == "S":
-        alpha = (int(k == 0), int(k == 1), int(k == 2))
-    elif link.motion.kind == "P":
-        origin = frame.axis
-    else:
-        alpha = (0, 0, 1)
-        if frame.pitch is not None:
-            origin = (0, 0, frame.pitch)
-    return inertial_wrench(inertia, Rates(ZERO, alpha, origin, acceleration_matrix(ZERO, alpha)))
-
-
-def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[tuple[int, Node]]:
-    """Generalised forces of one wrench on its link, down to the ground."""
-    force, moment = wrench
-    result = []
-    while True:
-        for k, value in enumerate(_projected(link, system.frames[link.index], force, moment)):
-            result.append((link.v.start + k, system.tape.node(value)))
-        placed = system.placed[link.index]
-        force, moment = placed.inwards(force), placed.inwards(moment)
-        moment = add(moment, cross(placed.offset, force))
-        if link.parent == GROUND:
-            return result
-        link = system.tree.links[link.parent]
-
-
-def _moved_inertia(system: System, link: Link, inertia: Inertia) -> Inertia:
-    """A composite inertia in the parent's axes about the parent's origin."""
-    placed = system.placed[link.index]
-    rows = [placed.inwards(row) for row in inertia.second]
-    columns = [placed.inwards(column) for column in transpose((rows[0], rows[1], rows[2]))]
-    turned = transpose((columns[0], columns[1], columns[2]))
-    first, r = placed.inwards(inertia.first), placed.offset
-    second = tuple(
-        tuple(turned[i][j] + r[i] * first[j] + first[i] * r[j] + inertia.mass * (r[i] * r[j]) for j in range(3))
-        for i in range(3)
-    )
-    return Inertia(inertia.mass, add(first, scale(inertia.mass, r)), second)  # type: ignore[arg-type]

@@ -1,0 +1,121 @@
+"""The tree's own equations: mass matrix by composite bodies, generalised forces by one pass to the ground."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from symscrew.effects.acting import Acting
+from symscrew.equilibrium import accumulate
+from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, regrouped
+from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree import GROUND, Link
+
+
+def generalised_forces(system: System, wrench: Mapping[int, tuple[Vector, Vector]], acting: Acting) -> list[Node]:
+    """Generalised forces (for v) of wrenches on the links (link axes, at their origins), less what acts."""
+    loads = acting.loads
+    tree, tape = system.tree, system.tape
+    result = [tape.zero] * len(tree.v)
+    waiting = dict(wrench)
+    for link in reversed(tree.links[1:]):
+        placed, frame = system.placed[link.index], system.frames[link.index]
+        if link.index not in waiting and link.index not in loads:
+            continue
+        force, moment = waiting.get(link.index, (ZERO, ZERO))
+        if link.index in loads:
+            f, m = loads[link.index]
+            back = transpose(placed.turn)
+            force, moment = (
+                add(force, scale(-1, transform(back, f))),
+                add(moment, scale(-1, transform(back, m))),
+            )
+        for k, value in enumerate(projected(link, frame, force, moment), start=link.v.start):
+            result[k] = tape.node(value)
+        if link.parent != GROUND:
+            force, moment = placed.inwards(force), placed.inwards(moment)
+            here = {"": waiting.get(link.parent, (ZERO, ZERO))}
+            accumulate(here, "", force, add(moment, cross(placed.offset, force)))
+            waiting[link.parent] = here[""]
+    known = [acting.joint_forces.get(k, tape.zero) for k in range(len(tree.v))]
+    return [value - force for value, force in zip(result, system.tree_rates(known), strict=True)]
+
+
+def projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple:
+    """S . W of the link's freedoms for v, link axes."""
+    if link.motion.kind == "F":
+        return ()
+    if link.motion.kind == "S":
+        return moment
+    if link.motion.kind == "P":
+        return (dot(frame.axis, force),)  # type: ignore[attr-defined]
+    if link.motion.kind == "H":
+        return (moment[2] + frame.pitch * force[2],)  # type: ignore[attr-defined]
+    return (moment[2],)
+
+
+def mass_matrix(system: System) -> list[list[Node]]:
+    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint; for v."""
+    tree, tape = system.tree, system.tape
+    composite: list[Inertia] = list(regrouped(tree, system.frames, system.inertia, system.geometry))
+    n = len(tree.v)
+    matrix = [[tape.zero] * n for _ in range(n)]
+    for link in reversed(tree.links[1:]):
+        for k in range(link.v.start, link.v.stop):
+            wrench = _unit_wrench(system, link, k - link.v.start, composite[link.index])
+            for j, value in _pushed(system, link, wrench):
+                matrix[j][k] = matrix[k][j] = value
+        if link.parent != GROUND:
+            moved = _moved_inertia(system, link, composite[link.index])
+            composite[link.parent] = Inertia(
+                composite[link.parent].mass + moved.mass,
+                add(composite[link.parent].first, moved.first),
+                tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
+            )
+    return matrix
+
+
+def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
+    """Inertial wrench of a composite body at rest under a unit acceleration of one freedom of its joint."""
+    frame = system.frames[link.index]
+    alpha: Vector = ZERO
+    origin: Vector = ZERO
+    if link.motion.kind == "S":
+        alpha = (int(k == 0), int(k == 1), int(k == 2))
+    elif link.motion.kind == "P":
+        origin = frame.axis
+    else:
+        alpha = (0, 0, 1)
+        if frame.pitch is not None:
+            origin = (0, 0, frame.pitch)
+    return inertial_wrench(inertia, Rates(ZERO, alpha, origin, acceleration_matrix(ZERO, alpha)))
+
+
+def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[tuple[int, Node]]:
+    """Generalised forces of one wrench on its link, down to the ground."""
+    force, moment = wrench
+    result = []
+    while True:
+        for k, value in enumerate(projected(link, system.frames[link.index], force, moment)):
+            result.append((link.v.start + k, system.tape.node(value)))
+        placed = system.placed[link.index]
+        force, moment = placed.inwards(force), placed.inwards(moment)
+        moment = add(moment, cross(placed.offset, force))
+        if link.parent == GROUND:
+            return result
+        link = system.tree.links[link.parent]
+
+
+def _moved_inertia(system: System, link: Link, inertia: Inertia) -> Inertia:
+    """A composite inertia in the parent's axes about the parent's origin."""
+    placed = system.placed[link.index]
+    rows = [placed.inwards(row) for row in inertia.second]
+    columns = [placed.inwards(column) for column in transpose((rows[0], rows[1], rows[2]))]
+    turned = transpose((columns[0], columns[1], columns[2]))
+    first, r = placed.inwards(inertia.first), placed.offset
+    second = tuple(
+        tuple(turned[i][j] + r[i] * first[j] + first[i] * r[j] + inertia.mass * (r[i] * r[j]) for j in range(3))
+        for i in range(3)
+    )
+    return Inertia(inertia.mass, add(first, scale(inertia.mass, r)), second)  # type: ignore[arg-type]
