@@ -200,6 +200,13 @@ class Loops:
         ]
         return self.with_rates(particular, wanted)
 
+    def second_rates(self, free: Sequence[Node], w_dot: Sequence[Node], w: Sequence[Node]) -> list[Node]:
+        """Second rates of y from the free joint accelerations; w, w_dot: rates and accelerations of all joints."""
+        return [
+            self.quaternion_rate(entry, w_dot) + self._quaternion_bias(entry, w) if entry.component is not None else z
+            for entry, z in zip(self.entries, free, strict=True)
+        ]
+
     def _quaternion_bias(self, entry: Independent, w: Sequence[Node]) -> Node:
         """Second rate of a quaternion component at dw/dt = 0."""
         half = self.system.tape.reciprocal(self.system.tape.node(2))

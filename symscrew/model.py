@@ -16,6 +16,7 @@ import numpy as np
 from symscrew.effects import Effect, Gravity
 from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.dynamics import dynamic_functions
+from symscrew.functions.forward import forward_functions
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.momentum import momentum_functions
 from symscrew.functions.platform import platform_functions
@@ -77,6 +78,7 @@ def derive(
         *closure_functions(system, loops),
         *momentum_functions(system, motion, tuple(effects)),
         *dynamic_functions(system, effects, loops),
+        *forward_functions(system, effects, loops),
         *platform_functions(system, effects),
     ]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
@@ -108,7 +110,7 @@ def _test_inputs(system: System, loops: Loops, program: Program | Iteration) -> 
     for name, source in (("pose", known["q"]), ("rate", v), ("gain", a)):
         known[name] = source[:, _hub_entries(system, name == "pose")]
     known["p"] = np.repeat(system.parameter_values[None, :], len(q), 0)
-    if program.name == "closure":  # open loops: on the manifold its values would be rounding noise
+    if program.name in ("closure", "close_position"):  # on the manifold: rounding noise
         known["q"] = system.advance(q, 0.1 * random.uniform(-1, 1, v.shape))
     result = []
     for port in program.inputs:

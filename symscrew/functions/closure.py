@@ -134,15 +134,14 @@ def assembly(system: System, loops: Loops) -> Iteration:
     limit = tape.constant(STEP_LIMIT)
     small = tape.function("less", size, limit)
     factor = tape.function("select", small, tape.one, limit / tape.function("select", small, tape.one, size))
-    moved = _moved(system, [factor * s for s in step])
+    moved = moved_by(system, [factor * s for s in step])
     limbs, hub = closed_limbs(system), hub_links(system)
     if limbs is not None and hub is not None and all(entry.link in hub for entry in loops.entries):
         # Only the platform's coordinates are iterated; its limbs follow in closed form, on the guess's branch.
         # Not where y are a limb's: the limb's closed form is singular where the platform turns back.
         known = {k: moved[k] for link in hub for k in range(link.q.start, link.q.stop)}
         moved = list(limb_coordinates(system, limbs, known, system.inputs.q).q)
-    row_scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
-    residual = _norm(tape, [g * tape.constant(f) for g, f in zip(system.residual, row_scales, strict=True)])
+    residual = opening(system)
     orientation = tape.one
     for pivot in loops.pivots:
         orientation = orientation * pivot
@@ -173,6 +172,13 @@ def assembly(system: System, loops: Loops) -> Iteration:
     )
 
 
+def opening(system: System) -> Node:
+    """How far the loops are open: root of the sum of squares, lengths divided by the characteristic length."""
+    tape = system.tape
+    scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
+    return _norm(tape, [g * tape.constant(f) for g, f in zip(system.residual, scales, strict=True)])
+
+
 def _norm(tape: object, values: Sequence[Node]) -> Node:
     total = tape.zero  # type: ignore[attr-defined]
     for value in values:
@@ -180,7 +186,7 @@ def _norm(tape: object, values: Sequence[Node]) -> Node:
     return tape.sqrt(total)  # type: ignore[attr-defined]
 
 
-def _moved(system: System, step: Sequence[Node]) -> list[Node]:
+def moved_by(system: System, step: Sequence[Node]) -> list[Node]:
     """q after a step in joint rates; quaternions are multiplied and normalised."""
     q = list(system.inputs.q)
     half = system.tape.reciprocal(system.tape.node(2))

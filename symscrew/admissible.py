@@ -1,0 +1,110 @@
+"""Motion along the admissible directions of the closure: v = N z, with z the free joint rates.
+
+Every admissible motion of the tree is v = N z (columns of N: the rates that a unit free joint rate brings
+about, all loops staying closed), every acceleration a = N z' + p, where p takes the loops' own curvature at
+z' = 0. By virtual work along the columns of N the wrenches of cut joints drop out:
+
+    N^T M N z' = N^T (f - M p),      f = generalised forces at a = 0, drives included
+
+which needs no multipliers and no inverse of the tree's mass matrix. For a tree N is the identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from symscrew.drives import solve_symmetric
+from symscrew.effects.acting import Acting
+from symscrew.elimination import Guard, magnitude
+from symscrew.loops import Loops
+from symscrew.recursion import inertial_wrench, regrouped
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree_dynamics import generalised_forces, mass_matrix
+
+
+class Admissible:
+    """The null space of a system's closure at its present nodes q, v, and what the dynamics look like on it."""
+
+    def __init__(self, system: System, loops: Loops) -> None:
+        self.system, self.loops = system, loops
+
+    @cached_property
+    def columns(self) -> list[list[Node]]:
+        """N in joint rates w, column by column."""
+        tape, count = self.system.tape, len(self.loops.free)
+        zero_right = [tape.zero] * len(self.system.jacobian)
+        return [
+            self.loops.dependent(zero_right, [tape.one if i == k else tape.zero for i in range(count)])
+            for k in range(count)
+        ]
+
+    @cached_property
+    def tree_columns(self) -> list[list[Node]]:
+        """N in v."""
+        return [self.system.tree_rates(column) for column in self.columns]
+
+    def moved(self, start: Sequence[Node], amounts: Sequence[Node]) -> list[Node]:
+        """start + N amounts, in joint rates w."""
+        result = list(start)
+        for column, amount in zip(self.columns, amounts, strict=True):
+            result = [r + entry * amount for r, entry in zip(result, column, strict=True)]
+        return result
+
+    def curvature(self) -> list[Node]:
+        """p in joint rates w: accelerations of the tree with all free joint rates steady."""
+        system = self.system
+        bias = system.bias(system.rates([system.tape.zero] * len(system.tree.v)))
+        return self.loops.dependent([-b for b in bias], [system.tape.zero] * len(self.loops.free))
+
+    def accelerations(self, acting: Acting) -> tuple[list[Node], list[Node], list[Guard]]:
+        """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots."""
+        system = self.system
+        start = self.curvature()
+        inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
+        moving = system.rates(system.tree_rates(start), acting.ground_acceleration)
+        wrench = {
+            link.index: inertial_wrench(inertia[link.index], moving[link.index]) for link in system.tree.links[1:]
+        }
+        missing = generalised_forces(system, wrench, acting)  # less what acts
+        right = [-_inner(system, column, missing) for column in self.tree_columns]
+        free, guards = self._solve(right)
+        return free, system.tree_rates(self.moved(start, free)), guards
+
+    def inertia(self) -> list[list[Node]]:
+        """N^T M N; only the lower half counts."""
+        system, tree = self.system, mass_matrix(self.system)
+        rows = []
+        for k, column in enumerate(self.tree_columns):
+            pushed = [_inner(system, row, column) for row in tree]
+            rows.append([_inner(system, self.tree_columns[i], pushed) for i in range(k + 1)])
+        return rows
+
+    def _solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
+        """z' from the projected equations; last columns first, so that branches of a tree stay apart."""
+        lower = self.inertia()
+        n = len(lower)
+        order = range(n)[::-1]
+        full = [[lower[max(i, j)][min(i, j)] for j in order] for i in order]
+        scales = [1.0 / max(1e-300, magnitude(self.system.tape, full[i][i], 1.0)[1]) for i in range(n)]
+        solution, guards = solve_symmetric(self.system.tape, full, [right[i] for i in order], scales)
+        return solution[::-1], list(guards)
+
+    def nearest(self, w: Sequence[Node], scales: Sequence[float]) -> tuple[list[Node], list[Guard]]:
+        """N c with the c that brings it closest to w; `scales` divide the entries of w before they are squared."""
+        tape = self.system.tape
+        weights = [tape.constant(1.0 / (s * s)) for s in scales]
+        weighted = [[e * f for e, f in zip(column, weights, strict=True)] for column in self.columns]
+        normal = [[_inner(self.system, a, b) for b in self.columns] for a in weighted]
+        right = [_inner(self.system, column, w) for column in weighted]
+        sizes = [1.0 / max(1e-300, magnitude(tape, normal[i][i], 1.0)[1]) for i in range(len(normal))]
+        amounts, guards = solve_symmetric(tape, normal, right, sizes)
+        return self.moved([tape.zero] * len(w), amounts), list(guards)
+
+
+def _inner(system: System, x: Sequence[Node], y: Sequence[Node]) -> Node:
+    total = system.tape.zero
+    for a, b in zip(x, y, strict=True):
+        total = total + a * b
+    return total
