@@ -15,6 +15,7 @@ import numpy as np
 
 from symscrew.effects import Effect, Gravity
 from symscrew.functions.closure import assembly, closure_functions
+from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
 from symscrew.functions.forward import forward_functions
 from symscrew.functions.kinematics import Motion, kinematic_functions
@@ -58,12 +59,14 @@ def derive(
     *,
     independent: Sequence[str] | None = None,
     length: Any = None,
+    derivatives: bool = False,
 ) -> Model:
     """The model of a mechanism: every function, for every mechanism, by the same path.
 
     `independent` names the independent coordinates y by labels of q (default: the platform's own where it
     hangs on one joint, else the drives). `length` [m] is the characteristic length by which norms of mixed
     quantities divide lengths: a number or text with an expression of the parameters, in place of the description's.
+    `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given.
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
     if length is not None:
@@ -81,6 +84,8 @@ def derive(
         *forward_functions(system, effects, loops),
         *platform_functions(system, effects),
     ]
+    if derivatives:
+        functions += derivative_functions(system, loops, functions)
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
     if system.cuts:
         programs["assemble"] = assembly(system, loops)
