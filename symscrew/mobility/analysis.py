@@ -13,6 +13,7 @@ from typing import Any
 from symscrew.mechanism import Mechanism
 from symscrew.mobility.checks import Check, verify
 from symscrew.mobility.configuration import displaced, with_parameters
+from symscrew.mobility.decisions import Decisions, decide, nearly_parallel
 from symscrew.mobility.finite import FiniteMobility, finite_mobility
 from symscrew.mobility.instantaneous import (
     BodyFreedoms,
@@ -46,8 +47,20 @@ class Mobility:
     platform: BodyFreedoms
     limbs: tuple[LimbMobility, ...]
     constraints: ScrewSystem | None
-    method: str
+    decisions: Decisions
+    closed_to: float = 0.0
     in_reference: bool = True
+
+    @property
+    def method(self) -> str:
+        """`exact` or `certified numeric`, with the evidence."""
+        closed = "" if self.in_reference else f"; loops assembled to {self.closed_to:.0e}"
+        return self.decisions.method + closed
+
+    @cached_property
+    def nearly_parallel(self) -> tuple[str, ...]:
+        """Joints whose axes are almost parallel, which is not parallel, in words."""
+        return nearly_parallel(self.network)
 
     @property
     def dof(self) -> int:
@@ -138,13 +151,7 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
     constraints = limb_constraints(limbs) if limbs and mechanism.platform is not None else None
-    closure = first_order.closure
-    method = (
-        f"certified numeric: ranks decided with 60 digits, smallest pivot {closure.smallest_pivot:.1e}, "
-        f"largest number taken for zero {closure.largest_zero:.1e}"
-    )
-    if coordinates:
-        method += f"; loops assembled to {residual:.0e}"
+    decisions = decide(mechanism, network, first_order, platform, limbs, constraints, displaced=bool(coordinates))
     return Mobility(
         mechanism,
         network,
@@ -153,6 +160,7 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         platform,
         limbs,
         constraints,
-        method,
+        decisions,
+        residual,
         in_reference=not coordinates,
     )

@@ -51,6 +51,11 @@ def values(found: Mobility) -> dict[str, Any]:
         ],
         "overconstraint_joints": list(found.redundant.statically_indeterminate),
         "method": found.method,
+        "exact": found.decisions.exact,
+        "field": found.decisions.field,
+        "ranks": [{"claim": d.claim, "rank": d.numeric, "exact": d.exact} for d in found.decisions.ranks],
+        "singular_values": list(found.decisions.singular_values),
+        "nearly_parallel": list(found.nearly_parallel),
         "evidence": list(finite.evidence),
         "proved": finite.proved,
     }
@@ -78,6 +83,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         result.append(("Where it degenerates", lines))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
+    if found.nearly_parallel:
+        result.append(("Almost parallel", list(found.nearly_parallel)))
     result.append(("How it was decided", [found.method, *found.finite.evidence]))
     return result
 
