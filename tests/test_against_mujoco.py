@@ -57,6 +57,21 @@ def test_accelerations_of_the_bodies(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_forward_dynamics(name: str) -> None:
+    """Our accelerations under random drives are those that MuJoCo's own matrices give."""
+    found = model(name)
+    q, v, _ = found.system.sample_states
+    drives = np.random.default_rng(6).uniform(-20, 20, (len(q), len(found.system.drives)))
+    states = body_states(found, q, v, run(name, "forward_dynamics", q, v, drives))
+    engine = MujocoEngine(found.mechanism)
+    for k in range(len(q)):
+        here = at_state(states, k)
+        _, rates = engine.forward_acceleration(here, drives[k])
+        got = np.concatenate([here[body].twist_rate for body in rates])
+        assert relative(got, np.concatenate(list(rates.values()))) < EXACT
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_poses_and_twists_fit_the_engine_s_tree(name: str) -> None:
     """MuJoCo's own joints reach every pose, twist and twist rate; its twist rates are those of the model."""
     found = model(name)

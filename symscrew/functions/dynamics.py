@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from symscrew.drives import DriveSolution, solve_drives
 from symscrew.effects import Acting, Effect
+from symscrew.elimination import Guard
 from symscrew.equilibrium import Balance, Setting, balance
 from symscrew.functions.closure import guarded
 from symscrew.functions.ports import (
@@ -183,8 +184,20 @@ def _with_preload(equations: Equations) -> Function:
 
 
 def _joint_reactions(equations: Equations) -> Function:
+    system, u = equations.system, equations.solution.u
+    port, values, more, notes = all_reactions(equations, u)
+    outputs: list[tuple[Port, Sequence[object]]] = [(port, values)]
+    if system.drives:
+        outputs.insert(0, (u_port(system), list(u)))
+    guards = guarded((*equations.balance.guards, *equations.solution.guards, *more))
+    text = "Drives and all joint reactions at once, at O in absolute axes."
+    every = (*equations.notes, *notes)
+    return function(system, "joint_reactions", text, _inputs(equations), outputs, guards, every)
+
+
+def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[object], tuple[Guard, ...], list[str]]:
+    """The reactions of all joints for given drives: port, values, guarded pivots, notes."""
     system, setting = equations.system, equations.setting
-    u = equations.solution.u
     multipliers = numeric_multipliers(equations.balance, u)
     found = joint_wrenches(setting, system.pose, equations.true_wrench, equations.forces.loads, multipliers, u)
     reactions = solve_reactions(setting, found, equations.balance.free)
@@ -200,19 +213,14 @@ def _joint_reactions(equations: Equations) -> Function:
         WRENCH_UNITS,
         "wrench (f ; m_O) from parent on child without the drive's share",
     )
-    notes = list(equations.notes)
+    notes = []
     if reactions.free:
         notes.append(
             f"overconstrained: {reactions.free} internal loads are undetermined and take the minimum-norm values "
             f"(moments divided by the characteristic length {system.length!r} m); not unique: "
             + ", ".join(reactions.not_unique)
         )
-    outputs = [(port, values)]
-    if system.drives:
-        outputs.insert(0, (u_port(system), list(u)))
-    guards = guarded((*equations.balance.guards, *equations.solution.guards, *reactions.guards))
-    text = "Drives and all joint reactions at once, at O in absolute axes."
-    return function(system, "joint_reactions", text, _inputs(equations), outputs, guards, notes)
+    return port, values, reactions.guards, notes
 
 
 def _bias(system: System, effects: Sequence[Effect]) -> Function:

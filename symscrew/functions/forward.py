@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from symscrew.admissible import Admissible
 from symscrew.effects import Acting, Effect
 from symscrew.functions.closure import guarded, moved_by, opening
+from symscrew.functions.dynamics import Equations, all_reactions
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
@@ -18,7 +19,11 @@ State = list[tuple[Port, Sequence[Node]]]
 
 def forward_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Forward dynamics from the tree and from the independent coordinates, and projections onto the closure."""
-    functions = [_forward_dynamics(system, effects, loops), _from_independent(system, effects, loops)]
+    functions = [
+        _forward_dynamics(system, effects, loops),
+        _from_independent(system, effects, loops),
+        _with_reactions(system, effects, loops),
+    ]
     if system.cuts:
         functions += [_close_position(system, loops), _close_velocity(system, loops)]
     return functions
@@ -44,6 +49,22 @@ def _forward_dynamics(system: System, effects: Sequence[Effect], loops: Loops) -
     text = "Accelerations of the tree from a consistent state and the drives."
     every = guarded((*loops.guards, *guards))
     return function(system, "forward_dynamics", text, inputs, [(a_port(system), a)], every)
+
+
+def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
+    """Accelerations first, then the equilibrium of all links with the drives put in."""
+    acting, drives = driven(system, effects)
+    _, a, guards = Admissible(system, loops).accelerations(acting)
+    equations = Equations(system.at(system.inputs.q, {}, system.inputs.v, a), effects)
+    u = drives[0][1] if drives else ()
+    port, values, more, notes = all_reactions(equations, u)
+    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
+    text = (
+        "Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives."
+    )
+    every = guarded((*loops.guards, *guards, *equations.balance.guards, *more))
+    outputs: list[tuple[Port, Sequence[object]]] = [(a_port(system), a), (port, values)]
+    return function(system, "forward_dynamics_reactions", text, inputs, outputs, every, notes)
 
 
 def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -> Function:

@@ -14,6 +14,7 @@ from symscrew.functions.ports import (
     function,
     joint_freedom_names,
     q_port,
+    u_port,
     v_port,
 )
 from symscrew.joints import JOINT_TYPES
@@ -67,6 +68,7 @@ def kinematic_functions(system: System, motion: Motion) -> list[Function]:
         *_jacobians(system, motion),
         _joint_displacements(system),
         _joint_rates(system, motion),
+        *([_drive_rates(system, motion)] if system.drives else []),
     ]
 
 
@@ -366,16 +368,34 @@ def _angle_about(tape: object, axis: Vector, start: Vector, end: Vector) -> Node
     return tape.function("atan2", sine, cosine)  # type: ignore[attr-defined]
 
 
-def _joint_rates(system: System, motion: Motion) -> Function:
-    values: list[Node] = []
+def rates_of_joints(system: System, motion: Motion) -> dict[str, list[Node]]:
+    """Rates of the freedoms of every joint, cut ones included."""
+    result: dict[str, list[Node]] = {}
     cut = {c.joint.name: c for c in system.cuts}
     for name in system.mechanism.joints:
         if name in cut:
-            values += _cut_rates(system, motion, cut[name])
+            result[name] = _cut_rates(system, motion, cut[name])
             continue
         links = system.tree.links_of(name)
-        for link in links[::-1] if links and links[0].inverted else links:
-            values += motion.w[link.v]
+        ordered = links[::-1] if links and links[0].inverted else links
+        result[name] = [rate for link in ordered for rate in motion.w[link.v]]
+    return result
+
+
+def _drive_rates(system: System, motion: Motion) -> Function:
+    every = rates_of_joints(system, motion)
+    force = u_port(system)
+    units = tuple("m/s" if unit == "N" else "rad/s" for unit in force.units)
+    port = Port(
+        "rates", force.shape, units, force.labels, "rates of the driven freedoms; power = u . rates"
+    )
+    text = "Rates of the driven freedoms, in the order of u."
+    values = [every[joint][freedom] for joint, freedom in system.drives]
+    return function(system, "drive_rates", text, _state(system), [(port, values)])
+
+
+def _joint_rates(system: System, motion: Motion) -> Function:
+    values = [rate for rates in rates_of_joints(system, motion).values() for rate in rates]
     labels = joint_freedom_labels(system)
     units = tuple("m/s" if kind == "length" else "rad/s" for _, kind, _ in labels)
     port = Port("rates", (len(labels),), units, tuple(label for label, _, _ in labels), "all joints")
