@@ -69,7 +69,7 @@ class Admissible:
         }
         missing = generalised_forces(system, wrench, acting)  # less what acts
         right = [-_inner(system, column, missing) for column in self.tree_columns]
-        free, guards = self._solve(right)
+        free, guards = self.solve(right)
         return free, system.tree_rates(self.moved(start, free)), guards
 
     def inertia(self) -> list[list[Node]]:
@@ -81,7 +81,7 @@ class Admissible:
             rows.append([_inner(system, self.tree_columns[i], pushed) for i in range(k + 1)])
         return rows
 
-    def _solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
+    def solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
         """z' from the projected equations; last columns first, so that branches of a tree stay apart."""
         lower = self.inertia()
         n = len(lower)
