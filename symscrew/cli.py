@@ -1,4 +1,4 @@
-"""The command line: `symscrew list | demo | generate | check | mobility | doctor`.
+"""The command line: `symscrew list | demo | generate | check | mobility | convert | doctor`.
 
 Results go to stdout, progress and errors to stderr. Exit code 0: done; 1: a check failed or a function
 reported an error; 2: the input cannot be used, said in one line, and nothing has been written.
@@ -122,6 +122,10 @@ def parser() -> argparse.ArgumentParser:
     mobility.add_argument("--json", action="store_true", help="as JSON")
     mobility.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
 
+    convert = _command(commands, "convert", convert_description, "a mechanism as TOML, URDF or MJCF")
+    _mechanism(convert)
+    convert.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
+
     picture = _command(commands, "draw", draw_mechanism, "a picture of a mechanism in its reference configuration")
     _mechanism(picture)
     picture.add_argument("--out", metavar="FILE.png", required=True, help="the picture")
@@ -143,7 +147,8 @@ def _command(commands, name: str, function, text: str) -> argparse.ArgumentParse
 
 
 def _mechanism(command: argparse.ArgumentParser) -> None:
-    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a TOML description")
+    text = "a name of `symscrew list`, or a .toml, .urdf or .xml (MJCF) file"
+    command.add_argument("mechanism", metavar="NAME|FILE", help=text)
 
 
 def _effects(command: argparse.ArgumentParser) -> None:
@@ -278,6 +283,22 @@ def report_mobility(options: argparse.Namespace) -> int:
     from symscrew.mobility.command import run
 
     return run(options)
+
+
+def convert_description(options: argparse.Namespace) -> int:
+    """`symscrew convert`."""
+    from symscrew import catalogue, interchange
+
+    path = Path(options.out)
+    if path.suffix not in interchange.WRITERS:
+        raise UsageError(f"--out: expected a name that ends in {', '.join(interchange.WRITERS)}, got {options.out!r}")
+    mechanism = catalogue.find(options.mechanism)
+    _writable(str(path.parent))
+    interchange.save(mechanism, path)
+    print(path)
+    for note in mechanism.source.split("; ")[1:] if mechanism.source.startswith("imported from") else ():
+        print(f"note: {note}", file=sys.stderr)
+    return 0
 
 
 def draw_mechanism(options: argparse.Namespace) -> int:

@@ -199,7 +199,8 @@ def test_find(tmp_path):
     [
         (
             "fourbar",
-            "'fourbar' is neither a mechanism of the catalogue nor a .toml file; did you mean 'four_bar'",
+            "'fourbar' is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
+            "did you mean 'four_bar'",
         ),
         ("nothing/here.toml", "there is no file 'nothing/here.toml'"),
         ("../../etc/passwd\0", "is neither"),

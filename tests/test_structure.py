@@ -16,11 +16,11 @@ PACKAGE = Path(symscrew.__file__).parent
 
 STAGES = (
     ("errors", "joints", "mechanism", "screws"),
-    ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "catalogue"),
-    ("maximal_coordinates", "joint_motion", "newton_euler"),
+    ("expressions", "names", "reader", "limbs", "validation", "builder", "description"),
+    ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("operations", "tape", "differentiation", "program"),
     ("mobility", "tree", "frames", "recursion", "closure", "system"),
-    ("kinematics", "momentum", "effects"),
+    ("kinematics", "displacements", "momentum", "effects"),
     ("elimination", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),
     ("equilibrium", "drives", "reactions", "tree_dynamics", "admissible"),
     ("functions", "quantities"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from symscrew import description
+from symscrew import description, interchange
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.mechanism import Mechanism
 
@@ -28,7 +28,7 @@ def load(name: str) -> Mechanism:
 
 
 def find(name_or_path: str | Path) -> Mechanism:
-    """A mechanism by its name in the catalogue or by the path of a .toml file.
+    """A mechanism by its name in the catalogue or by the path of a .toml, .urdf, .xml or .mjcf file.
 
     Raises:
         DescriptionError: neither, or the file does not describe a mechanism.
@@ -37,10 +37,11 @@ def find(name_or_path: str | Path) -> Mechanism:
     if text in names():
         return load(text)
     path = Path(text)
-    if "\0" not in text and (path.suffix == ".toml" or path.is_file()):
+    if "\0" not in text and (path.suffix in (".toml", *interchange.READ) or path.is_file()):
         if not path.is_file():
-            raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a TOML description")
-        return description.load(path)
+            raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a description of a mechanism")
+        return (interchange if path.suffix in interchange.READ else description).load(path)
     raise DescriptionError(
-        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml file; {did_you_mean(text, names())}"
+        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
+        f"{did_you_mean(text, names())}"
     )
