@@ -1,0 +1,255 @@
+"use strict";
+
+/* The mechanism as it moves: the generated functions called by name, assembly from sliders, sweeps, recordings. */
+const Kinematics = (() => {
+  const PERIOD = 6, FRAMES = 240;
+
+  function make(data, functions) {
+    const independent = data.independent;
+    const reference = Float64Array.from(data.reference);
+    const rates = data.v_kinds.length;
+
+    /* A generated function with its arguments by name; what is not given is a parameter or zero. */
+    function call(name, values) {
+      const ports = data.functions[name].inputs;
+      return functions[name](
+        ...ports.map(([port, size]) => values[port] ?? (port === "p" ? data.parameters : new Float64Array(size))),
+      );
+    }
+    const has = (name) => name in data.functions;
+
+    /* Columns of `size` numbers of an output. */
+    function columns(array, size) {
+      const made = [];
+      for (let k = 0; k < array.length; k += size) {
+        made.push(Array.from(array.slice(k, k + size)));
+      }
+      return made;
+    }
+
+    // -- sliders: angles and lengths as they are; components of a quaternion as those of a rotation vector --
+
+    const groups = new Map();
+    independent.forEach((entry, k) => {
+      if (entry.quaternion !== null) {
+        groups.set(entry.quaternion, [...(groups.get(entry.quaternion) ?? []), k]);
+      }
+    });
+
+    function fromSliders(sliders) {
+      const y = Array.from(sliders);
+      for (const members of groups.values()) {
+        const angle = Math.hypot(...members.map((k) => sliders[k]));
+        const factor = angle > 1e-9 ? Math.sin(angle / 2) / angle : 0.5;
+        members.forEach((k) => { y[k] = factor * sliders[k]; });
+      }
+      return y;
+    }
+
+    function toSliders(q) {
+      const sliders = independent.map((entry) => q[entry.q]);
+      for (const [start, members] of groups) {
+        const sign = q[start] < 0 ? -1 : 1;
+        const sine = Math.min(1, Math.hypot(...members.map((k) => sliders[k])));
+        const factor = sine > 1e-9 ? (2 * Math.asin(sine)) / sine : 2;
+        members.forEach((k) => { sliders[k] *= sign * factor; });
+      }
+      return sliders;
+    }
+
+    /* The configuration at slider values, from a guess; null where the loops do not close. */
+    function assemble(sliders, guess) {
+      const y = fromSliders(sliders);
+      if (has("assemble")) {
+        const found = call("assemble", { y, guess });
+        return found.status === 0 ? found.q : null;
+      }
+      const q = Float64Array.from(guess);
+      independent.forEach((entry, k) => { q[entry.q] = y[k]; });
+      for (const [start, members] of groups) {
+        q[start] = Math.sqrt(Math.max(0, 1 - members.reduce((sum, k) => sum + y[k] * y[k], 0)));
+      }
+      return q;
+    }
+
+    /* How far each slider goes from the reference with the others at rest: [low, high]. */
+    function reach() {
+      const home = toSliders(reference);
+      return independent.map((entry, k) => {
+        const most = entry.quaternion !== null ? Math.PI / 2 : entry.kind === "length" ? data.length : Math.PI;
+        const steps = entry.quaternion !== null ? 36 : 48;
+        const ends = [-1, 1].map((side) => {
+          let q = reference, last = home[k];
+          for (let step = 1; step <= steps; ++step) {
+            const sliders = Array.from(home);
+            sliders[k] = home[k] + (side * most * step) / steps;
+            q = assemble(sliders, q);
+            if (q === null) {
+              break;
+            }
+            last = sliders[k];
+          }
+          return last;
+        });
+        return ends;
+      });
+    }
+
+    // -- motions: { t, q, v, a, u, reactions } as arrays of frames --
+
+    /* Drives and reactions of a state; null where the equilibrium is singular. */
+    function loads(q, v, a) {
+      if (!has("joint_reactions")) {
+        return null;
+      }
+      const found = call("joint_reactions", { q, v, a });
+      return found.status === 0 ? { u: found.u ?? new Float64Array(0), reactions: found.reactions } : null;
+    }
+
+    const still = () => new Float64Array(rates);
+
+    /* The state at rest in a configuration. */
+    function rest(q) {
+      const found = loads(q, still(), still());
+      return { q, v: still(), a: still(), u: found?.u ?? null, reactions: found?.reactions ?? null };
+    }
+
+    /* A periodic motion of one slider through its range (`which` = its index) or of all sliders (-1). */
+    function sweep(which, ranges) {
+      for (let amplitude = 0.85; amplitude > 0.01; amplitude *= 0.75) {
+        const made = trySweep(sliderMotion(which, ranges, amplitude));
+        if (made !== null) {
+          return made;
+        }
+      }
+      return null;
+    }
+
+    function sliderMotion(which, ranges, amplitude) {
+      const home = toSliders(reference), omega = (2 * Math.PI) / PERIOD;
+      return (t) => home.map((start, k) => {
+        const [low, high] = ranges[k];
+        if (which >= 0) {
+          const middle = start + amplitude * ((low + high) / 2 - start), half = (amplitude * (high - low)) / 2;
+          const phase = half > 0 ? Math.asin(Math.max(-1, Math.min(1, (start - middle) / half))) : 0;
+          return k === which ? middle + half * Math.sin(omega * t + phase) : start;
+        }
+        const half = 0.6 * amplitude * Math.min(start - low, high - start);
+        return start + half * Math.sin(omega * t + (Math.PI * k) / home.length);
+      });
+    }
+
+    function trySweep(sliders) {
+      const t = [...Array(FRAMES + 1).keys()].map((k) => (PERIOD * k) / FRAMES), h = PERIOD * 1e-4;
+      const frames = [];
+      let guess = reference;
+      for (const time of t) {
+        const q = assemble(sliders(time), guess);
+        if (q === null) {
+          return null;
+        }
+        const [before, now, after] = [time - h, time, time + h].map((s) => fromSliders(sliders(s)));
+        const y_dot = now.map((_, k) => (after[k] - before[k]) / (2 * h));
+        const y_ddot = now.map((y, k) => (after[k] - 2 * y + before[k]) / (h * h));
+        const v = call("velocity", { q, y_dot }).v;
+        const a = call("acceleration", { q, v, y_ddot }).a;
+        const found = loads(q, v, a);
+        frames.push({ q, v, a, u: found?.u ?? null, reactions: found?.reactions ?? null });
+        guess = q;
+      }
+      return { t, frames, recorded: false };
+    }
+
+    /* The recorded motion of the page's data, accelerations by differences of its rates. */
+    function recording() {
+      const { arrays, frames: count } = data.motion;
+      const read = (name) => {
+        if (!(name in arrays)) {
+          return null;
+        }
+        const bytes = Uint8Array.from(atob(arrays[name]), (c) => c.charCodeAt(0));
+        const flat = new Float32Array(bytes.buffer), width = flat.length / count;
+        return [...Array(count).keys()].map((k) => Float64Array.from(flat.slice(k * width, (k + 1) * width)));
+      };
+      const t = read("t").map((row) => row[0]), q = read("q"), v = read("v"), u = read("u"), reactions = read("reactions");
+      const frames = t.map((_, k) => {
+        const low = Math.max(0, k - 1), high = Math.min(count - 1, k + 1);
+        const a = v[k].map((_, i) => (v[high][i] - v[low][i]) / (t[high] - t[low]));
+        const found = reactions === null || u === null ? loads(q[k], v[k], a) : null;
+        return { q: q[k], v: v[k], a, u: u?.[k] ?? found?.u ?? null, reactions: reactions?.[k] ?? found?.reactions ?? null };
+      });
+      return { t, frames, recorded: true, computed: { u: u === null, reactions: reactions === null } };
+    }
+
+    /* The state of a motion at a time, between two frames. */
+    function at(motion, time) {
+      const { t, frames } = motion;
+      let high = t.findIndex((x) => x >= time);
+      high = high < 0 ? t.length - 1 : Math.max(1, high);
+      const low = high - 1, part = Math.max(0, Math.min(1, (time - t[low]) / (t[high] - t[low])));
+      const mix = (name) => {
+        const from = frames[low][name], to = frames[high][name];
+        return from === null || to === null ? null : from.map((x, k) => x + part * (to[k] - x));
+      };
+      const state = { q: mix("q"), v: mix("v"), a: mix("a"), u: mix("u"), reactions: mix("reactions") };
+      for (const start of data.quaternions) {
+        const size = Math.hypot(...state.q.slice(start, start + 4)) || 1;
+        for (let k = start; k < start + 4; ++k) {
+          state.q[k] /= size;
+        }
+      }
+      return state;
+    }
+
+    // -- screws of a configuration --
+
+    /* Rates of the tree that the closed loops allow, columns of length nv, decided by singular values. */
+    function allowedRates(q) {
+      const units = data.v_kinds.map((kind) => (kind === "length" ? data.length : 1));
+      if (!has("closure_jacobian")) {
+        return units.map((size, k) => units.map((_, i) => (i === k ? size : 0)));
+      }
+      const jacobian = columns(call("closure_jacobian", { q }).jacobian, data.functions.closure.outputs.residual.length);
+      const rows = (jacobian[0] ?? []).map((_, i) => {
+        const row = units.map((size, k) => jacobian[k][i] * size);
+        return Screws.scale(1 / (Screws.norm(row) || 1), row);
+      });
+      return Screws.nullSpace(rows, rates).basis.map((column) => column.map((x, k) => x * units[k]));
+    }
+
+    /* Twists of the platform that the configuration allows, and their reciprocal wrenches. */
+    function freedoms(q) {
+      const jacobian = columns(call("platform_jacobian", { q }).jacobian, 6);
+      return allowedRates(q)
+        .map((rate) => jacobian.reduce((sum, column, k) => Screws.add(sum, Screws.scale(rate[k], column)), [0, 0, 0, 0, 0, 0]))
+        .filter((twist) => Screws.norm([...Screws.scale(data.length, Screws.first(twist)), ...Screws.second(twist)]) > 1e-7 * data.length);
+    }
+
+    /*
+     * How far from a singularity, without units, 0 there: { value, what }; null where the mechanism has none.
+     */
+    function margin(q) {
+      if (has("assemble")) {
+        const found = call("velocity", { q });
+        const value = found.status === 1 ? 0 : found.guard * data.threshold;
+        return Number.isFinite(value) ? { value, what: "smallest pivot of the loop closure" } : null;
+      }
+      const jacobian = columns(call("platform_jacobian", { q }).jacobian, 6);
+      if (jacobian.length < 6) {
+        return null;
+      }
+      const rows = [0, 1, 2, 3, 4, 5].map((i) => jacobian.map((column, k) => {
+        const size = data.v_kinds[k] === "length" ? data.length : 1;
+        return (i < 3 ? column[i] : column[i] / data.length) * size;
+      }));
+      const { values } = Screws.decompose(rows, jacobian.length);
+      return { value: values[5] / values[0], what: "smallest over largest singular value of the platform's Jacobian" };
+    }
+
+    return {
+      call, has, columns, reference, toSliders, assemble, reach, rest, sweep, recording, at, freedoms, margin, PERIOD,
+    };
+  }
+
+  return { make };
+})();

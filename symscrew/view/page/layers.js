@@ -1,0 +1,326 @@
+"use strict";
+
+/* What can be shown beside the bodies: screws, wrenches, freedoms, momentum, reactions, drives, centres of mass. */
+const Layers = (() => {
+  const { vector } = Shapes;
+
+  const digits = (value, count = 3) => {
+    const size = Math.abs(value);
+    if (!Number.isFinite(value)) {
+      return "–";
+    }
+    return size > 0 && (size < 1e-3 || size >= 1e5) ? value.toExponential(count - 1) : Number(value.toPrecision(count)).toString();
+  };
+
+  const pitchText = (pitch) => `h = ${digits(pitch)} m/rad`;
+
+  /* `id`, `title`, `hint`, whether it is drawn in dashes, the mark at an arrow's tail, what it needs. */
+  const ALL = [
+    { id: "screws", title: "Joint screws", hint: "unit screws of all joints: arc = turning, double arrow = sliding", look: { dashed: false } },
+    { id: "constraints", title: "Reciprocal wrenches", hint: "constraints that each limb puts on the platform: arrow = force, arc = couple", look: { dashed: true, tail: "box" } },
+    { id: "freedoms", title: "Freedoms", hint: "what the platform can do here: arc = turning, double arrow = translation", look: { dashed: true } },
+    { id: "momentum", title: "Momentum screws", hint: "p on the axis of each body's momentum screw; arc = moment about it", look: { tail: "ball" }, unit: "kg m/s" },
+    { id: "reactions", title: "Joint reactions", hint: "force and moment from parent on child at each joint", look: { tail: "none" }, unit: "N" },
+    { id: "drives", title: "Drive forces", hint: "arrow = force, arc = torque, at the driven joints", look: { tail: "box" }, unit: "N" },
+    { id: "masses", title: "Centres of mass", hint: "balls in quarters; the largest is that of all bodies", look: {} },
+    { id: "points", title: "Names of points", hint: "the named points of the description", look: {} },
+    { id: "joints", title: "Names of joints", hint: "the joints of the description", look: {} },
+  ];
+
+  class Set {
+    constructor(data, model, stage) {
+      Object.assign(this, { data, model, stage });
+      this.shown = new globalThis.Set(["points"]);
+      this.size = stage.size;
+      this.boost = 1;
+      this.listing = [];
+      this.pens = {};
+      this.balls = [];
+      this.paint();
+    }
+
+    available(id) {
+      const needs = {
+        momentum: this.model.has("momentum_screws"), reactions: this.model.has("joint_reactions") || this.data.motion !== null,
+        drives: this.data.drives.length > 0, masses: this.data.bodies.some((body) => body.mass !== null),
+        points: this.data.points.length > 0, freedoms: this.model.has("platform_jacobian"),
+        constraints: this.model.has("platform_jacobian") && this.model.has("joint_screws"), screws: this.model.has("joint_screws"),
+      };
+      return needs[id] ?? true;
+    }
+
+    /* New pens in the colours of the theme. */
+    paint() {
+      Object.values(this.pens).forEach((pen) => this.stage.scene.remove(pen.group));
+      this.balls.forEach(({ mesh }) => this.stage.scene.remove(mesh));
+      const colours = this.stage.colours;
+      this.pens = Object.fromEntries(
+        ALL.filter(({ id }) => colours[id]).map(({ id, look }) => [id, new Shapes.Pen(this.stage.scene, colours[id], this.size, look)]),
+      );
+      const dark = Shapes.material(colours.com_dark), light = Shapes.material(colours.com_light);
+      this.balls = this.data.bodies.filter((body) => body.mass !== null).map((body) => this.ball(0.016, dark, light, body));
+      if (this.balls.length > 1) {
+        this.balls.push(this.ball(0.024, dark, light, null));
+      }
+    }
+
+    ball(radius, dark, light, body) {
+      const mesh = Shapes.centre(radius * this.size, dark, light);
+      this.stage.scene.add(mesh);
+      return { mesh, body };
+    }
+
+    /* The largest values of a motion: arrows are drawn in proportion to them. */
+    measure(motion) {
+      const largest = { force: 0, moment: 0, drive: 0, torque: 0, p: 0, spin: 0 };
+      const every = Math.max(1, Math.floor(motion.frames.length / 60));
+      const grow = (key, value) => { largest[key] = Math.max(largest[key], Number.isFinite(value) ? value : 0); };
+      for (let k = 0; k < motion.frames.length; k += every) {
+        const state = motion.frames[k];
+        this.reactionsOf(state).forEach(({ force, moment }) => { grow("force", Screws.norm(force)); grow("moment", Screws.norm(moment)); });
+        this.data.drives.forEach((drive, i) => grow(this.slides(drive) ? "drive" : "torque", Math.abs(state.u?.[i] ?? 0)));
+        this.momentaOf(state).forEach(({ screw, com }) => {
+          grow("p", Screws.norm(Screws.first(screw)));
+          grow("spin", Screws.norm(Screws.subtract(Screws.second(screw), Screws.cross(com, Screws.first(screw)))));
+        });
+      }
+      this.largest = largest;
+    }
+
+    slides(drive) {
+      return this.data.joints[drive.joint].kinds[drive.freedom] === "slide";
+    }
+
+    /* Everything that is shown, for a state of the mechanism. */
+    draw(state) {
+      this.state = state;
+      this.points = this.model.columns(this.model.call("joint_points", state).points, 3);
+      this.listing = [];
+      for (const { id } of ALL) {
+        const pen = this.pens[id];
+        pen?.begin();
+        if (this.shown.has(id) && this.available(id)) {
+          this[`draw_${id}`](state, pen);
+        }
+        pen?.end();
+      }
+      this.balls.forEach(({ mesh }) => { mesh.visible = this.shown.has("masses"); });
+    }
+
+    label(text, at, id, priority) {
+      this.stage.labels.add(text, at, id, priority);
+    }
+
+    // -- screws --
+
+    screwsOf(state) {
+      return this.model.columns(this.model.call("joint_screws", state).screws, 6);
+    }
+
+    draw_screws(state, pen) {
+      const screws = this.screwsOf(state);
+      this.data.joints.forEach((joint, j) => {
+        joint.kinds.forEach((kind, k) => {
+          const screw = screws[joint.screws + k], at = this.points[j];
+          if (kind === "slide") {
+            const direction = Screws.unit(Screws.second(screw));
+            pen.arrow(Screws.add(at, Screws.scale(-0.09 * this.size, direction)), direction, 0.18 * this.size, { both: true, thick: 0.9 });
+            return;
+          }
+          const direction = Screws.unit(Screws.first(screw));
+          pen.axis(at, direction, 0.2 * this.size);
+          pen.arc(Screws.add(at, Screws.scale(0.055 * this.size, direction)), direction, 0.034 * this.size);
+          if (kind === "screw") {
+            this.label(pitchText(joint.pitch), Screws.add(at, Screws.scale(0.1 * this.size, direction)), "screws", 2);
+          }
+        });
+      });
+    }
+
+    /* Where the platform is: the mean of its joints' points. */
+    middle() {
+      const own = this.points.filter((_, j) => [this.data.joints[j].parent, this.data.joints[j].child].includes(this.data.platform));
+      return Screws.scale(1 / own.length, own.reduce(Screws.add, [0, 0, 0]));
+    }
+
+    /* A principal screw of a system, as force or couple, or as turning or translation. */
+    principal(found, pen, names, id, length, owner) {
+      const { direction, pitch } = found, at = found.point ?? found.near;
+      const title = Number.isFinite(pitch) ? (pitch === 0 ? names.zero : `${names.zero}, ${pitchText(pitch)}`) : names.infinite;
+      const end = Screws.add(at, Screws.scale(length, direction));
+      if (names.turning === Number.isFinite(pitch)) {
+        const from = Screws.add(at, Screws.scale(-0.5 * length, direction));
+        if (names.turning) {
+          pen.axis(at, direction, 2 * length);
+        }
+        pen.arc(names.turning ? Screws.add(at, Screws.scale(0.8 * length, direction)) : at, direction, 0.075 * this.size);
+        this.label(`${owner}${title}`, names.turning ? end : Screws.add(at, Screws.scale(0.09 * this.size, direction)), id, 3);
+        if (names.turning && pitch !== 0) {
+          pen.arrow(from, direction, length, { both: false });
+        }
+      } else {
+        const back = names.turning ? 0.5 * length : 0;
+        pen.arrow(Screws.add(at, Screws.scale(-back, direction)), direction, length, { both: names.turning });
+        if (!names.turning && pitch !== 0) {
+          pen.arc(Screws.add(at, Screws.scale(0.5 * length, direction)), direction, 0.05 * this.size);
+        }
+        this.label(`${owner}${title}`, Screws.add(at, Screws.scale(length - back, direction)), id, 3);
+      }
+      const numbers = (a) => `(${a.map((x) => digits(Math.abs(x) < 5e-5 ? 0 : x)).join(", ")})`;
+      const through = Number.isFinite(pitch) ? ` through ${numbers(found.point)} m` : "";
+      this.listing.push({ id, text: `${owner}${title} along ${numbers(direction)}${through}` });
+    }
+
+    draw_constraints(state, pen) {
+      const names = { zero: "force", infinite: "couple", turning: false };
+      const screws = this.screwsOf(state);
+      const limbs = this.data.limbs.length ? this.data.limbs : null;
+      if (limbs === null) {
+        const near = this.middle();
+        const wrenches = Screws.reciprocal(this.model.freedoms(state.q), this.data.length);
+        Screws.principal(wrenches, near, this.data.length).forEach((found) =>
+          this.principal({ ...found, near }, pen, names, "constraints", 0.2 * this.size, ""));
+        return;
+      }
+      for (const limb of limbs) {
+        const own = limb.joints.flatMap((j) => this.data.joints[j].kinds.map((_, k) => screws[this.data.joints[j].screws + k]));
+        const near = this.points[limb.joints[limb.joints.length - 1]];
+        Screws.principal(Screws.reciprocal(own, this.data.length), near, this.data.length).forEach((found) =>
+          this.principal({ ...found, near }, pen, names, "constraints", 0.2 * this.size, limbs.length > 1 ? `${limb.name}: ` : ""));
+      }
+    }
+
+    draw_freedoms(state, pen) {
+      const near = this.middle();
+      const found = Screws.principal(this.model.freedoms(state.q), near, this.data.length);
+      found.forEach((screw) =>
+        this.principal({ ...screw, near }, pen, { zero: "rotation", infinite: "translation", turning: true }, "freedoms", 0.22 * this.size, ""));
+    }
+
+    // -- values: arrows in proportion --
+
+    share(value, key) {
+      const largest = this.largest[key];
+      return largest > 0 ? (Math.abs(value) / largest) * 0.3 * this.size * this.boost : 0;
+    }
+
+    comOf(body, poses) {
+      return this.carried(body.com, this.data.bodies.indexOf(body), poses);
+    }
+
+    /* A point of a body (its index; 0 is the ground), carried from the reference configuration. */
+    carried(at, body, poses) {
+      if (body === 0) {
+        return at;
+      }
+      const pose = poses[body - 1];
+      return [0, 1, 2].map((i) => pose[i] * at[0] + pose[3 + i] * at[1] + pose[6 + i] * at[2] + pose[9 + i]);
+    }
+
+    posesOf(state) {
+      return this.model.columns(this.model.call("body_poses", state).poses, 12);
+    }
+
+    momentaOf(state) {
+      if (!this.model.has("momentum_screws")) {
+        return [];
+      }
+      const poses = this.posesOf(state), momenta = this.model.columns(this.model.call("momentum_screws", state).momenta, 6);
+      return this.data.bodies.filter((body) => body.mass !== null).map((body, k) => ({ body, screw: momenta[k], com: this.comOf(body, poses) }));
+    }
+
+    draw_momentum(state, pen) {
+      this.momentaOf(state).forEach(({ screw, com }) => {
+        const axis = Screws.axis(screw, com, 1e-9 * (this.largest.p || 1));
+        if (!Number.isFinite(axis.pitch)) {
+          this.moment(pen, com, Screws.scale(axis.size, axis.direction), "spin");
+          return;
+        }
+        const length = this.share(axis.size, "p");
+        if (length > 0.004 * this.size) {
+          pen.arrow(axis.point, axis.direction, length);
+          this.label(`${digits(axis.size)} kg m/s`, Screws.add(axis.point, Screws.scale(length, axis.direction)), "momentum", axis.size / this.largest.p);
+        }
+        this.moment(pen, axis.point, Screws.scale(axis.size * axis.pitch, axis.direction), "spin");
+      });
+    }
+
+    moment(pen, at, moment, key) {
+      const size = Screws.norm(moment), radius = 0.28 * this.share(size, key);
+      if (radius > 0.009 * this.size) {
+        pen.arc(at, Screws.unit(moment), radius);
+      }
+    }
+
+    reactionsOf(state) {
+      if (!state.reactions) {
+        return [];
+      }
+      const points = this.model.columns(this.model.call("joint_points", state).points, 3);
+      return this.model.columns(state.reactions, 6).map((wrench, j) => {
+        const force = Screws.first(wrench);
+        return { force, moment: Screws.subtract(Screws.second(wrench), Screws.cross(points[j], force)), at: points[j] };
+      });
+    }
+
+    draw_reactions(state, pen) {
+      this.reactionsOf(state).forEach(({ force, moment, at }) => {
+        const size = Screws.norm(force), length = this.share(size, "force");
+        if (length > 0.01 * this.size) {
+          const direction = Screws.unit(force);
+          pen.arrow(at, direction, length);
+          this.label(`${digits(size)} N`, Screws.add(at, Screws.scale(length, direction)), "reactions", size / this.largest.force);
+        }
+        this.moment(pen, at, moment, "moment");
+      });
+    }
+
+    draw_drives(state, pen) {
+      if (!state.u) {
+        return;
+      }
+      const screws = this.screwsOf(state);
+      this.data.drives.forEach((drive, k) => {
+        const screw = screws[this.data.joints[drive.joint].screws + drive.freedom], at = this.points[drive.joint];
+        const slide = this.slides(drive), value = state.u[k], length = this.share(value, slide ? "drive" : "torque");
+        const direction = Screws.scale(value < 0 ? -1 : 1, Screws.unit(slide ? Screws.second(screw) : Screws.first(screw)));
+        if (slide && length > 0.004 * this.size) {
+          pen.arrow(at, direction, length, { thick: 1.5 });
+        } else if (length > 0.02 * this.size) {
+          pen.arc(at, direction, Math.max(0.03 * this.size, 0.4 * length), { thick: 1.3 });
+        }
+        this.label(`${digits(value)} ${drive.unit}`, Screws.add(at, Screws.scale(slide ? length : 0.04 * this.size, direction)), "drives", 4);
+      });
+    }
+
+    // -- centres of mass and names --
+
+    draw_masses(state) {
+      const poses = this.posesOf(state);
+      let total = 0, sum = [0, 0, 0];
+      for (const { mesh, body } of this.balls) {
+        const at = body === null ? Screws.scale(1 / total, sum) : this.comOf(body, poses);
+        if (body !== null) {
+          total += body.mass;
+          sum = Screws.add(sum, Screws.scale(body.mass, at));
+        } else {
+          this.label(`total ${digits(total)} kg`, at, "masses", 2);
+        }
+        mesh.position.copy(vector(at));
+      }
+    }
+
+    draw_points(state) {
+      const poses = this.posesOf(state);
+      this.data.points.forEach(({ name, body, at }) => {
+        this.label(name, this.carried(at, body, poses), "points", 1);
+      });
+    }
+
+    draw_joints() {
+      this.data.joints.forEach((joint, j) => this.label(joint.name.replaceAll("_", " "), this.points[j], "joints", 0.5));
+    }
+  }
+
+  return { ALL, Set, digits };
+})();

@@ -1,0 +1,230 @@
+"use strict";
+
+/* The picture: renderer, camera, light, bodies and joints in their poses, and text labels over it. */
+const Stage = (() => {
+  const L = library;
+  const VIEWS = { Oblique: [-0.95, -1.6, 0.85], Front: [0, -1, 0], Side: [1, 0, 0], Top: [0, -1e-4, 1] };
+
+  /* Labels are texts over the picture; of those that would overlap the more important one stays. */
+  class Labels {
+    constructor(holder) {
+      this.holder = holder;
+      this.wanted = [];
+      this.pool = [];
+    }
+
+    begin() {
+      this.wanted = [];
+    }
+
+    add(text, at, id, priority) {
+      this.wanted.push({ text, at, id, priority });
+    }
+
+    end(camera, width, height) {
+      const taken = [];
+      let used = 0;
+      for (const label of this.wanted.sort((a, b) => b.priority - a.priority)) {
+        const seen = Shapes.vector(label.at).project(camera);
+        if (Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1 || seen.z > 1) {
+          continue;
+        }
+        const wide = 6.6 * label.text.length + 10, high = 18;
+        const place = [[10, -20], [10, 6], [-10 - wide, -20], [-10 - wide, 6]].map(([dx, dy]) => ({
+          x: ((seen.x + 1) / 2) * width + dx, y: ((1 - seen.y) / 2) * height + dy, wide, high,
+        })).find((box) => box.x >= 2 && box.y >= 2 && box.x + wide <= width - 2 && box.y + high <= height - 2
+          && taken.every((t) => box.x + wide < t.x || t.x + t.wide < box.x || box.y + high < t.y || t.y + t.high < box.y));
+        if (!place) {
+          continue;
+        }
+        taken.push(place);
+        const item = this.item(used++);
+        if (item.textContent !== label.text) {
+          item.textContent = label.text;
+        }
+        item.className = `label label-${label.id}`;
+        item.style.transform = `translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`;
+        item.hidden = false;
+      }
+      for (let k = used; k < this.pool.length; ++k) {
+        this.pool[k].hidden = true;
+      }
+    }
+
+    item(k) {
+      if (k === this.pool.length) {
+        const made = document.createElement("div");
+        this.holder.append(made);
+        this.pool.push(made);
+      }
+      return this.pool[k];
+    }
+  }
+
+  class Picture {
+    constructor(holder, canvas, data, theme) {
+      Object.assign(this, { holder, data });
+      this.renderer = new L.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+      this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+      this.scene = new L.Scene();
+      this.camera = new L.PerspectiveCamera(32, 1, 0.01, 100);
+      this.camera.up.set(0, 0, 1);
+      this.controls = new L.OrbitControls(this.camera, canvas);
+      this.controls.addEventListener("change", () => { this.dirty = true; });
+      this.labels = new Labels(holder.querySelector(".labels"));
+      this.extent();
+      this.paint(theme);
+      this.see("Oblique");
+    }
+
+    /* Middle and size of the mechanism in its reference configuration. */
+    extent() {
+      const all = this.data.bodies.flatMap((b) => [...b.plate, ...b.bar, ...b.struts.flat()]).concat(this.data.points.map((p) => p.at));
+      const places = all.length ? all : [[0, 0, 0]];
+      const low = [0, 1, 2].map((k) => Math.min(...places.map((p) => p[k])));
+      const high = [0, 1, 2].map((k) => Math.max(...places.map((p) => p[k])));
+      this.middle = [0, 1, 2].map((k) => (low[k] + high[k]) / 2);
+      this.size = Math.hypot(...[0, 1, 2].map((k) => high[k] - low[k])) || this.data.length;
+      this.floor = low[2];
+      this.camera.near = 0.01 * this.size;
+      this.camera.far = 60 * this.size;
+      this.controls.minDistance = 0.15 * this.size;
+      this.controls.maxDistance = 20 * this.size;
+    }
+
+    /* Everything in the colours of a theme. */
+    paint(theme) {
+      this.theme = theme;
+      this.colours = Shapes.PALETTE[theme];
+      this.scene.clear();
+      this.scene.background = new L.Color(this.colours.background);
+      this.scene.add(new L.HemisphereLight("#ffffff", theme === "light" ? "#9aa0a6" : "#50565c", 2.2));
+      const sun = new L.DirectionalLight("#ffffff", 1.6);
+      sun.position.set(-0.6, -1, 1.6);
+      this.scene.add(sun);
+      const grid = new L.GridHelper(3 * this.size, 24, this.colours.grid, this.colours.grid);
+      grid.rotation.x = Math.PI / 2;
+      grid.position.set(this.middle[0], this.middle[1], this.floor - 0.045 * this.size);
+      this.scene.add(grid);
+      this.build();
+      this.dirty = true;
+    }
+
+    build() {
+      const colours = this.colours, paint = {};
+      for (const kind of ["ground", "link", "platform"]) {
+        paint[kind] = Shapes.material(colours[kind]);
+        paint[`${kind}_sheet`] = Shapes.material(colours[kind], { side: L.DoubleSide, transparent: true, opacity: kind === "ground" ? 0.22 : 0.38, depthWrite: false });
+      }
+      paint.joint = Shapes.material(colours.joint);
+      paint.driven = Shapes.material(colours.driven);
+      paint.rod = Shapes.material(colours.rod);
+      this.paints = paint;
+      this.groups = this.data.bodies.map((body, k) => {
+        const kind = k === 0 ? "ground" : k === this.data.platform && this.data.platform_named ? "platform" : "link";
+        const group = new L.Group();
+        group.matrixAutoUpdate = false;
+        group.add(Shapes.body(body, kind, this.size, paint));
+        this.scene.add(group);
+        return group;
+      });
+      this.slides = [];
+      this.data.joints.forEach((joint) => {
+        const made = Shapes.joint(joint, this.size, paint);
+        this.groups[joint.parent].add(made.parent);
+        this.groups[joint.child].add(made.child);
+        if (made.slide) {
+          const rod = new L.Mesh(new L.CylinderGeometry(0.0085 * this.size, 0.0085 * this.size, 1, 18), paint.rod);
+          this.scene.add(rod);
+          this.slides.push({ joint, rod });
+        }
+      });
+    }
+
+    /* Bodies in their poses: 12 numbers each, rotation by columns and translation. */
+    pose(poses) {
+      poses.forEach((p, k) => {
+        this.groups[k + 1].matrix.set(p[0], p[3], p[6], p[9], p[1], p[4], p[7], p[10], p[2], p[5], p[8], p[11], 0, 0, 0, 1);
+      });
+      for (const { joint, rod } of this.slides) {
+        const [from, to] = [joint.parent, joint.child].map((body) => Shapes.vector(joint.point).applyMatrix4(this.groups[body].matrix));
+        Shapes.place(rod, from.toArray(), to.clone().sub(from));
+      }
+      this.dirty = true;
+    }
+
+    /* The platform in the colour of a warning: 0 none, 1 at the singularity. */
+    warn(level) {
+      const colour = new L.Color(this.colours.platform);
+      if (level > 0) {
+        colour.lerp(new L.Color(this.colours.warn), Math.min(1, 2 * level));
+      }
+      if (level > 0.5) {
+        colour.lerp(new L.Color(this.colours.danger), 2 * level - 1);
+      }
+      this.paints.platform.color.copy(colour);
+      this.paints.platform_sheet.color.copy(colour);
+    }
+
+    see(name) {
+      const towards = Shapes.vector(VIEWS[name]).normalize();
+      const aspect = this.camera.aspect || 1, distance = (2.0 * this.size) / Math.min(1, aspect);
+      this.controls.target.copy(Shapes.vector(this.middle));
+      this.camera.position.copy(this.controls.target).addScaledVector(towards, distance);
+      this.controls.update();
+      this.view = name;
+      this.dirty = true;
+    }
+
+    /* Turn by angles [rad], come nearer by a factor, move across by parts of the distance. */
+    turn(right, up) {
+      const arm = this.camera.position.clone().sub(this.controls.target), distance = arm.length();
+      const azimuth = Math.atan2(arm.y, arm.x) + right;
+      const elevation = Math.max(-1.55, Math.min(1.55, Math.asin(arm.z / distance) + up));
+      arm.set(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation));
+      this.camera.position.copy(this.controls.target).addScaledVector(arm, distance);
+      this.controls.update();
+      this.dirty = true;
+    }
+
+    zoom(factor) {
+      const arm = this.camera.position.clone().sub(this.controls.target);
+      const distance = Math.max(this.controls.minDistance, Math.min(this.controls.maxDistance, arm.length() * factor));
+      this.camera.position.copy(this.controls.target).addScaledVector(arm.normalize(), distance);
+      this.controls.update();
+      this.dirty = true;
+    }
+
+    pan(right, up) {
+      const distance = this.camera.position.distanceTo(this.controls.target), e = this.camera.matrix.elements;
+      const step = new L.Vector3(e[0], e[1], e[2]).multiplyScalar(right * distance).add(new L.Vector3(e[4], e[5], e[6]).multiplyScalar(up * distance));
+      this.camera.position.add(step);
+      this.controls.target.add(step);
+      this.controls.update();
+      this.dirty = true;
+    }
+
+    resize() {
+      const { clientWidth: width, clientHeight: height } = this.holder;
+      if (width === this.width && height === this.height) {
+        return;
+      }
+      Object.assign(this, { width, height });
+      this.camera.aspect = width / Math.max(height, 1);
+      this.camera.updateProjectionMatrix();
+      this.renderer.setSize(width, height, false);
+      if (this.view !== undefined && !this.touched) {
+        this.see(this.view);
+      }
+      this.dirty = true;
+    }
+
+    render() {
+      this.renderer.render(this.scene, this.camera);
+      this.labels.end(this.camera, this.width, this.height);
+      this.dirty = false;
+    }
+  }
+
+  return { Picture, VIEWS };
+})();
