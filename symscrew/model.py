@@ -19,6 +19,7 @@ from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
 from symscrew.functions.forward import forward_functions
 from symscrew.functions.kinematics import Motion, kinematic_functions
+from symscrew.functions.margins import margin_functions
 from symscrew.functions.momentum import momentum_functions
 from symscrew.functions.platform import platform_functions
 from symscrew.limb_solutions import hub_links
@@ -85,10 +86,11 @@ def derive(
         *platform_functions(system, effects),
     ]
     if derivatives:
-        functions += derivative_functions(system, loops, functions)
+        functions += derivative_functions(system, effects, loops, functions)
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
     if system.cuts:
         programs["assemble"] = assembly(system, loops)
+    programs |= {f.name: lower(f) for f in margin_functions(system)}
     inputs = {name: _test_inputs(system, loops, program) for name, program in programs.items()}
     notes = (*mechanism.warnings, *dict.fromkeys(n for p in programs.values() for n in p.notes))
     return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes)

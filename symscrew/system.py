@@ -148,9 +148,10 @@ class System:
     @cached_property
     def jacobian(self) -> list[dict[int, Node]]:
         """Rows of the closure Jacobian in joint rates w: {index into v: entry}, one per multiplier."""
-        return [row for cut in self.cuts for row in self._cut_rows(cut)]
+        return [row for cut in self.cuts for row in self.cut_rows(cut)]
 
-    def _cut_rows(self, cut: Cut) -> list[dict[int, Node]]:
+    def cut_rows(self, cut: Cut) -> list[dict[int, Node]]:
+        """Rows of one cut joint: {index into v: entry}, in joint rates w."""
         rows = []
         for row in cut.rows:
             entries: dict[int, Node] = {}

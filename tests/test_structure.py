@@ -19,7 +19,7 @@ STAGES = (
     ("expressions", "names", "reader", "limbs", "validation", "builder", "description"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("operations", "tape", "differentiation", "program"),
-    ("mobility", "tree", "frames", "recursion", "closure", "system"),
+    ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
     ("elimination", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),
     ("equilibrium", "drives", "reactions", "tree_dynamics", "admissible"),
