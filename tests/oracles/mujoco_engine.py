@@ -78,7 +78,93 @@ def engine_joint(mechanism: Mechanism, joint: Joint) -> EngineJoint:
     return EngineJoint(joint.name, joint.parent, joint.child, point, freedoms, spherical, joint.driven)
 
 
-class MujocoEngine:
+class PlacedModel:
+    """A MuJoCo model of a mechanism and the state of its bodies.
+
+    Every body of `order` (parents first) must have absolute axes in the reference configuration, where its
+    origin is at `home[body]`, and must be carried by joints of its own.
+    """
+
+    def __init__(self, model: mujoco.MjModel, ground: str, home: Mapping[str, Array]) -> None:
+        self.model, self.ground, self.home, self.order = model, ground, home, list(home)
+        self.data = mujoco.MjData(model)
+        kind = mujoco.mjtObj.mjOBJ_BODY
+        self.index = {name: mujoco.mj_name2id(model, kind, name) for name in self.order}
+
+    def set_state(self, states: Mapping[str, BodyState]) -> None:
+        """Set qpos, qvel, qacc of the engine's tree from the bodies; ValueError if its joints do not fit."""
+        model, data = self.model, self.data
+        mujoco.mj_resetData(model, data)
+        for name in self.order:
+            self._place(name, states[name])
+        mujoco.mj_fwdPosition(model, data)
+        points = {name: data.xpos[self.index[name]].copy() for name in self.order}
+        data.qvel[:] = self.velocity(states)
+        mujoco.mj_fwdVelocity(model, data)
+        jacobian = np.concatenate([self._jacobian(n, points[n]) for n in self.order])
+        drift = np.concatenate([self._jacobian_rate(n, points[n]) @ data.qvel for n in self.order])
+        rates = [np.r_[states[n].twist_rate[:3], states[n].acceleration_at(points[n])] for n in self.order]
+        data.qacc[:] = _exact(jacobian, np.concatenate(rates) - drift, "twist rates")
+
+    def velocity(self, states: Mapping[str, BodyState]) -> Array:
+        """Velocities (nv,) of the engine's joints in the present pose from the twists of the bodies."""
+        points = {name: self.data.xpos[self.index[name]] for name in self.order}
+        jacobian = np.concatenate([self._jacobian(n, points[n]) for n in self.order])
+        twists = [np.r_[states[n].twist[:3], states[n].velocity_at(points[n])] for n in self.order]
+        return _exact(jacobian, np.concatenate(twists), "twists")
+
+    def _place(self, name: str, state: BodyState) -> None:
+        """Newton on the coordinates of the joint that carries the body; all bodies before it are in place."""
+        model, data, i = self.model, self.data, self.index[name]
+        dofs = np.flatnonzero(model.dof_bodyid == i)
+        goal = state.rotation @ self.home[name] + state.translation
+        for _ in range(40):
+            mujoco.mj_kinematics(model, data)
+            mujoco.mj_comPos(model, data)
+            turn = _rotation_vector(state.rotation @ data.xmat[i].reshape(3, 3).T)
+            error = np.r_[turn, goal - data.xpos[i]]
+            step = np.zeros(model.nv)
+            step[dofs] = np.linalg.lstsq(self._jacobian(name, data.xpos[i])[:, dofs], error, rcond=None)[0]
+            mujoco.mj_integratePos(model, data.qpos, step, 1.0)
+            if np.abs(step).max(initial=0.0) < 1e-15:
+                break
+        mujoco.mj_kinematics(model, data)
+        turned = np.abs(data.xmat[i].reshape(3, 3) - state.rotation).max()
+        gap = max(np.abs(data.xpos[i] - goal).max(), turned)
+        if gap > 1e-9:
+            raise ValueError(f"body '{name}' is {gap:.1e} off what its joints allow")
+
+    def _jacobian(self, body: str, point: Array) -> Array:
+        """(6, nv): angular velocity of the body, then velocity of its point that is at `point` just now."""
+        return self._point_jacobian(mujoco.mj_jac, body, point)
+
+    def _jacobian_rate(self, body: str, point: Array) -> Array:
+        """(6, nv): time derivative of `_jacobian` for the point as one of the body."""
+        return self._point_jacobian(mujoco.mj_jacDot, body, point)
+
+    def _point_jacobian(self, function: Callable[..., None], body: str, point: Array) -> Array:
+        turn, shift = np.zeros((3, self.model.nv)), np.zeros((3, self.model.nv))
+        if body != self.ground:
+            function(self.model, self.data, shift, turn, np.array(point), self.index[body])
+        return np.concatenate([turn, shift])
+
+    def _rotation(self, body: str) -> Array:
+        return np.eye(3) if body == self.ground else self.data.xmat[self.index[body]].reshape(3, 3)
+
+    def twist_rates(self, acceleration: Array) -> dict[str, Array]:
+        """{body: (alpha ; d v_O/dt)} from generalised accelerations in the state that is set."""
+        rates = {}
+        for name in self.order:
+            point = self.data.xpos[self.index[name]]
+            jacobian, change = self._jacobian(name, point), self._jacobian_rate(name, point)
+            rate = jacobian @ acceleration + change @ self.data.qvel
+            twist = jacobian @ self.data.qvel
+            linear = rate[3:] - np.cross(rate[:3], point) - np.cross(twist[:3], twist[3:])
+            rates[name] = np.r_[rate[:3], linear]
+        return rates
+
+
+class MujocoEngine(PlacedModel):
     """Dynamics of a mechanism by MuJoCo; the ground is at rest."""
 
     def __init__(self, mechanism: Mechanism, gravity: Sequence[float] = (0.0, 0.0, -9.81)) -> None:
@@ -86,15 +172,11 @@ class MujocoEngine:
         self.gravity = np.array(gravity, dtype=float)
         self.joints = {name: engine_joint(mechanism, joint) for name, joint in mechanism.joints.items()}
         self.carrier = _breadth_first(mechanism.ground, self.joints)
-        self.order = list(self.carrier)
         self.cut = [j for j in self.joints.values() if j.name not in {t.name for t in self.carrier.values()}]
         self.extra: dict[str, tuple[float, float]] = {}
-        self.model = self._compiled()
-        self.data = mujoco.MjData(self.model)
-        kind = mujoco.mjtObj.mjOBJ_BODY
-        self.index = {name: mujoco.mj_name2id(self.model, kind, name) for name in self.order}
         # Origins of the MuJoCo bodies in the reference configuration.
-        self.home = {name: joint.point for name, joint in self.carrier.items()}
+        home = {name: joint.point for name, joint in self.carrier.items()}
+        super().__init__(self._compiled(), mechanism.ground, home)
 
     def _compiled(self) -> mujoco.MjModel:
         spec = mujoco.MjSpec()
@@ -137,61 +219,6 @@ class MujocoEngine:
         # Principal axes are handed over because MuJoCo's own diagonalisation is good to 1e-12 only.
         body.mass, body.ipos, body.inertia, body.iquat = mass, com - origin, principal, quaternion
         body.explicitinertial = True
-
-    def set_state(self, states: Mapping[str, BodyState]) -> None:
-        """Set qpos, qvel, qacc of the engine's tree from the bodies; ValueError if its joints do not fit."""
-        model, data = self.model, self.data
-        mujoco.mj_resetData(model, data)
-        for name in self.order:
-            self._place(name, states[name])
-        mujoco.mj_fwdPosition(model, data)
-        jacobian = np.concatenate([self._jacobian(n, data.xpos[self.index[n]]) for n in self.order])
-        points = {name: data.xpos[self.index[name]].copy() for name in self.order}
-        twists = [np.r_[states[n].twist[:3], states[n].velocity_at(points[n])] for n in self.order]
-        data.qvel[:] = _exact(jacobian, np.concatenate(twists), "twists")
-        mujoco.mj_fwdVelocity(model, data)
-        drift = np.concatenate([self._jacobian_rate(n, points[n]) @ data.qvel for n in self.order])
-        rates = [np.r_[states[n].twist_rate[:3], states[n].acceleration_at(points[n])] for n in self.order]
-        data.qacc[:] = _exact(jacobian, np.concatenate(rates) - drift, "twist rates")
-
-    def _place(self, name: str, state: BodyState) -> None:
-        """Newton on the coordinates of the joint that carries the body; all bodies before it are in place."""
-        model, data, i = self.model, self.data, self.index[name]
-        dofs = np.flatnonzero(model.dof_bodyid == i)
-        goal = state.rotation @ self.home[name] + state.translation
-        for _ in range(40):
-            mujoco.mj_kinematics(model, data)
-            mujoco.mj_comPos(model, data)
-            turn = _rotation_vector(state.rotation @ data.xmat[i].reshape(3, 3).T)
-            error = np.r_[turn, goal - data.xpos[i]]
-            step = np.zeros(model.nv)
-            step[dofs] = np.linalg.lstsq(self._jacobian(name, data.xpos[i])[:, dofs], error, rcond=None)[0]
-            mujoco.mj_integratePos(model, data.qpos, step, 1.0)
-            if np.abs(step).max(initial=0.0) < 1e-15:
-                break
-        mujoco.mj_kinematics(model, data)
-        turned = np.abs(data.xmat[i].reshape(3, 3) - state.rotation).max()
-        gap = max(np.abs(data.xpos[i] - goal).max(), turned)
-        if gap > 1e-9:
-            joint = self.carrier[name].name
-            raise ValueError(f"body '{name}' is {gap:.1e} off what its joint '{joint}' allows")
-
-    def _jacobian(self, body: str, point: Array) -> Array:
-        """(6, nv): angular velocity of the body, then velocity of its point that is at `point` just now."""
-        return self._point_jacobian(mujoco.mj_jac, body, point)
-
-    def _jacobian_rate(self, body: str, point: Array) -> Array:
-        """(6, nv): time derivative of `_jacobian` for the point as one of the body."""
-        return self._point_jacobian(mujoco.mj_jacDot, body, point)
-
-    def _point_jacobian(self, function: Callable[..., None], body: str, point: Array) -> Array:
-        turn, shift = np.zeros((3, self.model.nv)), np.zeros((3, self.model.nv))
-        if body != self.mechanism.ground:
-            function(self.model, self.data, shift, turn, np.array(point), self.index[body])
-        return np.concatenate([turn, shift])
-
-    def _rotation(self, body: str) -> Array:
-        return np.eye(3) if body == self.mechanism.ground else self.data.xmat[self.index[body]].reshape(3, 3)
 
     def _joint_point(self, joint: EngineJoint) -> Array:
         if joint.child == self.mechanism.ground:
@@ -343,18 +370,6 @@ class MujocoEngine:
         motion = np.linalg.solve(free.T @ mass @ free, free.T @ (force - mass @ start))
         acceleration = start + free @ motion
         return acceleration, self.twist_rates(acceleration)
-
-    def twist_rates(self, acceleration: Array) -> dict[str, Array]:
-        """{body: (alpha ; d v_O/dt)} from generalised accelerations in the state that is set."""
-        rates = {}
-        for name in self.order:
-            point = self.data.xpos[self.index[name]]
-            jacobian, change = self._jacobian(name, point), self._jacobian_rate(name, point)
-            rate = jacobian @ acceleration + change @ self.data.qvel
-            twist = jacobian @ self.data.qvel
-            linear = rate[3:] - np.cross(rate[:3], point) - np.cross(twist[:3], twist[3:])
-            rates[name] = np.r_[rate[:3], linear]
-        return rates
 
     def _at_origin(self, joint: EngineJoint, wrench: Array) -> Array:
         """(m ; f) at the joint's point as (f ; m_O)."""
