@@ -11,24 +11,26 @@ which needs no multipliers and no inverse of the tree's mass matrix. For a tree 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from symscrew.drives import solve_symmetric
 from symscrew.effects.acting import Acting
 from symscrew.elimination import Guard, magnitude
 from symscrew.loops import Loops
-from symscrew.recursion import inertial_wrench, regrouped
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree_dynamics import generalised_forces, mass_matrix
 
 
 class Admissible:
-    """The null space of a system's closure at its present nodes q, v, and what the dynamics look like on it."""
+    """The null space of a system's closure at its present nodes q, v, and what the dynamics look like on it.
 
-    def __init__(self, system: System, loops: Loops) -> None:
-        self.system, self.loops = system, loops
+    `reflected` are inertias that move with one freedom of the tree only (index into v).
+    """
+
+    def __init__(self, system: System, loops: Loops, reflected: Mapping[int, Node] | None = None) -> None:
+        self.system, self.loops, self.reflected = system, loops, reflected
 
     @cached_property
     def columns(self) -> list[list[Node]]:
@@ -60,21 +62,19 @@ class Admissible:
 
     def accelerations(self, acting: Acting) -> tuple[list[Node], list[Node], list[Guard]]:
         """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots."""
-        system = self.system
         start = self.curvature()
-        inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
-        moving = system.rates(system.tree_rates(start), acting.ground_acceleration)
-        wrench = {
-            link.index: inertial_wrench(inertia[link.index], moving[link.index]) for link in system.tree.links[1:]
-        }
-        missing = generalised_forces(system, wrench, acting)  # less what acts
-        right = [-_inner(system, column, missing) for column in self.tree_columns]
+        right = [-value for value in self.residual(self.system.tree_rates(start), acting)]
         free, guards = self.solve(right)
-        return free, system.tree_rates(self.moved(start, free)), guards
+        return free, self.system.tree_rates(self.moved(start, free)), guards
+
+    def residual(self, a: Sequence[Node], acting: Acting) -> list[Node]:
+        """N^T (generalised forces of the tree at its accelerations a, less what acts): zero for a motion."""
+        missing = generalised_forces(self.system, acting, a)
+        return [_inner(self.system, column, missing) for column in self.tree_columns]
 
     def inertia(self) -> list[list[Node]]:
         """N^T M N; only the lower half counts."""
-        system, tree = self.system, mass_matrix(self.system)
+        system, tree = self.system, mass_matrix(self.system, self.reflected)
         rows = []
         for k, column in enumerate(self.tree_columns):
             pushed = [_inner(system, row, column) for row in tree]

@@ -193,10 +193,10 @@ def rates(
     placed: Sequence[Placement],
     v: Sequence[Node],
     a: Sequence[Node],
-    ground_acceleration: Vector = ZERO,
+    ground: Rates | None = None,
 ) -> tuple[Rates, ...]:
-    """Rates of every link; `ground_acceleration` carries gravity as the ground's acceleration -g."""
-    result = [Rates(ZERO, ZERO, ground_acceleration, ((0, 0, 0),) * 3)]
+    """Rates of every link; `ground` carries gravity as the ground's acceleration -g, and a moving base."""
+    result = [ground or Rates(ZERO, ZERO, ZERO, ((0, 0, 0),) * 3)]
     for link in tree.links[1:]:
         frame, here, parent = frames[link.index], placed[link.index], result[link.parent]
         speed, gain = own_screws(link, frame, v), own_screws(link, frame, a)
@@ -332,18 +332,30 @@ def _shifted(frame: Frame, inertia: Inertia) -> Inertia:
     return Inertia(inertia.mass, add(s, scale(inertia.mass, r)), spread)  # type: ignore[arg-type]
 
 
-def inertial_wrench(inertia: Inertia, rate: Rates) -> tuple[Vector, Vector]:
+def inertial_wrench(inertia: Inertia, rate: Rates, spinning: Matrix | None = None) -> tuple[Vector, Vector]:
     """(force, moment about the link's origin): the rate of the link's momentum screw, link axes.
 
     The axial vector of U Sigma is written so that a diagonal Sigma costs three operations a component:
-    J_x alpha_x + (Sigma_yy - Sigma_zz) omega_y omega_z, and so on.
+    J_x alpha_x + (Sigma_yy - Sigma_zz) omega_y omega_z, and so on. `spinning` is another second moment matrix
+    for the terms in omega: less than Sigma where gyroscopic terms are left out.
     """
     force = add(scale(inertia.mass, rate.origin), transform(rate.matrix, inertia.first))
-    spread, omega, alpha, matrix = inertia.second, rate.omega, rate.alpha, rate.matrix
+    if spinning is None:
+        moment = _axial(inertia.second, rate)
+    else:
+        turning = Rates(ZERO, rate.alpha, ZERO, acceleration_matrix(ZERO, rate.alpha))
+        spin = Rates(rate.omega, ZERO, ZERO, acceleration_matrix(rate.omega, ZERO))
+        moment = add(_axial(inertia.second, turning), _axial(spinning, spin))
+    return force, add(moment, cross(inertia.first, rate.origin))
+
+
+def _axial(spread: Matrix, rate: Rates) -> Vector:
+    """The axial vector of U Sigma."""
+    omega, alpha, matrix = rate.omega, rate.alpha, rate.matrix
     axial = []
     for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         value = (spread[y][y] + spread[z][z]) * alpha[x]
         value = value + (spread[y][y] - spread[z][z]) * (omega[y] * omega[z])
         value = value + (matrix[z][x] * spread[x][y] - matrix[y][x] * spread[x][z])
         axial.append(value + spread[y][z] * (omega[z] * omega[z] - omega[y] * omega[y]))
-    return force, add((axial[0], axial[1], axial[2]), cross(inertia.first, rate.origin))
+    return (axial[0], axial[1], axial[2])

@@ -41,8 +41,9 @@ class Coordinates:
 class System:
     """The mechanism on a tape. Attributes are derived once and never change."""
 
-    def __init__(self, mechanism: Mechanism) -> None:
-        self.mechanism = mechanism
+    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None) -> None:
+        """The system of a mechanism; `loaded` is the same one with other inertias, which are taken then."""
+        self.mechanism = loaded or mechanism
         self.tape = Tape()
         self.geometry = Geometry(mechanism, self.tape)
         self.tree: Tree = spanning_tree(mechanism)
@@ -102,9 +103,9 @@ class System:
         frame = self.frames[link]
         return self.geometry.settle(transform(transpose(frame.axes), subtract(point, frame.origin)))
 
-    def rates(self, a: Sequence[Node], ground_acceleration: tuple = (0, 0, 0)) -> tuple[Rates, ...]:
-        """Rates of every link for given accelerations of the tree."""
-        return rates(self.tree, self.frames, self.placed, self.inputs.v, a, ground_acceleration)
+    def rates(self, a: Sequence[Node]) -> tuple[Rates, ...]:
+        """Rates of every link against the ground for given accelerations of the tree."""
+        return rates(self.tree, self.frames, self.placed, self.inputs.v, a)
 
     @cached_property
     def length(self) -> float:

@@ -290,6 +290,10 @@ class Tape:
         """Give inputs their values at the sample states (arrays of one length); forgets earlier ones."""
         self._samples = {node.index: np.asarray(v, dtype=float) for node, v in values.items()}
 
+    def add_samples(self, values: Mapping[Node, np.ndarray]) -> None:
+        """Give further inputs their values, beside those that have some."""
+        self._samples.update({node.index: np.asarray(v, dtype=float) for node, v in values.items()})
+
     def sample(self, node: Node) -> np.ndarray:
         """Values of `node` at the sample states, shape (samples,)."""
         known = self._samples

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from symscrew.effects.acting import Acting
 from symscrew.equilibrium import accumulate
@@ -13,12 +13,12 @@ from symscrew.tape import Node
 from symscrew.tree import GROUND, Link
 
 
-def generalised_forces(system: System, wrench: Mapping[int, tuple[Vector, Vector]], acting: Acting) -> list[Node]:
-    """Generalised forces (for v) of wrenches on the links (link axes, at their origins), less what acts."""
+def generalised_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
+    """Generalised forces (for v) that the accelerations a of the tree need, less what acts."""
     loads = acting.loads
     tree, tape = system.tree, system.tape
     result = [tape.zero] * len(tree.v)
-    waiting = dict(wrench)
+    waiting = acting.inertial_wrenches(a)
     for link in reversed(tree.links[1:]):
         placed, frame = system.placed[link.index], system.frames[link.index]
         if link.index not in waiting and link.index not in loads:
@@ -38,7 +38,8 @@ def generalised_forces(system: System, wrench: Mapping[int, tuple[Vector, Vector
             here = {"": waiting.get(link.parent, (ZERO, ZERO))}
             accumulate(here, "", force, add(moment, cross(placed.offset, force)))
             waiting[link.parent] = here[""]
-    known = [acting.joint_forces.get(k, tape.zero) for k in range(len(tree.v))]
+    forces = acting.known_forces(a)
+    known = [forces.get(k, tape.zero) for k in range(len(tree.v))]
     return [value - force for value, force in zip(result, system.tree_rates(known), strict=True)]
 
 
@@ -55,8 +56,11 @@ def projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple
     return (moment[2],)
 
 
-def mass_matrix(system: System) -> list[list[Node]]:
-    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint; for v."""
+def mass_matrix(system: System, reflected: Mapping[int, Node] | None = None) -> list[list[Node]]:
+    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint; for v.
+
+    `reflected` are inertias that move with one freedom only (index into v): they stand on the diagonal.
+    """
     tree, tape = system.tree, system.tape
     composite: list[Inertia] = list(regrouped(tree, system.frames, system.inertia, system.geometry))
     n = len(tree.v)
@@ -73,6 +77,8 @@ def mass_matrix(system: System) -> list[list[Node]]:
                 add(composite[link.parent].first, moved.first),
                 tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
             )
+    for k, inertia in (reflected or {}).items():
+        matrix[k][k] = matrix[k][k] + inertia
     return matrix
 
 

@@ -1,7 +1,27 @@
-"""Effects: what acts on a mechanism beyond its own inertia. One file per effect; nothing when not asked for."""
+"""Effects: what acts on a mechanism beyond its own inertia. One file per effect; nothing when not asked for.
 
-from symscrew.effects.acting import Acting, Effect
-from symscrew.effects.external_wrench import ExternalWrench
-from symscrew.effects.gravity import Gravity
+A file `some_effect.py` of this package holds the class `SomeEffect`; a scene's table says `type = "some_effect"`.
+Nothing is listed anywhere else: a file that is taken away is an effect that does not exist.
+"""
 
-__all__ = ["Acting", "Effect", "ExternalWrench", "Gravity"]
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from symscrew.effects.acting import Acting
+from symscrew.effects.effect import Contact, Effect, State, transformed
+
+if TYPE_CHECKING:
+    from symscrew.effects.external_wrench import ExternalWrench
+    from symscrew.effects.gravity import Gravity
+
+__all__ = ["Acting", "Contact", "Effect", "ExternalWrench", "Gravity", "State", "transformed"]
+
+
+def __getattr__(name: str) -> Any:
+    from symscrew.effects.registry import known_effects
+
+    found = {kind.__name__: kind for kind in known_effects().values()}
+    if name in found:
+        return found[name]
+    raise AttributeError(f"module 'symscrew.effects' has no attribute {name!r}; known: {', '.join(found)}")

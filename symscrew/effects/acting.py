@@ -1,4 +1,4 @@
-"""What the effects of a scene put on a mechanism: the ground's acceleration, wrenches on links, joint forces.
+"""What the effects of a scene put on a mechanism: motion of the ground, wrenches on links, joint forces, states.
 
 Effects write into an `Acting` through its methods, the dynamics read it. Wrenches are kept per link, in the
 axes before the link's motion, at its origin: where the recursions take them.
@@ -6,68 +6,210 @@ axes before the link's motion, at its origin: where the recursions take them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, ClassVar, Protocol
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from symscrew.closure import carry, drive_row
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.effects.effect import Contact, Effect, State, Transmission
+from symscrew.effects.quantities import Quantities
+from symscrew.errors import DescriptionError
 from symscrew.mechanism import Point
 from symscrew.program import Port
-from symscrew.screws import ZERO, Vector, add, cross, scale
+from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, rates, regrouped
+from symscrew.screws import ZERO, Matrix, Vector, add, cross, dot, scale, subtract
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import GROUND
 
 Loads = dict[int, tuple[Vector, Vector]]
+Reactions = Mapping[str, tuple[Vector, Vector]]
+
+__all__ = ["Acting", "Contact", "Effect", "State", "Transmission"]
 
 
-class Effect(Protocol):
-    """One effect of a scene: a frozen dataclass that says what it puts on a system."""
+class Acting(Quantities):
+    """The sum of what all effects contribute to one system at its present nodes.
 
-    __dataclass_fields__: ClassVar[dict[str, Any]]
+    `reactions` are the joints' reactions (f ; m_O) that load-dependent effects are to use; without them these
+    effects do nothing, and `needs_reactions` tells.
+    """
 
-    def act(self, acting: Acting) -> None:
-        """Add force screws, joint forces, potential energy and inputs."""
-
-
-class Acting:
-    """The sum of what all effects contribute to one system at its present nodes."""
-
-    def __init__(self, system: System, effects: Sequence[Effect]) -> None:
-        self.system = system
-        self.ground_acceleration: Vector = ZERO
+    def __init__(self, system: System, effects: Sequence[Effect], reactions: Reactions | None = None) -> None:
+        super().__init__(system)
+        tape = system.tape
+        self.ground = Rates(ZERO, ZERO, ZERO, ((0, 0, 0),) * 3)
+        self.ground_rotation: Matrix | None = None  # from the axes of the ground to absolute axes
         self.loads: Loads = {}
         self.joint_forces: dict[int, Node] = {}  # index into v -> generalised force along that freedom
-        self.inputs: list[tuple[Port, tuple[Node, ...]]] = []
-        self.potential: Node = system.tape.zero
+        self.reflected_inertia: dict[int, Node] = {}  # index into v -> inertia that moves with that freedom
+        self.own_inputs: list[tuple[Port, tuple[Node, ...]]] = []
+        self.potential: Node = tape.zero
+        self.kinetic: Node = tape.zero
+        self.powers: list[tuple[str, Node]] = []
+        self.states: list[State] = []
+        self.state_rates: dict[str, Node] = {}
+        self.simplifications: set[str] = set()
+        self.transmissions: dict[int, Transmission] = {}
+        self.needs_reactions = False
+        self._reactions = reactions
+        for effect in effects:
+            effect.prepare(self)
         for effect in effects:
             effect.act(self)
+        forgotten = [s.name for s in self.states if s.name not in self.state_rates]
+        assert not forgotten, f"effects give no rate of their states {forgotten}"
+
+    # -- what the ground does -----------------------------------------------------------------------------
 
     def accelerate_ground(self, acceleration: Vector) -> None:
         """Add a uniform acceleration of the ground [m/s^2], absolute axes."""
-        self.ground_acceleration = add(self.ground_acceleration, acceleration)
+        self.ground = replace(self.ground, origin=add(self.ground.origin, acceleration))
+
+    def move_ground(self, omega: Vector, alpha: Vector, acceleration: Vector) -> None:
+        """Turn and accelerate the ground: omega [rad/s], alpha [rad/s^2], acceleration of O [m/s^2], its own axes."""
+        if self.ground.omega is not ZERO:
+            raise DescriptionError("base motion: expected one prescribed motion of the base, got a second one")
+        origin = add(self.ground.origin, acceleration)
+        self.ground = Rates(omega, alpha, origin, acceleration_matrix(omega, alpha))
+
+    def link_rates(self, a: Sequence[Node]) -> tuple[Rates, ...]:
+        """Rates of every link for given accelerations of the tree, the ground's motion and gravity included."""
+        system = self.system
+        v = system.inputs.v
+        if "quasi_static" in self.simplifications:
+            a = v = (system.tape.zero,) * len(system.tree.v)
+        return rates(system.tree, system.frames, system.placed, v, a, self.ground)
+
+    # -- inertia ---------------------------------------------------------------------------------------------
+
+    def lean_inertia(self) -> tuple[Inertia, ...]:
+        """Regrouped inertias: right for drives and cut joints, not inside the tree."""
+        system = self.system
+        return regrouped(system.tree, system.frames, system.inertia, system.geometry)
+
+    def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
+        """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
+        if "no_gyroscopic_terms" not in self.simplifications:
+            return inertial_wrench(inertia, moving[link])
+        true = self.system.inertia[link]
+        if true.mass is self.system.tape.zero:
+            return inertial_wrench(inertia, moving[link])
+        spread = scale(1 / true.mass, true.first)
+        own = tuple(
+            tuple(true.second[i][j] - true.first[i] * self.system.tape.node(spread[j]) for j in range(3))
+            for i in range(3)
+        )
+        kept = tuple(tuple(inertia.second[i][j] - own[i][j] for j in range(3)) for i in range(3))
+        kept = self.system.geometry.settle_matrix(kept)  # type: ignore[arg-type]
+        return inertial_wrench(inertia, moving[link], kept)  # type: ignore[arg-type]
+
+    def inertial_wrenches(self, a: Sequence[Node]) -> Loads:
+        """Inertial wrench of every link with regrouped inertias, for given accelerations of the tree."""
+        moving, lean = self.link_rates(a), self.lean_inertia()
+        return {k: self.inertial_wrench(k, lean[k], moving) for k in range(1, len(lean))}
+
+    def reflect(self, joint: str, freedom: int, inertia: Node, what: str) -> None:
+        """An inertia [kg or kg m^2] that moves with a freedom of the spanning tree only: force -inertia * rate."""
+        index = self.tree_index(joint, freedom, what)
+        self.reflected_inertia[index] = self.reflected_inertia.get(index, self.system.tape.zero) + inertia
+        rate = self.system.inputs.v[index]
+        self.kinetic = self.kinetic + inertia * rate * rate * self.half
+
+    def known_forces(self, a: Sequence[Node]) -> dict[int, Node]:
+        """Generalised forces along freedoms of the tree, those of reflected inertias at accelerations a included."""
+        known = dict(self.joint_forces)
+        if "quasi_static" not in self.simplifications:
+            for index, inertia in self.reflected_inertia.items():
+                known[index] = known.get(index, self.system.tape.zero) - inertia * a[index]
+        return known
+
+    # -- energy and power --------------------------------------------------------------------------------------
 
     def store(self, energy: Node) -> None:
         """Add potential energy [J]."""
         self.potential = self.potential + energy
 
+    def feed(self, label: str, power: Node) -> None:
+        """Power [W] that an effect feeds into the mechanism beyond what it takes from its stored energy."""
+        if power is not self.system.tape.zero:
+            self.powers.append((label, power))
+
+    # -- inputs and states ---------------------------------------------------------------------------------------
+
+    @property
+    def inputs(self) -> list[tuple[Port, tuple[Node, ...]]]:
+        """Further inputs of all functions that depend on loads: x (states), t (time), then the effects' own."""
+        result = [(self.state_port("x", "states of the effects"), self.state_nodes)] if self.states else []
+        if self._time is not None:
+            result.append((Port("t", (1,), ("s",), ("t",), "time"), (self._time,)))
+        return result + self.own_inputs
+
+    def inputs_of(self, nodes: Sequence[Node]) -> list[tuple[Port, tuple[Node, ...]]]:
+        """Those of the further inputs on which the nodes depend."""
+        found, seen, stack = set(), set(), list(nodes)
+        while stack:
+            node = stack.pop()
+            if node.index in seen or node.op == "const":
+                continue
+            seen.add(node.index)
+            if node.op == "symbol":
+                found.add(node.index)
+            else:
+                stack.extend(node.args)
+        return [(port, entries) for port, entries in self.inputs if any(e.index in found for e in entries)]
+
     def input(self, port: Port, description: str) -> tuple[Node, ...]:
         """Symbols for a further input of all functions that depend on loads."""
+        if any(port.name == other.name for other, _ in self.inputs):
+            raise DescriptionError(
+                f"effects: two of them have the input {port.name!r}; give one of them another name (key 'name')"
+            )
         nodes = tuple(
-            self.system.tape.symbol(f"{port.name}_{label}", unit, f"{description} {label}")
+            self.sampled(f"{port.name}_{label}" if label else port.name, unit, f"{description} {label}".strip())
             for label, unit in zip(port.labels, port.units, strict=True)
         )
-        self.inputs.append((port, nodes))
+        self.own_inputs.append((port, nodes))
         return nodes
 
-    def point(self, name: str, what: str) -> Point:
-        """A named point of the mechanism; `what` says which effect asks."""
-        points = self.system.mechanism.points
-        if name not in points:
-            raise DescriptionError(
-                f"{what}: expected a named point of the mechanism, got {name!r}" + did_you_mean(name, points)
-            )
-        return points[name]
+    def state(self, name: str, unit: str, initial: float, description: str) -> Node:
+        """A further state; its rate must be given by `state_rate`."""
+        if any(name == other.name for other in self.states):
+            raise DescriptionError(f"effects: two of them have the state {name!r}; give one another name (key 'name')")
+        node = self.sampled(f"x_{name}", unit, description)
+        self.states.append(State(name, unit, initial, node))
+        return node
+
+    def state_rate(self, name: str, rate: Node) -> None:
+        """The rate of a state."""
+        self.state_rates[name] = rate
+
+    @property
+    def state_nodes(self) -> tuple[Node, ...]:
+        """Symbols of all states."""
+        return tuple(s.node for s in self.states)
+
+    def state_port(self, name: str, description: str, suffix: str = "") -> Port:
+        """A port with one entry per state."""
+        units = tuple(s.unit + suffix if s.unit != "1" or not suffix else "1" + suffix for s in self.states)
+        return Port(name, (len(self.states),), units, tuple(s.name for s in self.states), description)
+
+    @property
+    def state_rate_output(self) -> list[tuple[Port, tuple[Node, ...]]]:
+        """The further output x_dot of forward dynamics; none without states."""
+        if not self.states:
+            return []
+        port = self.state_port("x_dot", "rates of the effects' states", "/s")
+        return [(port, tuple(self.state_rates[s.name] for s in self.states))]
+
+    # -- forces ------------------------------------------------------------------------------------------------
+
+    def reaction(self, joint: str) -> tuple[Vector, Vector] | None:
+        """The joint's reaction (f ; m_O) for a load-dependent effect; None while it is not known yet."""
+        self.needs_reactions = True
+        return None if self._reactions is None else self._reactions[joint]
 
     def push(self, point: Point, force: Vector, moment: Vector = ZERO) -> None:
         """A force [N] at a point of a body and a moment [N m], absolute axes."""
@@ -78,6 +220,21 @@ class Acting:
         f, m = (carry(system.tree, system.placed, GROUND, link, vector, before=True) for vector in (force, moment))
         arm = system.placed[link].before(system.local_point(link, system.geometry.vector(point.at)))
         self._load(link, f, add(m, cross(arm, f)))
+
+    def push_in_body_axes(self, point: Point, force: Vector, moment: Vector = ZERO) -> None:
+        """A force [N] at a point of a body and a moment [N m], in axes that the body carries.
+
+        They are the absolute axes in the reference configuration.
+        """
+        system = self.system
+        link = system.tree.link_of_body[point.body]
+        if link == GROUND:
+            return
+        back = system.frames[link].axes
+        place = system.local_point(link, system.geometry.vector(point.at))
+        f, m = (tuple(dot(column, v) for column in zip(*back, strict=True)) for v in (force, moment))
+        placed = system.placed[link]
+        self._load(link, placed.before(f), placed.before(add(m, cross(place, f))))  # type: ignore[arg-type]
 
     def drive(self, joint: str, freedom: int, force: Node) -> None:
         """A generalised force on a joint's freedom, like a drive: > 0 pushes the child along its screw."""
@@ -104,3 +261,71 @@ class Acting:
     def _load(self, link: int, force: Vector, moment: Vector) -> None:
         f, m = self.loads.get(link, (ZERO, ZERO))
         self.loads[link] = (add(f, force), add(m, moment))
+
+    # -- drives --------------------------------------------------------------------------------------------------
+
+    def transmit(self, joint: str, freedom: int, transmission: Transmission, what: str) -> None:
+        """Put a transmission between a drive and its joint: the entry of u is the motor's side then."""
+        drive = self.drive_index(joint, freedom, what)
+        if drive in self.transmissions:
+            raise DescriptionError(f"{what}: this drive has a transmission already; expected one")
+        self.transmissions[drive] = transmission
+
+    def drive_force(self, drive: int, command: Node) -> Node:
+        """Force or torque on the joint from an entry of u."""
+        return self.transmissions[drive].force(command) if drive in self.transmissions else command
+
+    def drive_commands(self, forces: Sequence[Node]) -> tuple[Node, ...]:
+        """Entries of u from the forces and torques on the joints."""
+        return tuple(self.transmissions[k].command(f) if k in self.transmissions else f for k, f in enumerate(forces))
+
+    def drive_port(self, port: Port) -> Port:
+        """The port of u with the units of the motors' sides."""
+        units = tuple(self.transmissions[k].unit if k in self.transmissions else u for k, u in enumerate(port.units))
+        return port if units == port.units else replace(port, units=units)
+
+    # -- sampling --------------------------------------------------------------------------------------------------
+
+    def sampled(self, name: str, unit: str, description: str) -> Node:
+        """A symbol with values at the sample states, so that whatever depends on it can be sampled."""
+        tape = self.system.tape
+        known = name in tape.symbols
+        node = tape.symbol(name, unit, description)
+        if not known:
+            random = np.random.default_rng(zlib.crc32(name.encode()))
+            tape.add_samples({node: random.uniform(-1, 1.5, len(self.system.sample_states[0]))})
+        return node
+
+
+def power_of_wrench(system: System, link: int, force: Vector, moment: Vector) -> Node:
+    """Power of a wrench on a link (link axes, at its origin) in the link's motion against the ground [W]."""
+    twist = system.twist[link]
+    return system.tape.node(dot(force, twist.linear) + dot(moment, twist.angular))
+
+
+def point_position(system: System, point: Point) -> Vector:
+    """Present place of a named point [m], absolute axes."""
+    link = system.tree.link_of_body[point.body]
+    at = system.geometry.vector(point.at)
+    return at if link == GROUND else system.pose[link].point(system.local_point(link, at))
+
+
+def point_velocity(system: System, point: Point) -> Vector:
+    """Velocity of a named point against the ground [m/s], absolute axes."""
+    link = system.tree.link_of_body[point.body]
+    if link == GROUND:
+        return ZERO
+    local = system.local_point(link, system.geometry.vector(point.at))
+    return system.pose[link].direction(system.twist[link].velocity_at(local))
+
+
+def body_spin(system: System, body: str) -> Vector:
+    """Angular velocity of a body against the ground [rad/s], absolute axes."""
+    link = system.tree.link_of_body[body]
+    return ZERO if link == GROUND else system.pose[link].direction(system.twist[link].angular)
+
+
+def between(system: System, a: Point, b: Point) -> tuple[Vector, Vector]:
+    """Where b is from a, and at which velocity: absolute axes."""
+    away = subtract(point_position(system, b), point_position(system, a))
+    return away, subtract(point_velocity(system, b), point_velocity(system, a))

@@ -5,14 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symscrew.effects.acting import Acting
+from symscrew.effects.effect import Effect
 from symscrew.program import Port
 
 UNITS = ("N",) * 3 + ("N m",) * 3
 LABELS = ("fx", "fy", "fz", "mx", "my", "mz")
 
 
-@dataclass(frozen=True)
-class ExternalWrench:
+@dataclass(frozen=True, repr=False)
+class ExternalWrench(Effect):
     """Force F [N] and moment M [N m] at a named point of a body, absolute axes: (F ; r x F + M) at O.
 
     The six numbers are a further input `load_<point>` of the functions that depend on loads. Power

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 import sympy
 
 from symscrew.effects.acting import Acting
+from symscrew.effects.effect import ALWAYS, Effect
 from symscrew.screws import add, dot, scale
 
 
-@dataclass(frozen=True)
-class Gravity:
+@dataclass(frozen=True, repr=False)
+class Gravity(Effect):
     """Weight m g of every body at its centre of mass; `acceleration` g [m/s^2] in absolute axes.
 
     In the recursions the field enters as an acceleration -g of the ground, which gives every body the force
     screw (m g ; r_C x m g) without a term per body. Potential energy: -sum m g . r_C [J], conservative.
     """
 
-    acceleration: tuple[str | int | float | Fraction, ...] = (0, 0, "-9.81")
+    acceleration: tuple[str | int | float | Fraction, ...] = field(default=(0, 0, "-9.81"), metadata=ALWAYS)
 
     @property
     def exact(self) -> tuple[sympy.Rational, sympy.Rational, sympy.Rational]:

@@ -1,0 +1,193 @@
+"""What effects ask of a system: their numbers as nodes, joints and points by name, displacements and rates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy
+
+from symscrew.closure import closure_rate, drive_row
+from symscrew.displacements import cut_displacement, tree_displacement
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.expressions import exact, numeric
+from symscrew.joints import JOINT_TYPES
+from symscrew.mechanism import Joint, Point
+from symscrew.reader import Reader
+from symscrew.screws import dot
+from symscrew.system import System
+from symscrew.tape import Node
+
+TIME = sympy.Symbol("t", real=True)
+
+
+class Quantities:
+    """Named parts and numbers of one system at its present nodes, with errors that name the effect that asks."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self._time: Node | None = None
+        self._reader = Reader(dict(system.mechanism.parameters))
+
+    @property
+    def half(self) -> Node:
+        """1/2."""
+        return self.system.tape.reciprocal(self.system.tape.node(2))
+
+    @property
+    def time(self) -> Node:
+        """The time [s]; asking for it makes it an input."""
+        if self._time is None:
+            self._time = self.sampled("t", "s", "time")
+        return self._time
+
+    def sampled(self, name: str, unit: str, description: str) -> Node:
+        """A symbol with values at the sample states."""
+        raise NotImplementedError
+
+    # -- numbers -------------------------------------------------------------------------------------------
+
+    def number(self, value: Any, what: str, *, least: float | None = None, above: float | None = None) -> Node:
+        """A number, or a text with an expression of the mechanism's parameters, as a node.
+
+        Raises:
+            DescriptionError: it is none, is not finite, or is out of bounds at the parameters' values.
+        """
+        expression = self._reader.number(value, what)
+        size = float(self.system.mechanism.number(expression))
+        if (least is not None and size < least) or (above is not None and size <= above):
+            bound = f"at least {least:g}" if least is not None else f"above {above:g}"
+            raise DescriptionError(f"{what}: expected a number {bound}, got {shorten(value)}")
+        return self.system.geometry.scalar(expression)
+
+    def value(self, value: Any, what: str) -> float:
+        """A number as a float, at the parameters' values."""
+        return float(self.system.mechanism.number(self._reader.number(value, what)))
+
+    def time_expression(self, value: Any, what: str) -> sympy.Expr:
+        """A number or a text with an expression of the time t and the parameters, exact."""
+        parameters = self.system.mechanism.parameters
+        if "t" in parameters:
+            raise DescriptionError(f"{what}: 't' is the time here; expected no parameter of this name")
+        names = {name: p.symbol for name, p in parameters.items()}
+        expression = exact(value, {**names, "t": TIME}, where=what)
+        if not expression.free_symbols:
+            numeric(expression, where=what)
+        return expression
+
+    def of(self, expression: sympy.Expr, symbols: dict[sympy.Symbol, Node], what: str) -> Node:
+        """A SymPy expression of some symbols, the time and the parameters as a node."""
+        known = {**self.system.geometry.parameters, **symbols}
+        if TIME in expression.free_symbols and TIME not in known:
+            known[TIME] = self.time
+        try:
+            return self.system.tape.expression(self.system.mechanism.baked(expression), known)
+        except (ValueError, AttributeError, KeyError) as error:
+            raise DescriptionError(f"{what}: cannot be turned into code: {error}") from error
+
+    def function_of_time(self, value: Any, what: str) -> Node:
+        """A number or an expression of the time t and the parameters as a node."""
+        return self.of(self.time_expression(value, what), {}, what)
+
+    # -- parts ---------------------------------------------------------------------------------------------
+
+    def point(self, name: str, what: str) -> Point:
+        """A named point of the mechanism; `what` says which effect asks."""
+        points = self.system.mechanism.points
+        if name not in points:
+            raise DescriptionError(
+                f"{what}: expected a named point of the mechanism, got {shorten(name)}; "
+                f"{did_you_mean(str(name), points)}"
+            )
+        return points[name]
+
+    def joint(self, name: str, what: str) -> Joint:
+        """A joint of the mechanism; `what` says which effect asks."""
+        joints = self.system.mechanism.joints
+        if name not in joints:
+            raise DescriptionError(
+                f"{what}: expected a joint of the mechanism, got {shorten(name)}; {did_you_mean(str(name), joints)}"
+            )
+        return joints[name]
+
+    def freedoms(self, joint: str, freedom: int | None, what: str) -> list[int]:
+        """Indices of the freedoms that are meant: all of them where none is named."""
+        count = JOINT_TYPES[self.joint(joint, what).type].freedom
+        if freedom is None:
+            return list(range(count))
+        if isinstance(freedom, bool) or not isinstance(freedom, int) or not 0 <= freedom < count:
+            last = f"an index from 0 to {count - 1}" if count else "a joint with freedoms"
+            raise DescriptionError(f"{what}: expected as freedom of joint {joint!r} {last}, got {shorten(freedom)}")
+        return [freedom]
+
+    def freedom(self, joint: str, freedom: int | None, what: str) -> int:
+        """The one freedom that is meant."""
+        found = self.freedoms(joint, freedom, what)
+        if len(found) != 1:
+            raise DescriptionError(
+                f"{what}: joint {joint!r} has {len(found)} freedoms; expected the key 'freedom' with one of "
+                f"{', '.join(map(str, found)) or 'none'}"
+            )
+        return found[0]
+
+    def tree_index(self, joint: str, freedom: int, what: str) -> int:
+        """Index into v of a freedom of a joint of the spanning tree."""
+        tree = self.system.tree
+        if joint not in tree.joints:
+            known = [name for name in tree.joints if name != tree.virtual]
+            raise DescriptionError(
+                f"{what}: joint {joint!r} closes a loop; expected a joint of the spanning tree: {', '.join(known)}"
+            )
+        return tree.velocity_indices(joint)[freedom]
+
+    def drive_index(self, joint: str, freedom: int, what: str) -> int:
+        """Index into u of the drive on a freedom."""
+        drives = self.system.drives
+        if (joint, freedom) not in drives:
+            names = ", ".join(f"{name}.{k}" for name, k in drives) or "none"
+            raise DescriptionError(
+                f"{what}: expected a driven freedom, got joint {joint!r}, freedom {freedom}; driven are {names}"
+            )
+        return drives.index((joint, freedom))
+
+    def slides(self, joint: str, freedom: int) -> bool:
+        """Whether a freedom is a translation."""
+        return JOINT_TYPES[self.system.mechanism.joints[joint].type].freedoms[freedom].kind == "P"
+
+    # -- motion of joints --------------------------------------------------------------------------------------
+
+    def displacement(self, joint: str, freedom: int, what: str) -> Node:
+        """Displacement of a freedom [m or rad], of a tree joint or of one that closes a loop."""
+        found = self.joint(joint, what)
+        if any(m.kind == "S" for m in JOINT_TYPES[found.type].motions):
+            raise DescriptionError(
+                f"{what}: joint {joint!r} turns freely in space and has no single displacement; "
+                "expected a joint of revolute, prismatic or helical motions"
+            )
+        return self.displacements(found)[freedom]
+
+    def displacements(self, joint: Joint) -> Sequence[Node]:
+        """Displacements of all freedoms of a joint; a spherical motion as rotation vector in the parent's axes."""
+        system = self.system
+        if joint.name in system.tree.joints:
+            return tree_displacement(system, joint)
+        return cut_displacement(system, next(c for c in system.cuts if c.joint.name == joint.name))
+
+    def rate(self, joint: str, freedom: int) -> Node:
+        """Rate of a freedom [m/s or rad/s], whose product with a drive on it is the drive's power."""
+        system = self.system
+        if joint in system.tree.joints:
+            return system.joint_rates(system.inputs.v)[system.tree.velocity_indices(joint)[freedom]]
+        cut = next(c for c in system.cuts if c.joint.name == joint)
+        motions = JOINT_TYPES[cut.joint.type].freedoms
+        rows = tuple(drive_row(cut, k, system.tree, system.placed) for k in range(len(motions)))
+        sign = -1 if cut.tip_is_parent else 1
+        seen = closure_rate(replace(cut, rows=rows), system.tree, system.placed, system.twist)
+        turning = [k for k, m in enumerate(motions) if m.kind == "R"]
+        if len(turning) == 2:
+            skew = system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))
+            if skew is not system.tape.zero:
+                other = turning[1 - turning.index(freedom)]
+                return sign * (seen[freedom] - skew * seen[other]) / (1 - skew * skew)
+        return sign * seen[freedom]

@@ -1,0 +1,135 @@
+"""Which effects there are, and effects as tables: from a scene file or a manifest, and back.
+
+    [[effects]]
+    type = "viscous_friction"
+    joint = "A"
+    coefficient = 0.2
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import pkgutil
+from collections.abc import Iterable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+import symscrew.effects
+from symscrew.effects.effect import Effect
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.mechanism import Mechanism
+
+HELPERS = ("acting", "effect", "quantities", "registry")
+
+
+@cache
+def known_effects() -> dict[str, type[Effect]]:
+    """Type name (the name of the file) to class, in alphabetical order."""
+    names = sorted(m.name for m in pkgutil.iter_modules(symscrew.effects.__path__) if m.name not in HELPERS)
+    return {name: getattr(import_module(f"symscrew.effects.{name}"), class_name(name)) for name in names}
+
+
+def class_name(kind: str) -> str:
+    """`some_effect` to `SomeEffect`."""
+    return "".join(part.capitalize() for part in kind.split("_"))
+
+
+def type_name(effect: Effect) -> str:
+    """The type by which a table calls an effect."""
+    return type(effect).__module__.rpartition(".")[2]
+
+
+def effect_from_table(table: Any, where: str = "effects") -> Effect:
+    """The effect that a table describes: `type` and the fields of the effect's class.
+
+    Numbers may be texts with expressions, as everywhere in a description; lists become tuples.
+
+    Raises:
+        DescriptionError: no table, an unknown type or key, a missing key, or a value of the wrong kind.
+    """
+    if not isinstance(table, Mapping):
+        raise DescriptionError(f"{where}: expected a table with the key 'type', got {shorten(table)}")
+    known = known_effects()
+    kind = table.get("type")
+    if not isinstance(kind, str):
+        raise DescriptionError(
+            f"{where}: expected the key 'type' with the name of an effect ({', '.join(known)}), got {shorten(kind)}"
+        )
+    names = {**known, **{made.__name__: made for made in known.values()}}
+    if kind not in names:
+        raise DescriptionError(f"{where}: unknown effect {shorten(kind)}; {did_you_mean(kind, known)}")
+    made = names[kind]
+    fields = {f.name: f for f in dataclasses.fields(made)}
+    values = {}
+    for key, value in table.items():
+        if key == "type":
+            continue
+        if key not in fields:
+            known_keys = ", ".join(fields) or "none"
+            raise DescriptionError(
+                f"{where}: unknown key {shorten(key)} of the effect {kind}; {did_you_mean(str(key), fields)} "
+                f"(its keys: {known_keys})"
+            )
+        values[key] = _checked(value, fields[key], f"{where}.{key}")
+    missing = [name for name, f in fields.items() if f.default is dataclasses.MISSING and name not in values]
+    if missing:
+        raise DescriptionError(f"{where}: the effect {kind} needs the key {missing[0]!r}")
+    return made(**values)
+
+
+def _checked(value: Any, field: dataclasses.Field, where: str) -> Any:
+    """A value of a table, of the kind that the field's annotation asks for."""
+    kind = str(field.type)
+    if isinstance(value, bool):
+        expected, good = "text or numbers", "bool" in kind
+    elif isinstance(value, str):
+        expected, good = "a list or a number", "str" in kind or "Number" in kind
+    elif isinstance(value, int | float | Decimal | Fraction):
+        integer = kind.startswith("int")
+        expected = "an index" if integer else ("true or false" if kind == "bool" else "text or a list")
+        good = isinstance(value, int) if integer else "Number" in kind.split("tuple")[0]
+    elif isinstance(value, list | tuple):
+        expected, good = "a single value", "tuple" in kind
+        value = tuple(_frozen(v, where) for v in value)
+    else:
+        expected, good = "text, a number, true or false, or a list", False
+    if not good:
+        raise DescriptionError(f"{where}: expected {expected}, got {shorten(value)}")
+    return value
+
+
+def _frozen(value: Any, where: str) -> Any:
+    if isinstance(value, list | tuple):
+        return tuple(_frozen(v, where) for v in value)
+    if isinstance(value, bool) or not isinstance(value, str | int | float | Decimal | Fraction):
+        raise DescriptionError(f"{where}: expected a list of numbers or texts, got {shorten(value)} in it")
+    return value
+
+
+def effect_to_table(effect: Effect) -> dict[str, Any]:
+    """The table of an effect: its type, and the fields that are required or differ from their defaults."""
+    return {"type": type_name(effect), **{k: _plain(v) for k, v in effect.shown_fields().items()}}
+
+
+def _plain(value: Any) -> Any:
+    """Lists for tuples, and text for numbers that files do not hold exactly."""
+    if isinstance(value, tuple | list):
+        return [_plain(v) for v in value]
+    return str(value) if isinstance(value, Decimal | Fraction) else value
+
+
+def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:
+    """Refuse effects that do not fit the mechanism.
+
+    Raises:
+        DescriptionError: names the effect, what was expected, what came, and the cure.
+    """
+    from symscrew.effects.acting import Acting
+    from symscrew.effects.effect import transformed
+    from symscrew.system import System
+
+    every = tuple(effects)
+    Acting(System(mechanism, transformed(mechanism, every)), every)
