@@ -194,7 +194,8 @@ def _close(writing: Writing, joint: Joint) -> None:
     elif joint.type == "S" and not joint.driven:
         _add_equality(writing, "connect", joint.name, ends, point)
     elif joint.type == "R" and not joint.driven:
-        axis = numbers(writing.mechanism, joint.axes[0])
+        # read back, the ground is the parent: the coordinate keeps its sign
+        axis = numbers(writing.mechanism, joint.axes[0]) * (-1 if joint.child == writing.mechanism.ground else 1)
         for k, place in enumerate((point, point + writing.numbers.length * axis)):
             _add_equality(writing, "connect", f"{joint.name}.{k}", ends, place)
     else:
