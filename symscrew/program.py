@@ -313,7 +313,7 @@ class _Lowering:
         return op, args
 
     def _emit(self, op: str, args: tuple[int | float, ...]) -> int:
-        key = (op, args)
+        key = (op, *((type(a), a) for a in args))  # slot 2 and the constant 2.0 are equal, and not the same
         if key not in self.made:
             target = next(self.next)
             self.made[key] = target

@@ -1,0 +1,19 @@
+"""Lowering: what is printed means what the tape says."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from symscrew.program import Function, Port, evaluate, lower
+from symscrew.tape import Tape
+
+
+def test_a_constant_is_not_the_input_of_that_number() -> None:
+    """The constant 2.0 and the input in slot 2 are equal numbers in an instruction, and different operands."""
+    tape = Tape()
+    x = [tape.symbol(f"x{k}", "1", "input") for k in range(4)]
+    ports = Port("x", (4,), ("1",) * 4, (), ""), Port("y", (4,), ("1",) * 4, (), "")
+    results = (x[2] * x[3], 2 * x[3], x[3] + 2, x[3] + x[2])
+    function = Function("both", "", ports[:1], ports[1:], (tuple(x),), (results,))
+    (got,), _ = evaluate(lower(function), [np.array([0.0, 0.0, 5.0, 7.0])])
+    assert got.tolist() == [35.0, 14.0, 9.0, 12.0]
