@@ -1,9 +1,10 @@
 """A mechanism from a URDF: links, joints of all standard types, transmissions.
 
 Read: fixed, revolute, continuous, prismatic, planar and floating joints with origin and axis; inertial
-elements; transmissions, whose joints are driven (without any, all revolute, continuous and prismatic joints
-are). The root link is the ground. Refused by name: mimic joints, other joint types, links with two parents.
-Named in the mechanism's `source` and not taken over: limits, damping, friction, safety controllers.
+elements; transmissions and the command interfaces of ros2_control, whose joints are driven (without any, all
+revolute, continuous and prismatic joints are). The root link is the ground. Refused by name: mimic joints,
+other joint types, links with two parents. Named in the mechanism's `source` and not taken over: limits,
+damping, friction, safety controllers.
 
 Source: the URDF specification, https://wiki.ros.org/urdf/XML (angles in rad, rpy about fixed axes).
 """
@@ -169,15 +170,24 @@ def _driven(root: Element, joints: Mapping[str, Element]) -> tuple[list[str], li
     """Names of the driven joints, and a note about how they were found."""
     single = [name for name, j in joints.items() if j.get("type") in ("revolute", "continuous", "prismatic")]
     transmissions = list(elements(root, "transmission"))
-    if not transmissions:
-        return single, ["without transmissions: every revolute, continuous and prismatic joint is driven"]
+    controls = list(elements(root, "ros2_control"))
+    if not transmissions and not controls:
+        return single, [
+            "without transmissions and ros2_control: every revolute, continuous and prismatic joint is driven"
+        ]
     named = [attribute(joint, "name") for t in transmissions for joint in elements(t, "joint")]
+    commanded = [
+        j for c in controls for j in elements(c, "joint") if any(True for _ in elements(j, "command_interface"))
+    ]
+    named += [attribute(joint, "name") for joint in commanded]
     for name in named:
         if name not in joints:
-            raise DescriptionError(f"<transmission>: no joint {shorten(name)}; {did_you_mean(name, joints)}")
+            raise DescriptionError(
+                f"<transmission> or <ros2_control>: no joint {shorten(name)}; {did_you_mean(name, joints)}"
+            )
         if name not in single:
             raise DescriptionError(
-                f"<transmission>: {label(joints[name])} has not one freedom; only such can be driven"
+                f"<transmission> or <ros2_control>: {label(joints[name])} has not one freedom; only such can be driven"
             )
     return named, []
 

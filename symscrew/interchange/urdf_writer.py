@@ -43,6 +43,8 @@ def print_urdf(mechanism: Mechanism) -> str:
         origins[branch.body] = numbers(mechanism, branch.joint.point)
         driven += _add_joint(root, mechanism, branch, origins, used)
         _add_link(root, mechanism, mechanism.bodies[branch.body], origins[branch.body])
+    if not driven:  # a file without both would say that every joint is driven
+        SubElement(root, "ros2_control", name="passive", type="system")
     for name in driven:
         transmission = SubElement(root, "transmission", name=f"drive_{name}")
         SubElement(transmission, "type").text = "transmission_interface/SimpleTransmission"
