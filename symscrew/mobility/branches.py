@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.mobility.local import SEED, Local, flatten, local_at, local_refined, vanishes
+from symscrew.mobility.local import SEED, Local, coarse_rank, flatten, local_at, local_refined, vanishes
 from symscrew.mobility.reduced import ReducedClosure, Values, is_zero
 from symscrew.mobility.variety import Array, ClosureVariety
 
@@ -151,10 +151,11 @@ def _dimension_at(
             f"along all {instantaneous} instantaneous freedoms close in 60 digits; {gap}"
         )
     zeros = _zeros_around(coarse, there, radius / 10)
-    fewest = min(zeros, key=lambda q: local_refined(coarse, fine, q)[0].dof, default=None)
-    if fewest is not None and depth < 2 and local_refined(coarse, fine, fewest)[0].dof < instantaneous:
+    likely = sorted(zeros, key=lambda q: float(coarse_rank(coarse, q)), reverse=True)[:3]
+    fewest = min(((local_refined(coarse, fine, q)[0].dof, k) for k, q in enumerate(likely)), default=(instantaneous, 0))
+    if depth < 2 and fewest[0] < instantaneous:
         # the zero lies where branches meet; a neighbour shows one of them
-        return _dimension_at(coarse, fine, fewest, radius / 10, depth + 1)
+        return _dimension_at(coarse, fine, likely[fewest[1]], radius / 10, depth + 1)
     dimension = _spanned(zeros, there, radius / 10)
     if dimension and dimension == _spanned(_zeros_around(coarse, there, radius / 30), there, radius / 30):
         text = f"a branch of dimension {dimension}, shaky all along: {instantaneous} instantaneous freedoms on it"

@@ -73,8 +73,9 @@ class Decisions:
         if different:
             worst = different[0]
             return (
-                f"not exact, because over {self.field} the decimals of the description, taken as exact, give {worst.claim} "
-                f"{worst.exact} instead of {worst.numeric}: differences below 1e-27 are taken for rounding"
+                f"not exact, because over {self.field} the decimals of the description, taken as exact, give "
+                f"{worst.claim} {worst.exact} instead of {worst.numeric}: "
+                "differences below 1e-27 are taken for rounding"
             )
         return f"not exact, because {self.reason}" if self.reason else ""
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.screw_systems import eliminate
+from symscrew.mobility.network import Network
+from symscrew.mobility.screw_systems import eliminate, null_space
+from symscrew.mobility.tangent_cone import second_order
 from symscrew.mobility.variety import Array, ClosureVariety
 from symscrew.operations import CONTEXT
 
@@ -18,6 +21,8 @@ STEPS = (0.05, 0.02, 0.005, 0.001, 2e-4)
 SEED = 20230811
 LIMITS_OF_RANK = (1e-7, 1e-5)
 DISTINCT = 1e-11
+DEFINITE = 1e-6
+"""Smallest eigenvalue of a combination of unit forms that is worth proving definite."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +85,13 @@ def _rank(values: Array) -> int:
         if above / below > widest:
             best, widest = k, above / below
     return best
+
+
+def coarse_rank(variety: ClosureVariety, q: Array) -> float:
+    """Rank of the Jacobian in double precision, and of equal ranks the one with the larger smallest value."""
+    values = np.linalg.svd(variety.evaluate(q[None])[1][0], compute_uv=False)
+    rank = int((values > DISTINCT * max(values[0], 1e-300)).sum())
+    return rank + min(0.5, float(values[rank - 1])) if rank else 0.0
 
 
 def flatten(dof: int, count: int = 3) -> Iterator[Array]:
@@ -159,29 +171,23 @@ def local_refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array) -> tup
 
 
 def quadratic_forms(variety: ClosureVariety, here: Local) -> Array:
-    """One symmetric matrix per self-stress: the second-order part of g on the instantaneous motions.
+    """One symmetric matrix per self-stress: g_k(u) = u^T Q_k u / 2 + ... on the instantaneous motions.
 
-    g_k(u) = u^T Q_k u / 2 + ..., Q_k from the derivative of the Jacobian along each motion: the brackets
-    [S_i, S_j] of the joint screws. Differentiated by central differences of the analytic Jacobian.
+    By screw brackets (`tangent_cone.second_order`); what is rounding becomes zero.
     """
-    step = 1e-5
-    points = np.concatenate([here.q + step * here.kernel.T, here.q - step * here.kernel.T])
-    jacobians = variety.evaluate(points)[1]
-    change = (jacobians[: here.dof] - jacobians[here.dof :]) / (2 * step)
-    forms = np.einsum("kr,irc,cj->kij", here.stresses, change, here.kernel)
-    forms = (forms + forms.transpose(0, 2, 1)) / 2
-    size = np.abs(forms).max(initial=0.0)
-    forms[np.abs(forms) < 1e-9 * max(1.0, size)] = 0.0
+    screws = variety.forward(here.q[None])[0][0]
+    forms = second_order(variety.network, screws, here.stresses, here.kernel)
+    forms[np.abs(forms) < 1e-13 * max(1.0, float(np.abs(forms).max(initial=0.0)))] = 0.0
     return forms
 
 
-def definite_stress(forms: Array) -> float | None:
-    """Relative smallest eigenvalue of a definite combination of the forms, or None if none was found.
+def definite_stress(forms: Array) -> Array | None:
+    """Weights of a combination of the forms that is positive definite in double precision, or None if none was found.
 
     Perceptron on the motions: as long as a motion gets no positive value, add its values to the combination.
     """
-    used = [form / np.linalg.norm(form) for form in forms if np.abs(form).max() > 0]
-    if not used:
+    used = [form / np.linalg.norm(form) if form.any() else form for form in forms]
+    if not forms.any():
         return None
     stack = np.array(used)
     weights = np.trace(stack, axis1=1, axis2=2)
@@ -189,11 +195,37 @@ def definite_stress(forms: Array) -> float | None:
         weights = np.ones(len(stack))
     for _ in range(300):
         values, vectors = np.linalg.eigh(np.tensordot(weights / np.linalg.norm(weights), stack, axes=1))
-        if values[0] > 1e-7 * max(abs(values[-1]), 1e-12):
-            return float(values[0] / abs(values[-1]))
+        if values[0] > DEFINITE:
+            sizes = np.array([np.linalg.norm(form) or 1.0 for form in forms])
+            return weights / np.linalg.norm(weights) / sizes
         motion = vectors[:, 0]
         gain = np.einsum("i,kij,j->k", motion, stack, motion)
         if np.linalg.norm(gain) < 1e-9:
             return None
         weights = weights + gain * np.linalg.norm(weights) / 4 / max(np.linalg.norm(gain), 1e-9)
     return None
+
+
+def proved_definite(network: Network, motions: Sequence[Sequence], stress: Array) -> Any:
+    """Smallest pivot of a self-stress's form on the instantaneous motions, if it is positive definite in 60 digits.
+
+    `stress` in double precision is replaced by the nearest combination of the self-stresses in 60 digits. The
+    pivots are those of a Cholesky decomposition, relative to the largest entry; None if one is not positive.
+    """
+    rows = network.loop_rows()
+    exact = null_space([list(column) for column in zip(*rows, strict=True)], len(rows)).basis
+    basis = np.array(exact, dtype=object)
+    weights = np.linalg.lstsq(basis.astype(float).T, stress, rcond=None)[0]
+    combined = sum(CONTEXT.mpf(float(w)) * vector for w, vector in zip(weights, basis, strict=True))
+    screws = np.array(network.screws, dtype=object)
+    kernel = np.array(motions, dtype=object).T
+    form = second_order(network, screws, np.array([combined], dtype=object), kernel)[0]
+    largest = max(abs(c) for c in form.ravel())
+    smallest = None
+    for k in range(len(form)):
+        pivot = form[k, k] / largest
+        if pivot < CONTEXT.mpf(10) ** -20:
+            return None
+        smallest = pivot if smallest is None else min(smallest, pivot)
+        form = form - np.outer(form[:, k], form[k, :]) / form[k, k]
+    return smallest

@@ -17,9 +17,12 @@ from typing import Any
 import numpy as np
 
 from symscrew.mobility.network import Edge, Network
+from symscrew.mobility.residual import ClosureResidual
 from symscrew.operations import CONTEXT
 
 Array = np.ndarray
+Pose = tuple[Array, Array]
+Step = tuple[Array, Array, Array | None]
 
 
 @dataclass(frozen=True)
@@ -55,12 +58,18 @@ DIGITS_60 = Arithmetic(
 
 @dataclass(frozen=True)
 class Motion:
-    """One elementary motion of a joint in the arithmetic: its kind, first column, screws and point."""
+    """One elementary motion of a joint in the arithmetic: its kind, first column, screws and point.
+
+    `hat`, `square`: the cross-product matrix of the axis and its square; `pitch`: the advance along the axis.
+    """
 
     kind: str
     column: int
     screws: Array
     point: Array
+    hat: Array
+    square: Array
+    pitch: Any
 
 
 class ClosureVariety:
@@ -76,6 +85,7 @@ class ClosureVariety:
         self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
         self.columns = network.freedoms
         self.rows = 6 * len(network.chords)
+        self._fixed = None if arithmetic is DOUBLE else ClosureResidual(network, centre)
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
@@ -83,7 +93,7 @@ class ClosureVariety:
         residuals = self._zeros(len(q), self.rows)
         for k, name in enumerate(self.network.chords):
             edge = self.network.edges[name]
-            gap = _product(_product(poses[edge.parent], self._displacement(name, q)), _inverse(poses[edge.child]))
+            gap = _product(poses[f"{name} closed"], _inverse(poses[edge.child]))
             residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
         return residuals, self._jacobian(screws)
 
@@ -94,20 +104,25 @@ class ClosureVariety:
         poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
         for name, sign in self.network.tree:
             edge = self.network.edges[name]
-            inner, outer = (edge.parent, edge.child) if sign > 0 else (edge.child, edge.parent)
-            step = self._displacement(name, q)
+            steps = [self._step(motion, q) for motion in self._motions[name]]
             if sign > 0:
-                start = poses[inner]
-                poses[outer] = _product(start, step)
+                poses[edge.child] = self._fill(name, steps, poses[edge.parent], screws)
             else:
-                start = poses[outer] = _product(poses[inner], _inverse(step))
-            self._fill(name, q, start, screws)
+                total = poses[edge.child]
+                for step in reversed(steps):
+                    total = _product(total, _inverse((step[0], step[1])))
+                poses[edge.parent] = total
+                self._fill(name, steps, total, screws)
         for name in self.network.chords:
-            self._fill(name, q, poses[self.network.edges[name].parent], screws)
+            edge = self.network.edges[name]
+            steps = [self._step(motion, q) for motion in self._motions[name]]
+            poses[f"{name} closed"] = self._fill(name, steps, poses[edge.parent], screws)
         return screws, poses
 
     def residual(self, q: Array) -> Array:
         """The residual at one point."""
+        if self._fixed is not None:
+            return np.array(self._fixed(list(q)), dtype=object)
         return self.evaluate(q[None])[0][0]
 
     def _jacobian(self, screws: Array) -> Array:
@@ -118,43 +133,32 @@ class ClosureVariety:
                     result[:, 6 * k : 6 * k + 6, column] = sign * screws[:, column]
         return result
 
-    def _displacement(self, name: str, q: Array) -> tuple[Array, Array]:
-        total = (self._identity(len(q)), self._zeros(len(q), 3))
-        for motion in self._motions[name]:
-            total = _product(total, self._step(motion, q))
-        return total
-
-    def _fill(self, name: str, q: Array, start: tuple[Array, Array], screws: Array) -> None:
-        """The displaced screws of a joint whose parent body has the displacement `start`."""
-        for motion in self._motions[name]:
+    def _fill(self, name: str, steps: list[Step], start: Pose, screws: Array) -> Pose:
+        """The displaced screws of a joint whose parent body has the displacement `start`; that of the child body."""
+        for motion, (rotation, translation, jacobian) in zip(self._motions[name], steps, strict=True):
+            local = motion.screws if jacobian is None else np.swapaxes(jacobian, 1, 2) @ motion.screws
+            turned = np.swapaxes(start[0], 1, 2)
+            angular = local[..., :3] @ turned
+            linear = local[..., 3:] @ turned + _cross(start[1][:, None, :], angular)
             columns = slice(motion.column, motion.column + len(motion.screws))
-            local = np.broadcast_to(motion.screws, (len(q), *motion.screws.shape))
-            if motion.kind == "S":
-                local = np.swapaxes(self._rotation_vector(q[:, columns])[1], 1, 2) @ local
-            rotation, translation = start
-            angular = local[:, :, :3] @ np.swapaxes(rotation, 1, 2)
-            linear = local[:, :, 3:] @ np.swapaxes(rotation, 1, 2) + _cross(translation[:, None, :], angular)
             screws[:, columns, :3], screws[:, columns, 3:] = angular, linear
-            start = _product(start, self._step(motion, q))
+            start = _product(start, (rotation, translation))
+        return start
 
-    def _step(self, motion: Motion, q: Array) -> tuple[Array, Array]:
-        """(rotation, translation) of one elementary motion."""
+    def _step(self, motion: Motion, q: Array) -> Step:
+        """(rotation, translation, left Jacobian of a spherical motion) of one elementary motion."""
         if motion.kind == "P":
-            return self._identity(len(q)), q[:, motion.column, None] * motion.screws[0, 3:]
+            return self._identity(len(q)), q[:, motion.column, None] * motion.screws[0, 3:], None
         if motion.kind == "S":
-            rotation, _ = self._rotation_vector(q[:, motion.column : motion.column + 3])
-            return rotation, motion.point - rotation @ motion.point
-        axis = motion.screws[0, :3]
+            rotation, jacobian = self._rotation_vector(q[:, motion.column : motion.column + 3])
+            return rotation, motion.point - rotation @ motion.point, jacobian
         angle = q[:, motion.column]
-        hat = _hat(axis[None])[0]
-        sine, cosine = self.arithmetic.sin(angle), self.arithmetic.cos(angle)
-        rotation = self._identity(len(q)) + sine[:, None, None] * hat + (1 - cosine)[:, None, None] * (hat @ hat)
+        sine, versine = self.arithmetic.sin(angle), 1 - self.arithmetic.cos(angle)
+        rotation = self._identity(len(q)) + sine[:, None, None] * motion.hat + versine[:, None, None] * motion.square
         moved = motion.point - rotation @ motion.point
         if motion.kind == "H":
-            # the part of the screw's linear velocity along its axis is the pitch
-            pitch = axis @ motion.screws[0, 3:]
-            moved = moved + angle[:, None] * (pitch * axis)
-        return rotation, moved
+            moved = moved + angle[:, None] * (motion.pitch * motion.screws[0, :3])
+        return rotation, moved, None
 
     def _rotation_vector(self, vector: Array) -> tuple[Array, Array]:
         """(rotation, left Jacobian) of rotation vectors: omega = J_l(w) dw/dt."""
@@ -192,7 +196,12 @@ def _motions(edge: Edge, centre: list, arithmetic: Arithmetic) -> tuple[Motion, 
     for kind, column in edge.motions:
         local = edge.screws[column - edge.start : column - edge.start + (3 if kind == "S" else 1)]
         moved = [_moved(screw, centre) for screw in local]
-        result.append(Motion(kind, column, arithmetic.array(moved), arithmetic.array(point)))
+        screws = arithmetic.array(moved)
+        axis = screws[0, :3]
+        hat = _hat(axis[None])[0]
+        # the part of the screw's linear velocity along its axis is the pitch
+        pitch = axis @ screws[0, 3:]
+        result.append(Motion(kind, column, screws, arithmetic.array(point), hat, hat @ hat, pitch))
     return tuple(result)
 
 
@@ -228,17 +237,16 @@ def _small_twist(gap: tuple[Array, Array]) -> Array:
 
 def _hat(vector: Array) -> Array:
     x, y, z = vector[:, 0], vector[:, 1], vector[:, 2]
-    zero = 0 * x
-    rows = [[zero, -z, y], [z, zero, -x], [-y, x, zero]]
-    return np.stack([np.stack(row, axis=1) for row in rows], axis=1)
+    result = np.empty((len(vector), 3, 3), dtype=vector.dtype)
+    result[:, 0, 0] = result[:, 1, 1] = result[:, 2, 2] = 0 * x
+    result[:, 0, 1], result[:, 0, 2], result[:, 1, 2] = -z, y, -x
+    result[:, 1, 0], result[:, 2, 0], result[:, 2, 1] = z, -y, x
+    return result
 
 
 def _cross(a: Array, b: Array) -> Array:
-    return np.stack(
-        [
-            a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1],
-            a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2],
-            a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0],
-        ],
-        axis=-1,
-    )
+    result = np.empty(np.broadcast_shapes(a.shape, b.shape), dtype=b.dtype)
+    result[..., 0] = a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1]
+    result[..., 1] = a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2]
+    result[..., 2] = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    return result

@@ -1,0 +1,331 @@
+"""Mechanisms with known mobility beyond `data/mobility.json`: from the literature, or with the reason beside them.
+
+Numbers are exact. `Case.expected`: (instantaneous, finite, branches or None where smooth, overconstraints).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy import Matrix, Rational, sqrt
+
+from symscrew.builder import MechanismBuilder
+from symscrew.mechanism import Mechanism
+
+X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
+
+
+@dataclass(frozen=True)
+class Case:
+    """A mechanism, (dof, dof_finite, branches, overconstraints) and where the values come from."""
+
+    make: Callable[[], Mechanism]
+    expected: tuple[int, int, tuple[int, ...] | None, int]
+    source: str
+
+
+def unit(vector: Sequence[Any]) -> list[Any]:
+    """The vector with length one, exactly."""
+    size = sqrt(sum(sympy.sympify(c) ** 2 for c in vector))
+    return [sympy.sympify(c) / size for c in vector]
+
+
+def loop(*joints: tuple[str, Sequence[Any], Sequence[Any] | None], pitches: dict[int, Any] | None = None) -> Mechanism:
+    """A single loop of joints (type, point, axis); the link between the last and the first is the ground."""
+    builder = MechanismBuilder("loop")
+    links = ["base", *(f"link{k}" for k in range(1, len(joints))), "base"]
+    for link in links[1:-1]:
+        builder.body(link)
+    for k, (kind, point, axis) in enumerate(joints):
+        options: dict[str, Any] = {} if axis is None else {"axes": [unit(axis)]}
+        if kind == "H":
+            options["pitch"] = (pitches or {})[k]
+        builder.joint(f"J{k + 1}", kind, parent=links[k], child=links[k + 1], point=list(point), **options)
+    return builder.build()
+
+
+def graph(*joints: tuple[str, str, str, Sequence[Any], Sequence[Any] | None]) -> Mechanism:
+    """Any graph of joints (type, parent, child, point, axis); the ground is `base`."""
+    builder = MechanismBuilder("graph")
+    for body in dict.fromkeys(b for j in joints for b in j[1:3] if b != "base"):
+        builder.body(body)
+    for k, (kind, parent, child, point, axis) in enumerate(joints):
+        options: dict[str, Any] = {} if axis is None else {"axes": [unit(axis)]}
+        builder.joint(f"J{k + 1}", kind, parent=parent, child=child, point=list(point), **options)
+    return builder.build()
+
+
+def framework(points: Sequence[Sequence[Any]], bars: Sequence[tuple[int, int]], axis: Sequence[int] = Z) -> Mechanism:
+    """A planar framework of bars with pins at `points`; the first bar is the ground."""
+    names = ["base", *(f"bar{a}_{b}" for a, b in bars[1:])]
+    joints = []
+    for pin, point in enumerate(points):
+        meeting = [name for name, bar in zip(names, bars, strict=True) if pin in bar]
+        joints += [("R", meeting[0], other, [*point, 0], axis) for other in meeting[1:]]
+    return graph(*joints)
+
+
+def half_turned(joint: tuple[str, list[Any], list[Any]]) -> tuple[str, list[Any], list[Any]]:
+    """The joint turned by pi about z."""
+    kind, (x, y, z), (a, b, c) = joint
+    return (kind, [-x, -y, z], [-a, -b, c])
+
+
+def mirrored(joint: tuple[str, list[Any], list[Any]]) -> tuple[str, list[Any], list[Any]]:
+    """The joint mirrored in the plane y = 0."""
+    kind, (x, y, z), (a, b, c) = joint
+    return (kind, [x, -y, z], [a, -b, c])
+
+
+def line_symmetric() -> Mechanism:
+    half = [("R", [3, 1, 0], [1, 2, 2]), ("R", [1, 4, 2], [2, -1, 3]), ("R", [-2, 3, 5], [0, 3, 4])]
+    return loop(*half, *(half_turned(j) for j in half))
+
+
+def line_symmetric_octahedron() -> Mechanism:
+    """Six hinges along the belt edges of an octahedron with vertices A, B, C and their images."""
+    a, b, c = Matrix([3, 0, 1]), Matrix([1, 4, 0]), Matrix([0, 2, 5])
+    turn = sympy.diag(-1, -1, 1)
+    a2, b2, c2 = turn * a, turn * b, turn * c
+    edges = [(a, c2), (c2, b), (b, a2), (a2, c), (c, b2), (b2, a)]
+    return loop(*(("R", list(p), list(q - p)) for p, q in edges))
+
+
+def plane_symmetric() -> Mechanism:
+    one, four = ("R", [2, 0, 1], [1, 0, 3]), ("R", [-3, 0, 2], [2, 0, 1])
+    two, three = ("R", [1, 3, 0], [2, 1, 2]), ("R", [-1, 4, 3], [1, -2, 4])
+    return loop(one, two, three, four, mirrored(three), mirrored(two))
+
+
+BENNETT = (
+    ("R", [0, 0, 0], [0, 0, 1]),
+    ("R", [1, 0, 0], [0, Rational(-3, 5), Rational(4, 5)]),
+    ("R", [Rational(224, 169), Rational(224, 507), Rational(56, 169)], [56 * 5, 336, -723]),
+    ("R", [Rational(5, 13), Rational(20, 39), 0], [4, -3, -12]),
+)
+
+
+def moved(joint: tuple[str, Any, Any], rotation: Matrix, shift: Sequence[Any], factor: Any = 1) -> tuple[str, Any, Any]:
+    """The joint turned, scaled about O and shifted."""
+    kind, point, axis = joint
+    return (kind, list(rotation * Matrix(point) * factor + Matrix(shift)), list(rotation * Matrix(axis)))
+
+
+def about_z(c: Any, s: Any) -> Matrix:
+    return Matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def waldron_hybrid() -> Mechanism:
+    """Two Bennett loops about a common axis z, its joint left out: both turn by the same angle."""
+    turned = about_z(Rational(-4, 5), Rational(3, 5))
+    other = [moved(j, turned, (0, 0, 3), Rational(3, 2)) for j in BENNETT]
+    return loop(BENNETT[1], BENNETT[2], BENNETT[3], other[3], other[2], other[1])
+
+
+def plano_spherical_hybrid() -> Mechanism:
+    """A planar and a spherical four-bar about a common axis z, its joint left out (Bennett 1905)."""
+    planar = [("R", [4, 1, 0], Z), ("R", [3, 5, 0], Z), ("R", [-2, 3, 0], Z)]
+    spherical = [("R", [0, 0, 5], v) for v in ([1, 0, 2], [1, 3, 1], [0, 2, 5])]
+    return loop(*planar, *spherical)
+
+
+def two_bennetts() -> Mechanism:
+    """Two Bennett loops side by side that share one joint and its two links."""
+    other = [moved(j, about_z(1, 0), (0, 0, 0), -1) for j in BENNETT]
+    first = [("R", "base", "a", *BENNETT[0][1:]), ("R", "a", "b", *BENNETT[1][1:]), ("R", "b", "c", *BENNETT[2][1:]),
+             ("R", "c", "base", *BENNETT[3][1:])]  # fmt: skip
+    second = [("R", "a", "d", *other[1][1:]), ("R", "d", "e", *other[2][1:]), ("R", "e", "base", *other[3][1:])]
+    return graph(*first, *second)
+
+
+def three_limb_sarrus() -> Mechanism:
+    joints = []
+    for k, (c, s) in enumerate([(1, 0), (Rational(-1, 2), sqrt(3) / 2), (Rational(-1, 2), -sqrt(3) / 2)]):
+        axis = [-s, c, 0]
+        places = [[2 * c, 2 * s, 0], [3 * c, 3 * s, 1], [2 * c, 2 * s, 2]]
+        bodies = ["base", f"a{k}", f"b{k}", "plate"]
+        joints += [("R", bodies[i], bodies[i + 1], places[i], axis) for i in range(3)]
+    return graph(*joints)
+
+
+def legs(points: Sequence[Sequence[Any]]) -> Mechanism:
+    """A platform on equal parallel legs with spherical joints at both ends."""
+    joints = []
+    for k, (x, y) in enumerate(points):
+        joints += [("S", "base", f"leg{k}", [x, y, 0], None), ("S", f"leg{k}", "plate", [x, y, 2], None)]
+    return graph(*joints)
+
+
+CIRCLE = ([1, 0], [Rational(3, 5), Rational(4, 5)], [0, 1], [-1, 0], [Rational(-4, 5), Rational(-3, 5)], [0, -1])
+NO_CIRCLE = ([1, 0], [Rational(3, 5), Rational(4, 5)], [0, 2], [-1, 0], [Rational(-4, 5), Rational(-3, 5)], [0, -1])
+
+
+def dixon() -> Mechanism:
+    """K(3,3) with its points on two perpendicular lines: x_i^2 + t, y_j^2 - t keep all lengths (Dixon 1899)."""
+    points = [[1, 0], [2, 0], [-3, 0], [0, 2], [0, -1], [0, 4]]
+    return framework(points, [(i, j) for i in range(3) for j in range(3, 6)])
+
+
+def hexagon() -> Mechanism:
+    """K(3,3) on a circle: shaky (Bolker and Roth 1980: infinitesimally flexible on a conic), and no more."""
+    h = sqrt(3) / 2
+    points = [[1, 0], [Rational(-1, 2), h], [Rational(-1, 2), -h], [Rational(1, 2), h], [-1, 0], [Rational(1, 2), -h]]
+    return framework(points, [(i, j) for i in range(3) for j in range(3, 6)])
+
+
+def peaucellier() -> Mechanism:
+    """Fixed O and Q with |OQ| = |QA|; OB = OD; rhombus A B C D."""
+    points = [[0, 0], [Rational(3, 2), 0], [Rational(12, 5), Rational(6, 5)], [Rational(23, 5), Rational(4, 5)],
+              [3, Rational(18, 5)], [0, 0]]  # fmt: skip
+    # B and D mirror each other in the line O A, whose direction is (2, 1) / sqrt 5
+    a = Matrix(points[2])
+    direction = Matrix([2, 1])
+    across = Matrix([-1, 2])
+    middle = a + direction * Rational(2, 5)
+    b, d = middle + across * Rational(1, 2), middle - across * Rational(1, 2)
+    c = 2 * middle - a
+    pins = [points[0], points[1], list(a), list(b), list(d), list(c)]
+    return framework(pins, [(0, 1), (1, 2), (0, 3), (0, 4), (2, 3), (2, 4), (3, 5), (4, 5)])
+
+
+def coupler_point_and_centre() -> Mechanism:
+    """A third bar from a coupler point to the centre of curvature of its path: the bar's length is stationary to
+    second order, so the instantaneous motion passes the second-order test and is stopped at third order."""
+    t = sympy.Symbol("t")
+    a, b, d, o = Matrix([0, 0]), Matrix([1, 2]), Matrix([5, 0]), Matrix([4, 3])
+    # rates of the four-bar a-b-o-d with crank rate 1, twice differentiated
+    w, z = sympy.symbols("w z")
+
+    def perp(v: Matrix) -> Matrix:
+        return Matrix([-v[1], v[0]])
+
+    vb = perp(b - a)
+    rates = sympy.solve(list(vb + w * perp(o - b) - z * perp(o - d)), [w, z])
+    w1, z1 = rates[w], rates[z]
+    ab = -(b - a)
+    changes = sympy.solve(list(ab + w * perp(o - b) - w1**2 * (o - b) - z * perp(o - d) + z1**2 * (o - d)), [w, z])
+    p = Matrix([3, 5])
+    velocity = vb + w1 * perp(p - b)
+    acceleration = ab + changes[w] * perp(p - b) - w1**2 * (p - b)
+    normal = perp(velocity)
+    radius = velocity.dot(velocity) / normal.dot(acceleration)
+    centre = p + normal * radius
+    del t
+    return graph(
+        ("R", "base", "crank", [*a, 0], Z), ("R", "crank", "coupler", [*b, 0], Z),
+        ("R", "coupler", "rocker", [*o, 0], Z), ("R", "rocker", "base", [*d, 0], Z),
+        ("R", "coupler", "bar", [*p, 0], Z), ("R", "bar", "base", [*centre, 0], Z),
+    )  # fmt: skip
+
+
+def origami(*directions: Sequence[Any]) -> Mechanism:
+    """Faces around a flat vertex: hinges through O along the creases."""
+    return loop(*(("R", [0, 0, 0], [*d, 0]) for d in directions))
+
+
+def miura(height: Any, columns: int = 3, rows: int = 3) -> Mechanism:
+    """Miura fold of parallelograms; vertices (i, 2 j + (i mod 2) / 2, (j mod 2) height), any height closes."""
+
+    def vertex(i: int, j: int) -> Matrix:
+        return Matrix([i, 2 * j + Rational(i % 2, 2), (j % 2) * height])
+
+    def name(i: int, j: int) -> str:
+        return "base" if (i, j) == (0, 0) else f"face{i}_{j}"
+
+    joints = []
+    for i in range(columns):
+        for j in range(rows):
+            if i + 1 < columns:
+                p, q = vertex(i + 1, j), vertex(i + 1, j + 1)
+                joints.append(("R", name(i, j), name(i + 1, j), list(p), list(q - p)))
+            if j + 1 < rows:
+                p, q = vertex(i, j + 1), vertex(i + 1, j + 1)
+                joints.append(("R", name(i, j), name(i, j + 1), list(p), list(q - p)))
+    return graph(*joints)
+
+
+def schoenflies() -> Mechanism:
+    """Three limbs P R R R with all axes along z generate the same group of dimension 4."""
+    joints = []
+    for k, (x, y) in enumerate([(3, 0), (0, 4), (-2, -2)]):
+        bodies = ["base", f"a{k}", f"b{k}", f"c{k}", "plate"]
+        places = [[x, y, 0], [x, y, 0], [x + 1, y + 1, 1], [Rational(x, 2), Rational(y, 2), 1]]
+        joints += [("P" if i == 0 else "R", bodies[i], bodies[i + 1], places[i], Z) for i in range(4)]
+    return graph(*joints)
+
+
+def three_prs() -> Mechanism:
+    joints = []
+    for k, (c, s) in enumerate([(1, 0), (0, 1), (-1, 0)]):
+        bodies = ["base", f"a{k}", f"b{k}", "plate"]
+        joints += [("P", "base", bodies[1], [3 * c, 3 * s, 0], Z), ("R", bodies[1], bodies[2], [3 * c, 3 * s, 1], [-s, c, 0]),
+                   ("S", bodies[2], "plate", [2 * c, 2 * s, 4], None)]  # fmt: skip
+    return graph(*joints)
+
+
+def three_bars(length: Sequence[Any], feet: Sequence[Sequence[Any]], tips: Sequence[Sequence[Any]]) -> Mechanism:
+    joints = []
+    for k, (foot, tip) in enumerate(zip(feet, tips, strict=True)):
+        joints += [("R", "base", f"bar{k}", [*foot, 0], Z), ("R", f"bar{k}", "plate", [*tip, 0], Z)]
+    return graph(*joints)
+
+
+def concurrent_bars() -> Mechanism:
+    feet = [[4, 0], [0, 6], [-8, -2]]
+    return three_bars([], feet, [[2, 0], [0, 2], [-4, -1]])
+
+
+def four_parallel_circle_translation() -> Mechanism:
+    """A plate on four equal parallel bars in a plane: circular translation, redundant twice over."""
+    feet = [[0, 0], [3, 1], [5, -1], [7, 0]]
+    return three_bars([], feet, [[x + 1, y + 2] for x, y in feet])
+
+
+HALF = Rational(1, 2)
+CASES: dict[str, Case] = {
+    "bricard line-symmetric": Case(line_symmetric, (1, 1, None, 1), "Bricard 1927; Baker 1997, MMT 32"),
+    "bricard octahedron 1": Case(line_symmetric_octahedron, (1, 1, None, 1), "Bricard 1897, type I"),
+    "bricard plane-symmetric": Case(plane_symmetric, (1, 1, None, 1), "Bricard 1927; Phillips 1990"),
+    "waldron hybrid": Case(waldron_hybrid, (1, 1, None, 1), "Waldron 1968, J. Mechanisms 3"),
+    "plano-spherical hybrid": Case(plano_spherical_hybrid, (1, 1, None, 1), "Bennett 1905; Waldron 1968"),
+    "two bennetts": Case(two_bennetts, (1, 1, None, 6), "Bennett loops about one joint"),
+    "three-limb sarrus": Case(three_limb_sarrus, (1, 1, None, 4), "Sarrus 1853, three limbs"),
+    "six legs on a circle": Case(lambda: legs(CIRCLE), (9, 8, (7, 8), 3), "translations, or rotation about the centre"),
+    "six legs, no circle": Case(lambda: legs(NO_CIRCLE), (9, 8, (8,), 3), "translations only"),
+    "dixon": Case(dixon, (1, 1, None, 13), "Dixon 1899; 9 bars in the plane, one redundant"),
+    "hexagon": Case(hexagon, (1, 0, (), 13), "Bolker and Roth 1980"),
+    "peaucellier": Case(peaucellier, (1, 1, None, 9), "Peaucellier 1864: planar, 3 loops"),
+    "coupler point": Case(coupler_point_and_centre, (1, 0, (), 7), "Burmester: circle of curvature"),
+    "origami degree 3": Case(lambda: origami([1, 0], [-1, 2], [-2, -3]), (1, 0, (), 4), "a corner of three faces"),
+    "origami degree 4": Case(
+        lambda: origami([1, 0], [0, 1], [-3, 1], [-1, -4]), (2, 1, (1,), 4), "two modes of a flat vertex"
+    ),
+    "origami degree 6": Case(
+        lambda: origami([1, 0], [1, 2], [-1, 2], [-3, 1], [-1, -4], [2, -1]), (4, 3, (3,), 4), "Kapovich, Millson 1997"
+    ),
+    "miura folded": Case(lambda: miura(HALF), (1, 1, None, 13), "Miura 1985: one freedom"),
+    "miura flat": Case(lambda: miura(0), (4, 2, (1, 2), 16), "one along the zigzag, or two straight lines"),
+    "schoenflies": Case(schoenflies, (4, 4, None, 4), "Herve 1978: the group of dimension 4"),
+    "3-PRS": Case(three_prs, (3, 3, None, 0), "Carretero et al. 2000"),
+    "concurrent bars": Case(concurrent_bars, (1, 0, (), 7), "bars through one point"),
+    "four parallel bars": Case(four_parallel_circle_translation, (1, 1, None, 11), "circular translation"),
+    "4P": Case(
+        lambda: loop(("P", [0, 0, 0], X), ("P", [0, 0, 0], Y), ("P", [0, 0, 0], Z), ("P", [0, 0, 0], [1, 2, 2])),
+        (1, 1, None, 3), "four translations in space",
+    ),
+    "differential screw": Case(
+        lambda: loop(("H", [0, 0, 0], Z), ("H", [0, 0, 2], Z), ("P", [0, 0, 0], Z), pitches={0: HALF, 1: Rational(1, 3)}),
+        (1, 1, None, 4), "two pitches about one axis",
+    ),
+    "rhombus, two branches": Case(
+        lambda: loop(("R", [0, 0, 0], Z), ("R", [1, 0, 0], Z), ("R", [2, 0, 0], Z), ("R", [1, 0, 0], Z)),
+        (2, 1, (1,), 4), "rhombus, or B on D",
+    ),
+    "rhombus, folded": Case(
+        lambda: loop(("R", [0, 0, 0], Z), ("R", [1, 0, 0], Z), ("R", [0, 0, 0], Z), ("R", [1, 0, 0], Z)),
+        (2, 1, (1,), 4), "B on D, or C on A",
+    ),
+}  # fmt: skip
