@@ -179,7 +179,7 @@ def exact_vector(vector: Triple, floor: Real = FLOOR) -> list[Decimal]:
 
 
 def exact_matrix(matrix: Rotation) -> list[list[Decimal]]:
-    """A symmetric matrix with 25 digits; entries 1e-20 below the largest are 0."""
+    """A symmetric matrix with 25 digits; entries below 1e-30, or 1e-20 of the largest, are 0."""
     largest = max(abs(entry) for row in matrix for entry in row)
-    floor = largest * CONTEXT.mpf(10) ** -20
+    floor = max(largest * CONTEXT.mpf(10) ** -20, CONTEXT.mpf(10) ** -30)
     return [[exact((matrix[i][j] + matrix[j][i]) / 2, floor) for j in range(3)] for i in range(3)]

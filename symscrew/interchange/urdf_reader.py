@@ -4,7 +4,7 @@ Read: fixed, revolute, continuous, prismatic, planar and floating joints with or
 elements; transmissions and the command interfaces of ros2_control, whose joints are driven (without any, all
 revolute, continuous and prismatic joints are). The root link is the ground. Refused by name: mimic joints,
 other joint types, links with two parents. Named in the mechanism's `source` and not taken over: limits,
-damping, friction, safety controllers.
+damping, friction, safety controllers, elements of links that the format does not define.
 
 Source: the URDF specification, https://wiki.ros.org/urdf/XML (angles in rad, rpy about fixed axes).
 """
@@ -23,7 +23,7 @@ TYPES = {
 }  # fmt: skip
 WITHOUT_MECHANICS = ("material", "gazebo", "ros2_control", "sensor")
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "calibration", "safety_controller")
-IN_LINK = ("inertial", "visual", "collision")
+IN_LINK = ("inertial", "visual", "collision", "sensor", "contact", "collision_checking", "self_collision_checking")
 
 
 def outline(root: Element, file: str) -> Outline:
@@ -51,7 +51,7 @@ def outline(root: Element, file: str) -> Outline:
     result.joints += [_joint(joint, name, poses, driven) for name, joint in joints.items()]
     tips = [name for name in links if all(attribute(_one(j, "parent"), "link") != name for j in joints.values())]
     result.platform = tips[0] if len(tips) == 1 and joints else None
-    result.notes += [*noted, *_left_out(joints.values())]
+    result.notes += [*noted, *_left_out(links.values(), joints.values())]
     return result
 
 
@@ -131,9 +131,6 @@ def _triple(text: str, where: str) -> Triple:
 
 def _body(link: Element, pose: Pose) -> RawBody:
     name = attribute(link, "name")
-    for element in elements(link):
-        if element.tag not in IN_LINK:
-            raise DescriptionError(f"{label(link)}: the element <{element.tag}> is not supported")
     if not list(elements(link, "inertial")):
         return RawBody(name)
     inertial = _one(link, "inertial")
@@ -185,15 +182,13 @@ def _driven(root: Element, joints: Mapping[str, Element]) -> tuple[list[str], li
             raise DescriptionError(
                 f"<transmission> or <ros2_control>: no joint {shorten(name)}; {did_you_mean(name, joints)}"
             )
-        if name not in single:
-            raise DescriptionError(
-                f"<transmission> or <ros2_control>: {label(joints[name])} has not one freedom; only such can be driven"
-            )
-    return named, []
+    idle = [name for name in named if name not in single]
+    notes = ["not taken over: drives of joints that have not one freedom: " + ", ".join(idle)] if idle else []
+    return [name for name in named if name in single], notes
 
 
-def _left_out(joints: Iterable[Element]) -> list[str]:
-    """What of the joints a mechanism does not hold: said, not used."""
+def _left_out(links: Iterable[Element], joints: Iterable[Element]) -> list[str]:
+    """What of links and joints a mechanism does not hold: said, not used."""
     counts = {"limits": 0, "damping": 0, "friction": 0, "safety controllers": 0}
     for joint in joints:
         counts["limits"] += any(True for _ in elements(joint, "limit"))
@@ -201,5 +196,7 @@ def _left_out(joints: Iterable[Element]) -> list[str]:
         for dynamics in elements(joint, "dynamics"):
             for key in ("damping", "friction"):
                 counts[key] += number(dynamics.get(key, "0"), f"{label(joint)}, {key}") != 0
-    found = [f"{what} of {n} joints" for what, n in counts.items() if n]
+    found = [f"{what} of {n} joint{'s' * (n > 1)}" for what, n in counts.items() if n]
+    others = {element.tag for link in links for element in elements(link) if element.tag not in IN_LINK}
+    found += [f"<{tag}> of links" for tag in sorted(others)]
     return ["not taken over: " + ", ".join(found)] if found else []
