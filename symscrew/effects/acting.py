@@ -41,6 +41,7 @@ class Acting(Quantities):
         super().__init__(system)
         tape = system.tape
         self.ground = Rates(ZERO, ZERO, ZERO, ((0, 0, 0),) * 3)
+        self.base: Rates | None = None  # the ground's own motion, without gravity
         self.ground_rotation: Matrix | None = None  # from the axes of the ground to absolute axes
         self.loads: Loads = {}
         self.joint_forces: dict[int, Node] = {}  # index into v -> generalised force along that freedom
@@ -48,7 +49,7 @@ class Acting(Quantities):
         self.own_inputs: list[tuple[Port, tuple[Node, ...]]] = []
         self.potential: Node = tape.zero
         self.kinetic: Node = tape.zero
-        self.powers: list[tuple[str, Node]] = []
+        self.powers: dict[str, Node] = {}
         self.states: list[State] = []
         self.state_rates: dict[str, Node] = {}
         self.simplifications: set[str] = set()
@@ -70,10 +71,11 @@ class Acting(Quantities):
 
     def move_ground(self, omega: Vector, alpha: Vector, acceleration: Vector) -> None:
         """Turn and accelerate the ground: omega [rad/s], alpha [rad/s^2], acceleration of O [m/s^2], its own axes."""
-        if self.ground.omega is not ZERO:
+        if self.base is not None:
             raise DescriptionError("base motion: expected one prescribed motion of the base, got a second one")
-        origin = add(self.ground.origin, acceleration)
-        self.ground = Rates(omega, alpha, origin, acceleration_matrix(omega, alpha))
+        matrix = acceleration_matrix(omega, alpha)
+        self.base = Rates(omega, alpha, acceleration, matrix)
+        self.ground = Rates(omega, alpha, add(self.ground.origin, acceleration), matrix)
 
     def link_rates(self, a: Sequence[Node]) -> tuple[Rates, ...]:
         """Rates of every link for given accelerations of the tree, the ground's motion and gravity included."""
@@ -135,7 +137,8 @@ class Acting(Quantities):
     def feed(self, label: str, power: Node) -> None:
         """Power [W] that an effect feeds into the mechanism beyond what it takes from its stored energy."""
         if power is not self.system.tape.zero:
-            self.powers.append((label, power))
+            known = self.powers.get(label)
+            self.powers[label] = power if known is None else known + power
 
     # -- inputs and states ---------------------------------------------------------------------------------------
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symscrew.mechanism import Mechanism
@@ -13,6 +15,7 @@ from symscrew.tape import Node
 if TYPE_CHECKING:
     from symscrew.effects.acting import Acting
 
+Number = str | int | float | Decimal | Fraction  # texts are expressions of the mechanism's parameters
 ALWAYS = {"always": True}  # metadata of a field that is shown even at its default
 
 
@@ -28,6 +31,11 @@ class Effect:
 
     depends_on: ClassVar[frozenset[str]] = frozenset()
     simplifies: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        """Exact numbers as texts and lists as tuples, so that an effect read back from a file is the same."""
+        for f in dataclasses.fields(self):
+            object.__setattr__(self, f.name, _storable(getattr(self, f.name)))
 
     def transform(self, mechanism: Mechanism) -> Mechanism:
         """The mechanism with other inertias; its joints and points stay."""
@@ -55,6 +63,12 @@ class Effect:
         return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self.shown_fields().items())})"
 
 
+def _storable(value: Any) -> Any:
+    if isinstance(value, list | tuple):
+        return tuple(_storable(v) for v in value)
+    return str(value) if isinstance(value, Decimal | Fraction) else value
+
+
 @dataclass(frozen=True)
 class State:
     """A state of an effect: name, unit, value at the start, and its symbol."""
@@ -69,7 +83,9 @@ class State:
 class Contact:
     """A force with events: the input port that carries it, and the law that it must obey.
 
-    `kind` "friction": |force| <= static at rate 0, force = -(coulomb + load * |reaction|) sign(rate) otherwise.
+    `kind` "friction": |force| <= static + load |f| at rate 0 (coulomb where static is None), with the size |f| of the
+    joint's reaction force; force = -L sign(rate) otherwise, L = coulomb + load |f|, and where there is a static
+    level (static - coulomb) / (1 + (rate/stribeck_velocity)^2) more.
     `kind` "stop": lower <= displacement <= upper, force only inwards, rate reversed by -restitution on impact.
     Values are numbers or texts with expressions of the mechanism's parameters, as in the scene.
     """
@@ -81,6 +97,7 @@ class Contact:
     coulomb: Any = 0
     static: Any = None
     load: Any = 0
+    stribeck_velocity: Any = None
     lower: Any = None
     upper: Any = None
     restitution: Any = 0

@@ -14,6 +14,7 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.expressions import exact, numeric
 from symscrew.joints import JOINT_TYPES
 from symscrew.mechanism import Joint, Point
+from symscrew.names import check_name
 from symscrew.reader import Reader
 from symscrew.screws import dot
 from symscrew.system import System
@@ -154,6 +155,11 @@ class Quantities:
     def slides(self, joint: str, freedom: int) -> bool:
         """Whether a freedom is a translation."""
         return JOINT_TYPES[self.system.mechanism.joints[joint].type].freedoms[freedom].kind == "P"
+
+    def label(self, name: str, joint: str, freedom: int, what: str) -> str:
+        """The given name, or the joint's, with the freedom where it has several."""
+        several = JOINT_TYPES[self.system.mechanism.joints[joint].type].freedom > 1
+        return check_name(name or (f"{joint}_{freedom}" if several else joint), f"{what}: name")
 
     # -- motion of joints --------------------------------------------------------------------------------------
 

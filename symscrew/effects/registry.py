@@ -1,9 +1,9 @@
 """Which effects there are, and effects as tables: from a scene file or a manifest, and back.
 
-    [[effects]]
-    type = "viscous_friction"
-    joint = "A"
-    coefficient = 0.2
+[[effects]]
+type = "viscous_friction"
+joint = "A"
+coefficient = 0.2
 """
 
 from __future__ import annotations
@@ -115,10 +115,8 @@ def effect_to_table(effect: Effect) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Lists for tuples, and text for numbers that files do not hold exactly."""
-    if isinstance(value, tuple | list):
-        return [_plain(v) for v in value]
-    return str(value) if isinstance(value, Decimal | Fraction) else value
+    """Lists for tuples."""
+    return [_plain(v) for v in value] if isinstance(value, tuple) else value
 
 
 def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:

@@ -1,0 +1,29 @@
+"""Dynamics without gyroscopic terms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from symscrew.effects.acting import Acting
+from symscrew.effects.effect import Effect
+
+
+@dataclass(frozen=True, repr=False)
+class NoGyroscopicTerms(Effect):
+    """A simplification: omega x J omega is left out of the moment about every body's centre of mass.
+
+    Euler's equation becomes J alpha = sum of moments; forces m a_C stay, centripetal and Coriolis accelerations of the
+    centres included. The rate of the kinetic energy then no longer is the power of all forces: what is missing is
+    omega . (omega x J omega) = 0 for each body alone, so the balance holds all the same.
+
+        [[effects]]
+        type = "no_gyroscopic_terms"
+    """
+
+    depends_on: ClassVar[frozenset[str]] = frozenset({"inertia"})
+    simplifies: ClassVar[bool] = True
+
+    def prepare(self, acting: Acting) -> None:
+        """Declare it."""
+        acting.simplifications.add("no_gyroscopic_terms")

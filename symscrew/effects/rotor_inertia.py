@@ -1,0 +1,43 @@
+"""The inertia of a drive's rotor, reflected to its joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symscrew.effects.acting import Acting
+from symscrew.effects.effect import Effect, Number
+from symscrew.errors import DescriptionError
+from symscrew.joints import JOINT_TYPES
+
+
+@dataclass(frozen=True, repr=False)
+class RotorInertia(Effect):
+    """A force -J N^2 s_ddot [N or N m] along a joint's freedom: the rotor turns at N times the joint's rate.
+
+    `inertia` J [kg m^2], at least 0, `ratio` N (rotor's angle per joint displacement: without unit for a joint that
+    turns, [rad/m] for one that slides, "2*pi/lead"; default 1, for an inertia that is reflected already). From the
+    rotor's momentum J N s_dot about its own axis and the power of the gear; what the rotor's axis does besides
+    turning with its joint's parent is left out (its mass belongs to the parent's). Kinetic energy J N^2 s_dot^2/2.
+    The joint must belong to the spanning tree, as driven joints do.
+
+        [[effects]]
+        type = "rotor_inertia"
+        joint = "leg1_P"
+        inertia = 2e-5
+        ratio = "2*pi/0.005"
+    """
+
+    joint: str
+    inertia: Number
+    ratio: Number = 1
+    freedom: int | None = None
+
+    def act(self, acting: Acting) -> None:
+        """An inertia that moves with one freedom."""
+        what = f"rotor inertia of joint {self.joint!r}"
+        k = acting.freedom(self.joint, self.freedom, what)
+        if JOINT_TYPES[acting.joint(self.joint, what).type].freedoms[k].kind == "S":
+            raise DescriptionError(f"{what}: expected a freedom with an axis of its own, got one of a spherical joint")
+        inertia = acting.number(self.inertia, f"{what}: inertia", least=0)
+        ratio = acting.number(self.ratio, f"{what}: ratio")
+        acting.reflect(self.joint, k, acting.system.tape.settle(inertia * ratio * ratio), what)
