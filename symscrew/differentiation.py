@@ -61,7 +61,7 @@ def differentiate(
     for name in names:
         into = _eliminated(tape, graph, name)
         found = [[into["output", i].get(("direction", d), tape.zero) for d in directions] for i in range(len(outputs))]
-        operations = _operations(found) if len(names) > 1 else 0
+        operations = count_operations([n for row in found for n in row]) if len(names) > 1 else 0
         if fewest is None or operations < fewest:
             best, fewest = found, operations
     return best
@@ -157,6 +157,35 @@ def _partials(tape: Tape, node: Node) -> Iterator[tuple[Node, Node]]:
         raise ValueError(f"no derivative is known of the operation {op!r}")
 
 
+def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:
+    """The nodes with inputs replaced by other nodes, folded anew."""
+    done = {node.index: other for node, other in replaced.items()}
+    stack = list(nodes)
+    while stack:
+        node = stack[-1]
+        if node.index in done:
+            stack.pop()
+            continue
+        args = () if node.value is not None or node.op == "symbol" else node.args
+        missing = [a for a in args if a.index not in done]
+        if missing:
+            stack.extend(missing)
+        else:
+            new = [done[a.index] for a in args]
+            done[node.index] = (
+                node if all(a is b for a, b in zip(args, new, strict=True)) else _made(tape, node.op, new)
+            )
+    return [done[node.index] for node in nodes]
+
+
+def _made(tape: Tape, op: str, args: Sequence[Node]) -> Node:
+    if op == "sub":
+        return args[0] - args[1]
+    if op in ("add", "mul", "neg", "reciprocal"):
+        return getattr(tape, op)(*args)
+    return tape.function(op, *args)
+
+
 # -- elimination ---------------------------------------------------------------------------------------------
 
 
@@ -197,10 +226,10 @@ def _promising(graph: Graph) -> list[str]:
     return [name for name in ORDERS if counts[name] <= PROMISING * min(counts.values())]
 
 
-def _operations(rows: Sequence[Sequence[Node]]) -> int:
+def count_operations(results: Sequence[Node]) -> int:
     """Nodes that the results need, without inputs and constants."""
     seen: set[int] = set()
-    stack = [node for row in rows for node in row]
+    stack = list(results)
     while stack:
         node = stack.pop()
         if node.index not in seen and node.value is None and node.op != "symbol":

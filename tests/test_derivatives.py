@@ -252,6 +252,90 @@ def pinocchio_model(pinocchio: object, found: Model) -> tuple[object, tuple[Arra
     return _python_model(pinocchio, tree, len(tree.elements)), tree.states(*consistent(found)[:3])
 
 
+# -- forward dynamics --------------------------------------------------------------------------------------------
+
+
+def drives(found: Model, q: Array, y_dot: Array, y_ddot: Array) -> Array:
+    """Drives that bring about accelerations of order one, with an internal preload."""
+    u = values(found, "inverse_dynamics_independent", q, y_dot, y_ddot)[0]
+    return u + 0.1 * np.abs(u).max() * np.random.default_rng(4).uniform(-1, 1, u.shape)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_forward_dynamics_on_the_manifold(name: str) -> None:
+    found = model(name)
+    q, _, _, y_dot, y_ddot = (x[:2] for x in consistent(found))
+    state = [q, y_dot, drives(found, q, y_dot, y_ddot)]
+    got = values(found, "forward_dynamics_independent_derivatives", *state)
+    expected = independent_columns(found, "forward_dynamics_independent", state)
+    for x, y in zip(got, expected, strict=True):
+        assert relative(x, y) < 1e-8
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_linearisation(name: str) -> None:
+    """A and B hold the derivatives of x_dot = (y_dot, y_ddot): d(x_dot) along a random change of (y, y_dot, u)."""
+    found = model(name)
+    q, _, _, y_dot, y_ddot = (x[:1] for x in consistent(found))
+    u = drives(found, q, y_dot, y_ddot)
+    n = y_dot.shape[1]
+    a, b = values(found, "linearisation", q, y_dot, u)
+    assert a.shape[1:] == (2 * n, 2 * n) and b.shape[1:] == (2 * n, u.shape[1])
+    change = np.random.default_rng(5).uniform(-1, 1, 2 * n + u.shape[1])
+
+    def along(h: float) -> Array:
+        x, w = h * change[: 2 * n], h * change[2 * n :]
+        rates = y_dot + x[n:]
+        second = values(found, "forward_dynamics_independent", assembled(found, q, x[:n]), rates, u + w)[0]
+        return np.concatenate([rates, second], -1)
+
+    expected = differences(along, 4e-3)
+    assert relative(a @ change[: 2 * n] + b @ change[2 * n :], expected) < 1e-8
+
+
+@pytest.mark.parametrize("name", ["ur5", "panda"])
+def test_forward_dynamics_of_the_tree(name: str) -> None:
+    pinocchio = pytest.importorskip("pinocchio")
+    found = model(name)
+    other, (states, rates, _) = pinocchio_model(pinocchio, found)
+    data = other.createData()
+    q, v, a, _, _ = consistent(found)
+    u = drives(found, q, v, a)
+    got = values(found, "forward_dynamics_derivatives", q, v, u)
+    for i in range(len(q)):
+        pinocchio.computeABADerivatives(other, data, states[i], rates[i], u[i])
+        inverse = np.triu(data.Minv) + np.triu(data.Minv, 1).T
+        for x, y in zip(got, (data.ddq_dq, data.ddq_dv, inverse), strict=True):
+            assert relative(x[i], y) < 1e-10
+
+
+@pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "five_bar", "mixed_loop"])
+def test_forward_dynamics_against_casadi(name: str) -> None:
+    found = model(name)
+    q, _, _, y_dot, y_ddot = consistent(found)
+    u = drives(found, q, y_dot, y_ddot)
+    function = casadi_functions(found)["forward_dynamics_independent"]
+    steps = quaternion_rates(found, q[:, None, :], values(found, "null_space", q)[0].swapaxes(1, 2))
+    got = values(found, "forward_dynamics_independent_derivatives", q, y_dot, u)
+    for i in range(len(q)):
+        expected = casadi_jacobian(function, [q[i], y_dot[i], u[i]])
+        expected[0] = expected[0] @ steps[i].T
+        for x, y in zip(got, expected, strict=True):
+            assert relative(x[i], y) < 1e-10
+
+
+def test_forward_and_inverse_derivatives_are_inverse_to_each_other() -> None:
+    """At u from the inverse dynamics, du = dID: forward dynamics along (dy, dy_dot, du) gives dy_ddot back."""
+    found = model("stewart_6ups")
+    q, _, _, y_dot, y_ddot = consistent(found)
+    u = values(found, "inverse_dynamics_independent", q, y_dot, y_ddot)[0]
+    by_y, by_rate, by_gain = values(found, "inverse_dynamics_independent_derivatives", q, y_dot, y_ddot)
+    forward = values(found, "forward_dynamics_independent_derivatives", q, y_dot, u)
+    assert relative(forward[2] @ by_gain, np.broadcast_to(np.eye(6), by_gain.shape)) < 1e-9
+    assert relative(forward[0], -forward[2] @ by_y) < 1e-9
+    assert relative(forward[1], -forward[2] @ by_rate) < 1e-9
+
+
 # -- run-time parameters -----------------------------------------------------------------------------------------
 
 
@@ -285,6 +369,19 @@ def test_by_run_time_parameters() -> None:
     assert relative(got, np.stack(tree, -1)) < 1e-8
     got = values(found, "inverse_dynamics_independent_parameters", q, y_dot, y_ddot, p)[0]
     assert relative(got, np.stack(closed, -1)) < 1e-8
+    u = values(found, "inverse_dynamics_independent", q, y_dot, y_ddot, p)[0] * 1.1
+    forward = []
+    for e in np.eye(p.shape[1]):
+
+        def moving(h: float, e: Array = e) -> Array:
+            changed = p + h * e
+            return values(
+                found, "forward_dynamics_independent", assembled(found, q, 0 * y_dot, changed), y_dot, u, changed
+            )[0]
+
+        forward.append(differences(moving, 4e-3))
+    got = values(found, "forward_dynamics_independent_parameters", q, y_dot, u, p)[0]
+    assert relative(got, np.stack(forward, -1)) < 1e-8
 
 
 def test_nothing_asked_nothing_paid() -> None:

@@ -10,11 +10,14 @@ with it the null space, the rates and the accelerations: the columns are the der
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from symscrew.differentiation import differentiate
+from symscrew.admissible import Admissible
+from symscrew.differentiation import count_operations, differentiate, substitute
+from symscrew.effects import Effect
 from symscrew.functions.closure import guarded
+from symscrew.functions.forward import driven
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
 from symscrew.screws import Vector, add, cross, dot, scale
@@ -49,58 +52,162 @@ class Directions:
         return tuple(f"{self.name}|{label}" for label in self.labels)
 
 
-def derivative_functions(system: System, loops: Loops, functions: Sequence[Function]) -> list[Function]:
-    """Derivatives of inverse dynamics, of the tree and along the independent coordinates."""
+def derivative_functions(
+    system: System, effects: Sequence[Effect], loops: Loops, functions: Sequence[Function]
+) -> list[Function]:
+    """Derivatives of inverse and forward dynamics, of the tree and along the independent coordinates."""
     found = {f.name: f for f in functions}
+    closed = guarded(loops.guards)
     result = []
-    if "inverse_dynamics" in found:
-        result.append(_of_tree(system, found["inverse_dynamics"]))
-    if "inverse_dynamics_independent" in found:
-        result += _of_independent(system, loops, found["inverse_dynamics_independent"])
-    if "inverse_dynamics" in found and system.parameters:
-        groups = [parameter_directions(system)]
-        text = "Derivatives by the run-time parameters at fixed q, v, a."
-        result.append(differentiated(found["inverse_dynamics"], "inverse_dynamics_parameters", groups, text))
+    for name in ("inverse_dynamics", "inverse_dynamics_independent"):
+        if name in found:
+            independent = name.endswith("independent")
+            groups = _groups(system, loops, found[name], independent=independent)
+            text = "along the independent coordinates, all loops held closed" if independent else _tree_text(system)
+            text = f"Derivatives of the drives {text}."
+            result.append(
+                differentiated(found[name], f"{name}_derivatives", groups, text, guards=closed if independent else ())
+            )
+    result += forward_derivatives(system, effects, loops, found)
+    if system.parameters:
+        result += _by_parameters(system, loops, found)
     return result
 
 
-def _of_tree(system: System, function: Function) -> Function:
-    groups = [
-        tree_directions(system),
-        plain_directions("v", function.inputs[1], function.arguments[1]),
-        plain_directions("a", function.inputs[2], function.arguments[2]),
-    ]
-    text = "Derivatives by configuration, rates and accelerations of the tree."
+def _tree_text(system: System) -> str:
+    text = "along the tree"
     if system.cuts:
         text += (
-            " The loops are not held closed: only combinations of columns along consistent changes of (q, v, a) "
-            "have a meaning of their own; see inverse_dynamics_independent_derivatives."
+            ". The loops are not held closed: only columns combined along consistent changes of (q, v, a) have a "
+            "meaning of their own; see inverse_dynamics_independent_derivatives"
         )
-    return differentiated(function, "inverse_dynamics_derivatives", groups, text)
+    return text
 
 
-def _of_independent(system: System, loops: Loops, function: Function) -> list[Function]:
-    rates = [
-        plain_directions("y_dot", function.inputs[1], function.arguments[1]),
-        plain_directions("y_ddot", function.inputs[2], function.arguments[2]),
-    ]
-    groups = [independent_directions(system, loops), *rates]
-    text = "Derivatives by the independent coordinates and their rates, all loops held closed."
-    result = [
-        differentiated(function, "inverse_dynamics_independent_derivatives", groups, text, guards=guarded(loops.guards))
-    ]
-    if system.parameters:
-        text = "Derivatives by the run-time parameters at fixed y, y_dot, y_ddot, all loops held closed."
-        result.append(
-            differentiated(
-                function,
-                "inverse_dynamics_independent_parameters",
-                [closed_parameter_directions(system, loops)],
-                text,
-                guards=guarded(loops.guards),
-            )
-        )
+def _groups(system: System, loops: Loops, function: Function, *, independent: bool) -> list[Directions]:
+    """The configuration, then every further input of the function's own state (not loads, not parameters)."""
+    first = independent_directions(system, loops) if independent else tree_directions(system)
+    state = ("v", "a", "y_dot", "y_ddot", "u")
+    inputs = zip(function.inputs, function.arguments, strict=True)
+    return [first, *(plain_directions(p.name, p, nodes) for p, nodes in inputs if p.name in state)]
+
+
+def _by_parameters(system: System, loops: Loops, found: Mapping[str, Function]) -> list[Function]:
+    """Derivatives by the run-time parameters: of the tree at a fixed state, else at fixed y and its rates."""
+    result = []
+    for name in ("inverse_dynamics", "inverse_dynamics_independent", "forward_dynamics_independent"):
+        if name not in found:
+            continue
+        independent = name.endswith("independent")
+        group = closed_parameter_directions(system, loops) if independent else parameter_directions(system)
+        fixed = "independent coordinates and rates, all loops held closed" if independent else "state of the tree"
+        text = f"Derivatives by the run-time parameters at fixed {fixed}."
+        guards = guarded(loops.guards) if independent else ()
+        result.append(differentiated(found[name], f"{name}_parameters", [group], text, guards=guards))
     return result
+
+
+def forward_derivatives(
+    system: System, effects: Sequence[Effect], loops: Loops, found: Mapping[str, Function]
+) -> list[Function]:
+    """Derivatives of forward dynamics and the linearisation; of the tree only where nothing closes it."""
+    result = []
+    if not system.cuts and "forward_dynamics" in found:
+        function = found["forward_dynamics"]
+        groups = _groups(system, loops, function, independent=False)
+        straight = differentiated(function, "forward_dynamics_derivatives", groups, "Derivatives of the accelerations.")
+        implicit = _implicit(system, effects, loops, straight, groups, independent=False)
+        result.append(min(straight, implicit, key=_size))
+    if "forward_dynamics_independent" in found:
+        function = found["forward_dynamics_independent"]
+        groups = _groups(system, loops, function, independent=True)
+        text = "Derivatives of the second rates of the independent coordinates, all loops held closed."
+        guards = guarded(loops.guards)
+        straight = differentiated(function, "forward_dynamics_independent_derivatives", groups, text, guards=guards)
+        implicit = _implicit(system, effects, loops, straight, groups, independent=True)
+        chosen = min(straight, implicit, key=_size)
+        result += [chosen, _linearisation(system, loops, chosen)]
+    return result
+
+
+def _size(function: Function) -> int:
+    return count_operations([n for nodes in function.results for n in nodes])
+
+
+def _implicit(
+    system: System,
+    effects: Sequence[Effect],
+    loops: Loops,
+    straight: Function,
+    groups: Sequence[Directions],
+    *,
+    independent: bool,
+) -> Function:
+    """The same derivatives from the equations of motion instead of their solution.
+
+    With z' the free joint accelerations that solve r(q, v, z', u) = N^T (generalised forces) = 0, all else held,
+    N^T M N dz' = -dr: inverse dynamics is differentiated, not the mass matrix and its factors.
+    """
+    tape = system.tape
+    w = loops.rates_from(loops.inputs("ydot")) if independent else system.joint_rates(system.inputs.v)
+    moving = system.at(system.inputs.q, {}, system.tree_rates(w))
+    acting, _ = driven(moving, effects)
+    admissible = Admissible(moving, loops, acting.reflected_inertia)
+    free, _, _ = admissible.accelerations(acting)
+    held = [tape.symbol(f"held_{k}", "1", f"free joint acceleration {k + 1}, held") for k in range(len(free))]
+    a = system.tree_rates(admissible.moved(admissible.curvature(), held))
+    residual = admissible.residual(a, acting)
+    changes = [column for group in _columns(residual, groups) for column in group]
+    put = dict(zip(held, free, strict=True))
+    solved = [admissible.solve([-c for c in substitute(tape, column, put)])[0] for column in changes]
+    values = loops.second_rates(held, system.joint_rates(a), w) if independent else a
+    keys = [key for group in groups for key in group.keys]
+    seeds = _merged(groups)
+    for k, node in enumerate(held):
+        seeds[node] = {key: column[k] for key, column in zip(keys, solved, strict=True)}
+    rows = [substitute(tape, row, put) for row in differentiate(tape, values, seeds, keys)]
+    results, start = [], 0
+    for group in groups:
+        end = start + len(group.keys)
+        results.append(tuple(row[k] for k in range(start, end) for row in rows))
+        start = end
+    return replace(straight, results=tuple(results))
+
+
+def _linearisation(system: System, loops: Loops, derivatives: Function) -> Function:
+    """A and B of x = (y, y_dot), d(x_dot) = A dx + B du, from the derivatives of forward dynamics."""
+    tape, n = system.tape, len(loops.entries)
+    zero, one = tape.zero, tape.one
+    by_y, by_rate = derivatives.results[:2]
+    state, units = _state(system, loops)
+    top = [[one if j == n + i else zero for j in range(2 * n)] for i in range(n)]
+    bottom = [[(by_y if j < n else by_rate)[(j % n) * n + i] for j in range(2 * n)] for i in range(n)]
+    rows = [*top, *bottom]
+    outputs = [
+        Port(
+            "A",
+            (2 * n, 2 * n),
+            tuple(f"({a}/s)/({b})" if a != b else "1/s" for b in units for a in units),
+            tuple(f"{a}|{b}" for b in state for a in state),
+            "d(x_dot)/dx of the state x = (y, y_dot)",
+        )
+    ]
+    results = [tuple(rows[i][j] for j in range(2 * n) for i in range(2 * n))]
+    if len(derivatives.outputs) > 2:
+        by_u, labels = derivatives.outputs[2], [c.split("|", 1)[1] for c in derivatives.outputs[2].labels[::n]]
+        count = by_u.shape[1]
+        b_units = tuple(u for k in range(count) for u in (*("0",) * n, *by_u.units[k * n : (k + 1) * n]))
+        names = tuple(f"{a}|{b}" for b in labels for a in state)
+        outputs.append(Port("B", (2 * n, count), b_units, names, "d(x_dot)/du, u the drives"))
+        values = derivatives.results[2]
+        results.append(tuple(v for k in range(count) for v in (*(zero,) * n, *values[k * n : (k + 1) * n])))
+    text = "Linearisation of the motion about a state: d(x_dot) = A dx + B du, x = (y, y_dot)."
+    return replace(derivatives, name="linearisation", description=text, outputs=tuple(outputs), results=tuple(results))
+
+
+def _state(system: System, loops: Loops) -> tuple[list[str], list[str]]:
+    units = [system.tree.q[e.q].unit for e in loops.entries]
+    return [*loops.labels, *(f"{label}_dot" for label in loops.labels)], [*units, *(f"{u}/s" for u in units)]
 
 
 def differentiated(
@@ -123,15 +230,20 @@ def differentiated(
 
 def _columns(outputs: Sequence[Node], groups: Sequence[Directions]) -> list[list[list[Node]]]:
     """Per group and direction the derivatives of all outputs."""
-    tape = next(node.tape for group in groups for node in group.seeds)
-    seeds: Seeds = {}
-    for group in groups:
-        for node, changes in group.seeds.items():
-            seeds[node] = {**seeds.get(node, {}), **changes}
+    seeds = _merged(groups)
+    tape = next(iter(seeds)).tape
     keys = [key for group in groups for key in group.keys]
     rows = differentiate(tape, outputs, seeds, keys)
     columns = iter([[row[k] for row in rows] for k in range(len(keys))])
     return [[next(columns) for _ in group.keys] for group in groups]
+
+
+def _merged(groups: Sequence[Directions]) -> Seeds:
+    seeds: Seeds = {}
+    for group in groups:
+        for node, changes in group.seeds.items():
+            seeds[node] = {**seeds.get(node, {}), **changes}
+    return seeds
 
 
 def derivative_port(port: Port, group: Directions) -> Port:
