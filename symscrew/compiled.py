@@ -50,7 +50,7 @@ class CompileError(RuntimeError):
 class CompiledFunction:
     """One function of the model: call it with arrays (*batch, *shape), by position or by name.
 
-    It returns an array per output (the array itself if there is one output only). A status other than 0
+    It returns an array per output (the array itself if there is one output only). A status above 0
     raises `EvaluationError`; with `check=False` the status (*batch) is returned as a last value instead, and
     outputs of failed states are NaN.
     """
@@ -75,7 +75,7 @@ class CompiledFunction:
         status = status.reshape(batch)
         if not check:
             return (*shaped, status)
-        if status.any():
+        if (status > 0).any():
             raise EvaluationError(self._failure(status), status)
         return shaped[0] if len(shaped) == 1 else shaped
 
@@ -108,7 +108,7 @@ class CompiledFunction:
     def _failure(self, status: np.ndarray) -> str:
         if not status.shape:
             return f"{self.name}: {STATUS[int(status)]}"
-        failed = np.argwhere(status != 0)
+        failed = np.argwhere(status > 0)
         first = tuple(int(i) for i in failed[0])
         return (
             f"{self.name}: {len(failed)} of {status.size} states failed; the first is state {first}: "

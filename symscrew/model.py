@@ -17,7 +17,7 @@ from symscrew.effects import Effect, Gravity
 from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
-from symscrew.functions.forward import forward_functions
+from symscrew.functions.forward import forward_functions, second_paths
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
 from symscrew.functions.momentum import momentum_functions
@@ -26,6 +26,7 @@ from symscrew.limb_solutions import hub_links
 from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
 from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
+from symscrew.rank_revealing import RankRevealing, evaluate_rank_revealing
 from symscrew.reader import Reader
 from symscrew.system import System
 
@@ -51,6 +52,8 @@ class Model:
         program = self.programs[function]
         if isinstance(program, Iteration):
             return evaluate_iteration(program, arguments)
+        if isinstance(program, RankRevealing):
+            return evaluate_rank_revealing(program, arguments)
         return evaluate(program, arguments)
 
 
@@ -90,6 +93,8 @@ def derive(
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
     if system.cuts:
         programs["assemble"] = assembly(system, loops)
+        for name, second in second_paths(system, effects, loops).items():
+            programs[name] = second.behind(programs[name])
     programs |= {f.name: lower(f) for f in margin_functions(system)}
     inputs = {name: _test_inputs(system, loops, program) for name, program in programs.items()}
     notes = (*mechanism.warnings, *dict.fromkeys(n for p in programs.values() for n in p.notes))

@@ -157,6 +157,8 @@ class Iteration:
 
 
 STATUS = {
+    -2: "success where the loops lose rank: by the rank-revealing path, with the freedoms that open there",
+    -1: "success near a small pivot: by the rank-revealing path, at full rank",
     0: "success",
     1: "near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN",
     2: "not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN",

@@ -156,12 +156,13 @@ def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequen
         for column, (f, m) in joint.columns.items():
             factor = setting.tape.one if column == ONE else amounts[column]
             accumulate(total, ONE, scale(factor, f), scale(factor, m))
-        wrenches[joint.joint] = _at_origin(joint.pose, *total.get(ONE, (ZERO, ZERO)))
+        wrenches[joint.joint] = at_origin(joint.pose, *total.get(ONE, (ZERO, ZERO)))
         touched += _not_unique(setting, joint, free)
     return Reactions(wrenches, len(free), tuple(touched), guards)
 
 
-def _at_origin(pose: Pose, force: Vector, moment: Vector) -> tuple[Vector, Vector]:
+def at_origin(pose: Pose, force: Vector, moment: Vector) -> tuple[Vector, Vector]:
+    """A wrench at the pose's origin in its axes, referred to O in absolute axes."""
     f = pose.direction(force)
     return f, add(pose.direction(moment), cross(pose.translation, f))
 
@@ -202,7 +203,7 @@ def _not_unique(setting: Setting, joint: JointWrench, free: Sequence[Column]) ->
     totals = np.zeros(6)
     for column in free:
         if column in joint.columns:
-            force, moment = _at_origin(joint.pose, *joint.columns[column])
+            force, moment = at_origin(joint.pose, *joint.columns[column])
             for k, entry in enumerate((*force, *moment)):
                 values = np.abs(setting.tape.sample(setting.tape.node(entry))) * scales[k]
                 totals[k] = max(totals[k], float(np.max(values)))

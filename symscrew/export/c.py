@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from symscrew.export.c_angles import calls, gather, prologue
+from symscrew.export.c_rank_revealing import routines, second_path
 from symscrew.export.listing import (
     Operand,
     balanced_sum,
@@ -28,6 +29,7 @@ from symscrew.export.listing import (
 )
 from symscrew.model import Model
 from symscrew.program import STATUS, Iteration, Port, Program
+from symscrew.rank_revealing import RankRevealing
 
 TABLE = {
     "add": "{0} + {1}",
@@ -45,9 +47,19 @@ TABLE = {
     "less": "{0} < {1} ? 1.0 : 0.0",
     "select": "{0} != 0.0 ? {1} : {2}",
 }
-STATUS_MACROS = {0: "SUCCESS", 1: "NEAR_SINGULAR", 2: "NOT_FINITE", 3: "NOT_CONVERGED", 4: "OTHER_BRANCH"}
+STATUS_MACROS = {
+    -2: "RANK_LOST",
+    -1: "RANK_REVEALING",
+    0: "SUCCESS",
+    1: "NEAR_SINGULAR",
+    2: "NOT_FINITE",
+    3: "NOT_CONVERGED",
+    4: "OTHER_BRANCH",
+}
 NAMES_OF_MATH = "sin cos tan sqrt atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
 NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
+NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
+NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j "
 NAMES_OF_LOCALS += "".join(f" {name}{k}" for name in ("angle", "sine", "cosine") for k in range(64))
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be
@@ -134,14 +146,36 @@ def print_source(model: Model) -> str:
     ]
     if any(gather(live_instructions(straight_line(p))[0]).gathered for p in model.programs.values()):
         lines += ["", *prologue(model.name)]
+    seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]
+    if seconds:
+        lines += ["", *routines(model.name, internal=any(p.wrenches for p in seconds))]
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
         if isinstance(program, Iteration):
             lines += ["", *_iteration(model.name, symbol, program)]
+        elif isinstance(program, RankRevealing):
+            lines += ["", *_with_second_path(model.name, symbol, program)]
         else:
             lines += ["", *_function(model.name, _signature(symbol, program, "restrict"), program)]
         lines += ["", *_batch(symbol, program)]
     return "\n".join([*lines, ""])
+
+
+def _with_second_path(model: str, symbol: str, program: RankRevealing) -> list[str]:
+    """A function whose near-singular states go to a second one."""
+
+    def define(name: str, part: Program) -> list[str]:
+        return _function(model, _signature(name, part, "restrict", "static int "), part)
+
+    names = argument_names((*program.inputs, *program.outputs))
+    second = f"{symbol}_rank_revealing"
+    signature = _signature(second, program, "restrict", "static int ")
+    call = f"{second}({', '.join(names)})"
+    return [
+        *second_path(model, symbol, signature, program, names, define),
+        "",
+        *_function(model, _signature(symbol, program, "restrict"), program, call),
+    ]
 
 
 def straight_line(program: Program | Iteration) -> Program:
@@ -186,8 +220,8 @@ def _local_prefix(names: Iterable[str]) -> str:
     return next(p for p in ("x", "t", "w", "local_", "symscrew_local_") if not re.search(rf"\b{p}\d", used))
 
 
-def _function(model: str, signature: str, program: Program) -> list[str]:
-    """The definition of a straight-line function: load, compute, check, store."""
+def _function(model: str, signature: str, program: Program, second: str = "") -> list[str]:
+    """The definition of a straight-line function: load, compute, check, store; `second` is its way out."""
     names = dict(
         zip(
             (p.name for p in (*program.inputs, *program.outputs)),
@@ -215,14 +249,14 @@ def _function(model: str, signature: str, program: Program) -> list[str]:
     lines += [f"    const double {prefix}{t} = {text};" for t, text in expressions(angles.first, TABLE, operand)]
     lines += calls(model, angles, prefix, operand)
     lines += [f"    const double {prefix}{t} = {text};" for t, text in expressions(angles.rest, TABLE, operand)]
-    lines += _checks(model, program, names, operand)
+    lines += _checks(model, program, names, operand, second)
     for port, slots in zip(program.outputs, program.results, strict=True):
         lines += [f"    {names[port.name]}[{k}] = {operand(slot)};" for k, slot in enumerate(slots)]
     return [*lines, "    return 0;", "}"]
 
 
-def _checks(model: str, program: Program, names: dict[str, str], operand: Operand) -> list[str]:
-    """Guards, then the sum of all outputs; on failure NaN and the status."""
+def _checks(model: str, program: Program, names: dict[str, str], operand: Operand, second: str) -> list[str]:
+    """Guards, then the sum of all outputs; on failure NaN and the status, or the second path behind a small pivot."""
     guards = " || ".join(f"fabs({operand(slot)}) <= {decimal(t)}" for slot, t in program.guards)
     checked = [operand(slot) for slot in checked_slots(program)]
     lines: list[str] = []
@@ -234,6 +268,8 @@ def _checks(model: str, program: Program, names: dict[str, str], operand: Operan
     if not choice:
         return lines
     lines += wrapped_code(f"const int outcome = {choice} : 0;")
+    if second and guards:
+        lines += ["    if (outcome == 1) {", f"        return {second};", "    }"]
     lines += ["    if (outcome != 0) {"]
     outputs = [(names[port.name], port.size) for port in program.outputs if port.size]
     lines += [f"        {model}_set_nan({name}, {size});" for name, size in outputs]

@@ -15,6 +15,7 @@ import symscrew
 from symscrew.model import Model
 from symscrew.names import check_name
 from symscrew.program import STATUS, Instruction, Iteration, Port, Program
+from symscrew.rank_revealing import RankRevealing
 
 Operand = Callable[[int | float], str]
 MAX_LABELS = 96
@@ -177,8 +178,10 @@ def port_lines(port: Port) -> list[str]:
 
 def statuses(program: Program | Iteration) -> dict[int, str]:
     """The statuses that a function can return, with their texts."""
-    possible = (0, 2, 3, 4) if isinstance(program, Iteration) else (0, 1, 2) if program.guards else (0, 2)
-    return {code: STATUS[code] for code in possible}
+    if isinstance(program, Iteration):
+        return {code: STATUS[code] for code in (0, 2, 3, 4)}
+    second = (-2, -1) if isinstance(program, RankRevealing) else ()
+    return {code: STATUS[code] for code in (*second, *((0, 1, 2) if program.guards else (0, 2)))}
 
 
 def function_lines(symbol: str, program: Program | Iteration) -> list[str]:
@@ -194,6 +197,8 @@ def function_lines(symbol: str, program: Program | Iteration) -> list[str]:
     count = program.operations
     parts = ", ".join(f"{key} {n}" for key, n in count.items() if n and key != "total")
     what = "Operations"
+    if isinstance(program, RankRevealing):
+        what = "Operations where no pivot is small"
     if isinstance(program, Iteration):
         what = f"Operations of one Newton step (at most {program.max_steps} per substep)"
     lines += wrapped(f"{what}: {count['total']} ({parts})")

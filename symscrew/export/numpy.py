@@ -7,6 +7,7 @@ Arrays have the shape (*batch, size), matrices column by column as in the C code
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Sequence
 
 from symscrew.export.listing import (
@@ -23,6 +24,7 @@ from symscrew.export.listing import (
 )
 from symscrew.model import Model
 from symscrew.program import Iteration, Program
+from symscrew.rank_revealing import RANK, RankRevealing, second_path
 
 TABLE = {
     "add": "{0} + {1}",
@@ -113,6 +115,20 @@ def _iterate_batch(arguments, *settings):
 '''
 
 
+SECOND_PATH = '''\
+def _rank_revealing(first, dense, wrenches, arguments, *settings):
+    """Results of `first`; where it fails by a small pivot, those of the second path."""
+    results, status = first(*arguments)
+    for state in map(tuple, np.argwhere(status == 1)):
+        inputs = [np.broadcast_to(np.asarray(x, float), (*status.shape, np.shape(x)[-1]))[state] for x in arguments]
+        reactions = (lambda a, m, x=inputs: wrenches(*x, a, m)[0]) if wrenches else None
+        found, status[state] = second_path(*dense(*inputs)[0], *settings, reactions)
+        for result, value in zip(results, found):
+            result[state] = value
+    return results, status
+'''
+
+
 def print_numpy(model: Model) -> dict[str, str]:
     """File name to text: `<name>_numpy.py`."""
     check_names(model)
@@ -122,10 +138,14 @@ def print_numpy(model: Model) -> dict[str, str]:
         "(*batch, size), matrices column by column, and the status (*batch). Outputs are NaN where the "
         "status is not 0."
     )
-    lines += ['"""', "", "import numpy as np", "", *RUNTIME.splitlines()]
+    lines += ['"""', "", "from __future__ import annotations", "", "import numpy as np", "", *RUNTIME.splitlines()]
+    if any(isinstance(program, RankRevealing) for program in model.programs.values()):
+        lines += ["", "", *SECOND_PATH.splitlines(), "", "", *inspect.getsource(second_path).splitlines()]
     for name, program in model.programs.items():
         if isinstance(program, Iteration):
             lines += ["", "", *_iteration(name, program)]
+        elif isinstance(program, RankRevealing):
+            lines += ["", "", *_with_second_path(name, program)]
         else:
             lines += ["", "", *_function(name, function_lines(name, program), program)]
     return {f"{model.name}_numpy.py": "\n".join([*lines, ""])}
@@ -152,6 +172,25 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
         '    with np.errstate(all="ignore"):',
         *(f"        {line}" for line in body),
         f"        return _finish(batch, {several(outputs)}, {guards}, {checked})",
+    ]
+
+
+def _with_second_path(name: str, program: RankRevealing) -> list[str]:
+    """The first path, what the second one solves, and the function that chooses between them."""
+    assert program.dense is not None
+    parts = [("first", program), ("dense", program.dense), ("wrenches", program.wrenches)]
+    lines = []
+    for part, found in parts:
+        if found is not None:
+            lines += [*_function(f"_{name}_{part}", [f"The {part} path of {name}."], found), "", ""]
+    scales = ", ".join(f"({', '.join(decimal(x) for x in values)},)" for values in (program.rates, program.rows))
+    called = [f"_{name}_{part}" if found is not None else "None" for part, found in parts]
+    return [
+        *lines,
+        f"def {name}(*arguments):",
+        *_docstring(function_lines(name, program)),
+        f"    settings = ({scales}, {program.regular}, {decimal(RANK)})",
+        f"    return _rank_revealing({', '.join(called)}, arguments, *settings)",
     ]
 
 

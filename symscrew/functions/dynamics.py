@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 from symscrew.drives import DriveSolution, solve_drives
 from symscrew.effects import Acting, Effect
@@ -25,7 +26,6 @@ from symscrew.functions.ports import (
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
 from symscrew.reactions import joint_wrenches, numeric_multipliers, solve_reactions
-from symscrew.recursion import inertial_wrench, regrouped
 from symscrew.screws import ZERO, Vector
 from symscrew.system import System
 from symscrew.tape import Node
@@ -49,20 +49,28 @@ class Equations:
             system.cut_drives(),
             system.length,
             system.virtual_directions(),
-            self.forces.joint_forces,
+            self.forces.known_forces(system.inputs.a),
         )
-        self.inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
-        self.rates = system.rates(system.inputs.a, self.forces.ground_acceleration)
-        self.balance: Balance = balance(self.setting, self.lean_wrench, self.forces.loads)
-        self.solution = self.drives()
+        self.inertia = self.forces.lean_inertia()
+        self.rates = self.forces.link_rates(system.inputs.a)
+
+    @cached_property
+    def balance(self) -> Balance:
+        """Multipliers and the equations at the hub."""
+        return balance(self.setting, self.lean_wrench, self.forces.loads)
+
+    @cached_property
+    def solution(self) -> DriveSolution:
+        """The drives of smallest sum of squares."""
+        return self.drives()
 
     def lean_wrench(self, link: Link) -> tuple[Vector, Vector]:
         """Inertial wrench with regrouped inertias: right for drives and cut joints, not inside the tree."""
-        return inertial_wrench(self.inertia[link.index], self.rates[link.index])
+        return self.forces.inertial_wrench(link.index, self.inertia[link.index], self.rates)
 
     def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
         """Inertial wrench of the bodies as given."""
-        return inertial_wrench(self.system.inertia[link.index], self.rates[link.index])
+        return self.forces.inertial_wrench(link.index, self.system.inertia[link.index], self.rates)
 
     @property
     def drive_scales(self) -> dict[int, float]:
@@ -92,8 +100,8 @@ class Equations:
 
 def dynamic_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Mass matrix, bias and, where there are drives, inverse dynamics and reactions."""
-    functions = [_mass_matrix(system), _bias(system, effects)]
     equations = Equations(system, effects)
+    functions = [_mass_matrix(system, equations.forces.reflected_inertia), _bias(system, effects)]
     if system.drives:
         functions.append(_inverse_dynamics(equations))
         functions.append(_from_independent(system, effects, loops))
@@ -201,18 +209,6 @@ def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[o
     multipliers = numeric_multipliers(equations.balance, u)
     found = joint_wrenches(setting, system.pose, equations.true_wrench, equations.forces.loads, multipliers, u)
     reactions = solve_reactions(setting, found, equations.balance.free)
-    names = list(system.mechanism.joints)
-    values: list[object] = []
-    for name in names:
-        force, moment = reactions.wrenches.get(name, (ZERO, ZERO))
-        values += [*force, *moment]
-    port = columns_port(
-        "reactions",
-        names,
-        WRENCH_LABELS,
-        WRENCH_UNITS,
-        "wrench (f ; m_O) from parent on child without the drive's share",
-    )
     notes = []
     if reactions.free:
         notes.append(
@@ -220,15 +216,24 @@ def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[o
             f"(moments divided by the characteristic length {system.length!r} m); not unique: "
             + ", ".join(reactions.not_unique)
         )
-    return port, values, reactions.guards, notes
+    return reactions_port(system), in_order(system, reactions.wrenches), reactions.guards, notes
+
+
+def reactions_port(system: System) -> Port:
+    """Wrenches of all joints, in the order of the description."""
+    text = "wrench (f ; m_O) from parent on child without the drive's share"
+    return columns_port("reactions", list(system.mechanism.joints), WRENCH_LABELS, WRENCH_UNITS, text)
+
+
+def in_order(system: System, wrenches: Mapping[str, tuple[Vector, Vector]]) -> list[object]:
+    """Six entries per joint of the description; zeros for joints without a wrench."""
+    pairs = [wrenches.get(name, (ZERO, ZERO)) for name in system.mechanism.joints]
+    return [entry for force, moment in pairs for entry in (*force, *moment)]
 
 
 def _bias(system: System, effects: Sequence[Effect]) -> Function:
     acting = Acting(system, effects)
-    inertia = regrouped(system.tree, system.frames, system.inertia, system.geometry)
-    rates = system.rates([system.tape.zero] * len(system.tree.v), acting.ground_acceleration)
-    wrench = {link.index: inertial_wrench(inertia[link.index], rates[link.index]) for link in system.tree.links[1:]}
-    values = generalised_forces(system, wrench, acting)
+    values = generalised_forces(system, acting, [system.tape.zero] * len(system.tree.v))
     units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
     port = Port("bias", (len(values),), units, tuple(c.label for c in system.tree.v), "generalised forces at a = 0")
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
@@ -236,8 +241,8 @@ def _bias(system: System, effects: Sequence[Effect]) -> Function:
     return function(system, "bias", text, inputs, [(port, values)])
 
 
-def _mass_matrix(system: System) -> Function:
-    matrix = mass_matrix(system)
+def _mass_matrix(system: System, reflected: Mapping[int, Node]) -> Function:
+    matrix = mass_matrix(system, reflected)
     n = len(matrix)
     labels = tuple(f"{a.label}|{b.label}" for b in system.tree.v for a in system.tree.v)
     kinds = [c.kind == "length" for c in system.tree.v]

@@ -3,16 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from symscrew.admissible import Admissible
 from symscrew.effects import Acting, Effect
-from symscrew.functions.closure import guarded, moved_by, opening
-from symscrew.functions.dynamics import Equations, all_reactions
+from symscrew.equilibrium import ONE
+from symscrew.functions.closure import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
+from symscrew.functions.dynamics import Equations, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.loops import Loops
-from symscrew.program import Function, Port
+from symscrew.program import Function, Iteration, Port, Program, lower
+from symscrew.rank_revealing import SWITCH, RankRevealing
+from symscrew.reactions import at_origin, joint_wrenches
+from symscrew.screws import ZERO, scale
 from symscrew.system import System
 from symscrew.tape import Node
+from symscrew.tree_dynamics import generalised_forces, mass_matrix
+
+
+@dataclass(frozen=True)
+class SecondPath:
+    """The functions and unit scales of a rank-revealing path: see `symscrew.rank_revealing.RankRevealing`."""
+
+    dense: Function
+    wrenches: Function | None
+    rates: tuple[float, ...]
+    rows: tuple[float, ...]
+    regular: int
+
+    def behind(self, first: Program | Iteration) -> RankRevealing:
+        """The program with this second path."""
+        wrenches = lower(self.wrenches) if self.wrenches else None
+        return RankRevealing(**vars(first), dense=lower(self.dense), wrenches=wrenches, rates=self.rates,
+                             rows=self.rows, regular=self.regular)  # fmt: skip
+
 
 State = list[tuple[Port, Sequence[Node]]]
 
@@ -42,19 +66,83 @@ def driven(system: System, effects: Sequence[Effect]) -> tuple[Acting, State]:
     return acting, [(port, nodes)] if nodes else []
 
 
+def second_paths(system: System, effects: Sequence[Effect], loops: Loops) -> dict[str, SecondPath]:
+    """The dense quantities that solve forward dynamics again where a pivot of its straight-line code is small."""
+    if not system.cuts:
+        return {}
+    regular = len(loops.elimination.steps)
+    rows = tuple(1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows)
+    dense = _dense(system, effects)
+    return {
+        "forward_dynamics": SecondPath(dense, None, tuple(_scales(system)), rows, regular),
+        "forward_dynamics_reactions": SecondPath(
+            dense, _wrenches(system, effects), tuple(_scales(system)), rows, regular
+        ),
+    }
+
+
+def _dense(system: System, effects: Sequence[Effect]) -> Function:
+    """Mass matrix, forces, closure Jacobian and its bias for the tree's rates v."""
+    acting, drives = driven(system, effects)
+    n, m = len(system.tree.v), len(system.jacobian)
+    force = [-value for value in generalised_forces(system, acting, [system.tape.zero] * n)]
+    matrix, columns = mass_matrix(system, acting.reflected_inertia), jacobian_in_v(system)
+    still = system.bias(system.rates([system.tape.zero] * n))
+    outputs = [
+        (_plain("inertia", n * n), [matrix[i][j] for j in range(n) for i in range(n)]),
+        (_plain("load", n), force),
+        (_plain("closure", n * m), [entry for column in columns for entry in column]),
+        (_plain("curvature", m), still),
+    ]
+    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
+    return function(system, "dense", "What the second path solves.", inputs, outputs)
+
+
+def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
+    """Reactions for given accelerations and multipliers, and the same without units at the joints' points."""
+    equations = Equations(system, effects)
+    acting, drives = driven(system, effects)
+    u = drives[0][1] if drives else ()
+    setting, tape = equations.setting, system.tape
+    labels = list(setting.multipliers())
+    units = ["N" if row.unit == "N" else "N m" for cut in system.cuts for row in cut.rows]
+    symbols = [tape.symbol(f"multiplier_{i}", unit, f"multiplier {i + 1}") for i, unit in enumerate(units)]
+    known = {label: {ONE: symbol} for label, symbol in zip(labels, symbols, strict=True)}
+    found = joint_wrenches(setting, system.pose, equations.true_wrench, equations.forces.loads, known, u)
+    at_points = {joint.joint: joint.columns.get(ONE, (ZERO, ZERO)) for joint in found}
+    absolute = {joint.joint: at_origin(joint.pose, *at_points[joint.joint]) for joint in found}
+    shorter = tape.constant(1.0 / system.length)
+    sized = {name: (force, scale(shorter, moment)) for name, (force, moment) in at_points.items()}
+    inputs = [
+        (q_port(system), system.inputs.q),
+        (v_port(system), system.inputs.v),
+        *drives,
+        *acting.inputs,
+        (a_port(system), system.inputs.a),
+        (_plain("multipliers", len(symbols)), symbols),
+    ]
+    count = 6 * len(system.mechanism.joints)
+    outputs = [(reactions_port(system), in_order(system, absolute)), (_plain("sized", count), in_order(system, sized))]
+    return function(system, "wrenches", "Reactions for given accelerations and multipliers.", inputs, outputs)
+
+
+def _plain(name: str, size: int) -> Port:
+    return Port(name, (size,), ("1",) * size, (), name)
+
+
 def _forward_dynamics(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
     acting, drives = driven(system, effects)
-    _, a, guards = Admissible(system, loops).accelerations(acting)
+    _, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
     text = "Accelerations of the tree from a consistent state and the drives."
-    every = guarded((*loops.guards, *guards))
+    every = guarded((*loops.guards, *guards), SWITCH if system.cuts else THRESHOLD)
     return function(system, "forward_dynamics", text, inputs, [(a_port(system), a)], every)
 
 
 def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
     """Accelerations first, then the equilibrium of all links with the drives put in."""
     acting, drives = driven(system, effects)
-    _, a, guards = Admissible(system, loops).accelerations(acting)
+    _, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
     equations = Equations(system.at(system.inputs.q, {}, system.inputs.v, a), effects)
     u = drives[0][1] if drives else ()
     port, values, more, notes = all_reactions(equations, u)
@@ -62,7 +150,7 @@ def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> 
     text = (
         "Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives."
     )
-    every = guarded((*loops.guards, *guards, *equations.balance.guards, *more))
+    every = guarded((*loops.guards, *guards, *equations.balance.guards, *more), SWITCH if system.cuts else THRESHOLD)
     outputs: list[tuple[Port, Sequence[object]]] = [(a_port(system), a), (port, values)]
     return function(system, "forward_dynamics_reactions", text, inputs, outputs, every, notes)
 
@@ -73,7 +161,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     w = loops.rates_from(y_dot)
     moving = system.at(system.inputs.q, {}, system.tree_rates(w))
     acting, drives = driven(moving, effects)
-    free, a, guards = Admissible(moving, loops).accelerations(acting)
+    free, a, guards = Admissible(moving, loops, acting.reflected_inertia).accelerations(acting)
     y_ddot = loops.second_rates(free, system.joint_rates(a), w)
     inputs = [(q_port(system), system.inputs.q), (y_port(loops, "y_dot", 1), y_dot), *drives, *acting.inputs]
     text = "Second rates of the independent coordinates from the configuration, their rates and the drives."

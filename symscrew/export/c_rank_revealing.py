@@ -1,0 +1,331 @@
+"""C of the second, rank-revealing path of forward dynamics: see `symscrew.rank_revealing`.
+
+One routine per model works on arrays whose sizes are known when it is called, from the caller's stack: no
+allocation, bounded loops.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from symscrew.export.listing import decimal
+from symscrew.program import Program
+from symscrew.rank_revealing import RANK, RankRevealing
+
+Define = Callable[[str, Program], list[str]]
+
+ROUTINES = """\
+/* Makes the columns of a (rows x columns) orthogonal by rotations from the right, collected in v. */
+static void MODEL_orthogonalise(int rows, int columns, double *a, double *v)
+{
+    double total = 0.0;
+    for (int k = 0; k < rows * columns; ++k) {
+        total += a[k] * a[k];
+    }
+    for (int j = 0; j < columns; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            v[i + j * columns] = i == j ? 1.0 : 0.0;
+        }
+    }
+    int turned = 1;
+    for (int sweep = 0; sweep < 40 && turned != 0; ++sweep) {
+        turned = 0;
+        for (int i = 0; i + 1 < columns; ++i) {
+            for (int j = i + 1; j < columns; ++j) {
+                double *x = a + i * rows, *y = a + j * rows;
+                double xx = 0.0, yy = 0.0, xy = 0.0;
+                for (int k = 0; k < rows; ++k) {
+                    xx += x[k] * x[k];
+                    yy += y[k] * y[k];
+                    xy += x[k] * y[k];
+                }
+                const double least = xx < yy ? xx : yy;
+                if (least <= 1e-30 * total || fabs(xy) <= 1e-15 * sqrt(xx * yy)) {
+                    continue;
+                }
+                turned = 1;
+                const double ratio = (yy - xx) / (2.0 * xy);
+                const double tangent = (ratio < 0.0 ? -1.0 : 1.0) / (fabs(ratio) + sqrt(1.0 + ratio * ratio));
+                const double cosine = 1.0 / sqrt(1.0 + tangent * tangent), sine = cosine * tangent;
+                for (int k = 0; k < rows; ++k) {
+                    const double old = x[k];
+                    x[k] = cosine * old - sine * y[k];
+                    y[k] = sine * old + cosine * y[k];
+                }
+                x = v + i * columns;
+                y = v + j * columns;
+                for (int k = 0; k < columns; ++k) {
+                    const double old = x[k];
+                    x[k] = cosine * old - sine * y[k];
+                    y[k] = sine * old + cosine * y[k];
+                }
+            }
+        }
+    }
+}
+
+static double MODEL_dot(int size, const double *x, const double *y)
+{
+    double sum = 0.0;
+    for (int k = 0; k < size; ++k) {
+        sum += x[k] * y[k];
+    }
+    return sum;
+}
+
+/* Solves a positive definite system in place; 1 if a pivot is lost. */
+static int MODEL_cholesky(int size, double *matrix, double *right)
+{
+    double largest = 0.0;
+    for (int j = 0; j < size; ++j) {
+        largest = matrix[j + j * size] > largest ? matrix[j + j * size] : largest;
+    }
+    for (int j = 0; j < size; ++j) {
+        for (int i = j; i < size; ++i) {
+            double sum = matrix[i + j * size];
+            for (int k = 0; k < j; ++k) {
+                sum -= matrix[i + k * size] * matrix[j + k * size];
+            }
+            if (i == j && !(sum > 1e-14 * largest)) {
+                return 1;
+            }
+            matrix[i + j * size] = i == j ? sqrt(sum) : sum / matrix[j + j * size];
+        }
+        for (int k = 0; k < j; ++k) {
+            right[j] -= matrix[j + k * size] * right[k];
+        }
+        right[j] /= matrix[j + j * size];
+    }
+    for (int j = size - 1; j >= 0; --j) {
+        for (int i = j + 1; i < size; ++i) {
+            right[j] -= matrix[i + j * size] * right[i];
+        }
+        right[j] /= matrix[j + j * size];
+    }
+    return 0;
+}
+
+/* Accelerations a and multipliers from mass a = force + jacobian^T multipliers, jacobian a + bias = 0, all
+   without units; v takes the null space. Returns the rank of the jacobian, or -1 if no acceleration is unique. */
+static int MODEL_constrained(int n, int m, const double *mass, const double *force, double *jacobian,
+                             const double *bias, double *v, double *work, double *a, double *multipliers)
+{
+    double *sizes = work, *reduced = work + n, *right = reduced + n * n, *moved = right + n;
+    double largest = 0.0;
+    int rank = 0, free_count = 0;
+    MODEL_orthogonalise(m, n, jacobian, v);
+    for (int j = 0; j < n; ++j) {
+        sizes[j] = MODEL_dot(m, jacobian + j * m, jacobian + j * m);
+        largest = sizes[j] > largest ? sizes[j] : largest;
+        a[j] = 0.0;
+    }
+    for (int j = 0; j < n; ++j) {
+        if (sizes[j] > RANK * RANK * largest) {
+            const double part = MODEL_dot(m, jacobian + j * m, bias) / sizes[j];
+            for (int k = 0; k < n; ++k) {
+                a[k] -= part * v[k + j * n];
+            }
+            ++rank;
+        } else {
+            sizes[j] = 0.0;
+        }
+    }
+    const int count = n - rank;
+    for (int k = 0; k < n; ++k) {
+        moved[k] = force[k] - MODEL_dot(n, mass + k * n, a);
+    }
+    for (int j = 0; j < n; ++j) {
+        if (sizes[j] > 0.0) {
+            continue;
+        }
+        int other = 0;
+        for (int i = 0; i < n; ++i) {
+            if (sizes[i] > 0.0) {
+                continue;
+            }
+            double sum = 0.0;
+            for (int k = 0; k < n; ++k) {
+                sum += v[k + i * n] * MODEL_dot(n, mass + k * n, v + j * n);
+            }
+            reduced[other + free_count * count] = sum;
+            ++other;
+        }
+        right[free_count] = MODEL_dot(n, v + j * n, moved);
+        ++free_count;
+    }
+    if (MODEL_cholesky(count, reduced, right) != 0) {
+        return -1;
+    }
+    free_count = 0;
+    for (int j = 0; j < n; ++j) {
+        if (sizes[j] > 0.0) {
+            continue;
+        }
+        for (int k = 0; k < n; ++k) {
+            a[k] += right[free_count] * v[k + j * n];
+        }
+        ++free_count;
+    }
+    for (int k = 0; k < n; ++k) {
+        moved[k] = MODEL_dot(n, mass + k * n, a) - force[k];
+    }
+    for (int i = 0; i < m; ++i) {
+        multipliers[i] = 0.0;
+    }
+    for (int j = 0; j < n; ++j) {
+        if (sizes[j] > 0.0) {
+            const double part = MODEL_dot(n, v + j * n, moved) / sizes[j];
+            for (int i = 0; i < m; ++i) {
+                multipliers[i] += part * jacobian[i + j * m];
+            }
+        }
+    }
+    return rank;
+}
+"""
+
+INTERNAL = """\
+/* A unit vector of multipliers that is in equilibrium by itself: orthogonal to the columns of the jacobian that
+   count and to the `found` earlier ones. */
+static void MODEL_internal_load(int n, int m, const double *jacobian, int found, double *loads)
+{
+    double *load = loads + found * m, best = -1.0, largest = 0.0;
+    for (int j = 0; j < n; ++j) {
+        const double size = MODEL_dot(m, jacobian + j * m, jacobian + j * m);
+        largest = size > largest ? size : largest;
+    }
+    for (int pick = 0, chosen = -1; pick <= m; ++pick) {
+        const int start = pick < m ? pick : chosen;
+        for (int i = 0; i < m; ++i) {
+            load[i] = i == start ? 1.0 : 0.0;
+        }
+        for (int again = 0; again < 2; ++again) {
+            for (int j = 0; j < n + found; ++j) {
+                const double *column = j < n ? jacobian + j * m : loads + (j - n) * m;
+                const double size = MODEL_dot(m, column, column);
+                if (j >= n || size > RANK * RANK * largest) {
+                    const double part = MODEL_dot(m, column, load) / size;
+                    for (int i = 0; i < m; ++i) {
+                        load[i] -= part * column[i];
+                    }
+                }
+            }
+        }
+        const double size = MODEL_dot(m, load, load);
+        if (pick < m && size > best) {
+            best = size;
+            chosen = pick;
+        }
+    }
+    const double factor = 1.0 / sqrt(MODEL_dot(m, load, load));
+    for (int i = 0; i < m; ++i) {
+        load[i] *= factor;
+    }
+}
+"""
+
+
+def routines(model: str, *, internal: bool) -> list[str]:
+    """The routines that all second paths of a model share; `internal` also those of internal loads."""
+    text = ROUTINES + ("\n" + INTERNAL if internal else "")
+    return text.replace("MODEL", model).replace("RANK", decimal(RANK)).splitlines()
+
+
+def second_path(
+    model: str, symbol: str, signature: str, program: RankRevealing, names: Sequence[str], define: Define
+) -> list[str]:
+    """The second path of one function: `signature` declares it, `names` are its arguments in order."""
+    assert program.dense is not None
+    n, m = len(program.rates), len(program.rows)
+    inputs, outputs = names[: len(program.inputs)], names[len(program.inputs) :]
+    given = "".join(f"{name}, " for name in inputs)
+    joints = program.outputs[1].size if program.wrenches else 0
+    lines = define(f"{symbol}_dense", program.dense)
+    if program.wrenches:
+        lines += ["", *define(f"{symbol}_wrenches", program.wrenches)]
+    a = outputs[0]
+    lines += [
+        "",
+        signature,
+        "{",
+        f"    static const double rate_scale[{n}] = {{{', '.join(decimal(x) for x in program.rates)}}};",
+        f"    static const double row_scale[{m}] = {{{', '.join(decimal(x) for x in program.rows)}}};",
+        f"    double inertia[{n * n}], load[{n}], closure[{n * m}], curvature[{m}];",
+        f"    double turn[{n * n}], work[{n * n + 3 * n}], multipliers[{m}];",
+        f"    (void){symbol}_dense({given}inertia, load, closure, curvature);",
+        f"    for (int j = 0; j < {n}; ++j) {{",
+        "        load[j] *= rate_scale[j];",
+        f"        for (int i = 0; i < {n}; ++i) {{",
+        f"            inertia[i + j * {n}] *= rate_scale[i] * rate_scale[j];",
+        "        }",
+        f"        for (int i = 0; i < {m}; ++i) {{",
+        f"            closure[i + j * {m}] *= row_scale[i] * rate_scale[j];",
+        "        }",
+        "    }",
+        f"    for (int i = 0; i < {m}; ++i) {{",
+        "        curvature[i] *= row_scale[i];",
+        "    }",
+        f"    const int rank = {model}_constrained({n}, {m}, inertia, load, closure, curvature, turn, work, {a}, "
+        "multipliers);",
+        f"    double total = {model}_dot({n}, {a}, {a});",
+        f"    for (int j = 0; j < {n}; ++j) {{",
+        f"        {a}[j] *= rate_scale[j];",
+        "    }",
+        *(_with_internal_loads(model, symbol, given, outputs, m, n, joints) if program.wrenches else []),
+        "    if (rank < 0 || !isfinite(total)) {",
+        *(f"        {model}_set_nan({x}, {p.size});" for x, p in zip(outputs, program.outputs, strict=True)),
+        "        return isfinite(total) ? 1 : 2;",
+        "    }",
+        f"    return rank == {program.regular} ? -1 : -2;",
+        "}",
+    ]
+    return lines
+
+
+def _with_internal_loads(
+    model: str, symbol: str, given: str, outputs: Sequence[str], m: int, n: int, size: int
+) -> list[str]:
+    """Reactions for the multipliers found, plus the internal loads that make their sum of squares smallest."""
+    a, reactions = outputs
+    return [
+        f"    double sized[{size}], shifted[{size}], loads[{m * m}], columns[{m * size}], mix[{m * m}], amount[{m}];",
+        f"    for (int i = 0; i < {m}; ++i) {{",
+        "        multipliers[i] *= row_scale[i];",
+        "    }",
+        f"    (void){symbol}_wrenches({given}{a}, multipliers, {reactions}, sized);",
+        f"    const int internal = {m} - (rank > 0 ? rank : 0);",
+        "    for (int k = 0; k < internal && rank >= 0; ++k) {",
+        f"        double moved[{m}];",
+        f"        {model}_internal_load({n}, {m}, closure, k, loads);",
+        f"        for (int i = 0; i < {m}; ++i) {{",
+        f"            moved[i] = multipliers[i] + row_scale[i] * loads[i + k * {m}];",
+        "        }",
+        f"        (void){symbol}_wrenches({given}{a}, moved, shifted, columns + k * {size});",
+        f"        for (int i = 0; i < {size}; ++i) {{",
+        f"            columns[i + k * {size}] -= sized[i];",
+        "        }",
+        "    }",
+        f"    {model}_orthogonalise({size}, internal, columns, mix);",
+        "    double largest = 0.0;",
+        "    for (int k = 0; k < internal; ++k) {",
+        f"        const double part = {model}_dot({size}, columns + k * {size}, columns + k * {size});",
+        "        largest = part > largest ? part : largest;",
+        "        amount[k] = 0.0;",
+        "    }",
+        "    for (int k = 0; k < internal; ++k) {",
+        f"        const double part = {model}_dot({size}, columns + k * {size}, columns + k * {size});",
+        "        if (part > 1e-18 * largest) {",
+        f"            const double factor = -{model}_dot({size}, columns + k * {size}, sized) / part;",
+        "            for (int i = 0; i < internal; ++i) {",
+        "                amount[i] += factor * mix[i + k * internal];",
+        "            }",
+        "        }",
+        "    }",
+        "    for (int k = 0; k < internal; ++k) {",
+        f"        for (int i = 0; i < {m}; ++i) {{",
+        f"            multipliers[i] += amount[k] * row_scale[i] * loads[i + k * {m}];",
+        "        }",
+        "    }",
+        f"    (void){symbol}_wrenches({given}{a}, multipliers, {reactions}, sized);",
+        f"    total += {model}_dot({size}, {reactions}, {reactions});",
+    ]
