@@ -1,11 +1,11 @@
 """Branches of the configuration space through a singular configuration.
 
 A branch through the configuration meets every small sphere around it. So: zeros of the reduced closure on spheres
-in the instantaneous motions, from random starts and from the principal directions of the quadratic forms; each
-zero is followed inwards to a much smaller sphere, which drops those that do not pass through the configuration;
-the dimension of the branch at a zero is the number of instantaneous freedoms there, after real motion along all
-of them has been confirmed in 60 digits. Where a whole branch is shaky (more instantaneous freedoms than real ones
-everywhere on it) the dimension is that of the zeros around.
+in the instantaneous motions, from random starts and from the directions of the second-order tangent cone, found on
+linear slices of every dimension; each zero is followed inwards to a much smaller sphere, which drops those that do
+not pass through the configuration; the dimension of the branch at a zero is the number of instantaneous freedoms
+there, after real motion along all of them has been confirmed in 60 digits. Where a whole branch is shaky (more
+instantaneous freedoms than real ones everywhere on it) the dimension is that of the zeros around.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.mobility.local import SEED, Local, coarse_rank, flatten, local_at, local_refined, vanishes
+from symscrew.mobility.quadric_cone import cone_directions
 from symscrew.mobility.reduced import ReducedClosure, Values, is_zero
 from symscrew.mobility.variety import Array, ClosureVariety
 
@@ -41,8 +42,9 @@ class Branches:
 def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: Array) -> Branches:
     """The dimensions of all branches that were found through `here`; none means an isolated configuration."""
     reduced = ReducedClosure(coarse, here)
-    starts = _starts(here.dof, forms)
+    starts, in_cone = _starts(here.dof, forms)
     found: dict[int, str] = {}
+    known: set[int] = set()
     evidence = []
     for radius in RADII:
         scale = _scale(reduced, starts, radius)
@@ -51,10 +53,11 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
         zeros = _representatives(coarse, reduced.zeros_on_sphere(radius * starts, radius, scale), radius, scale)
         kept, reached = _followed(reduced, starts, zeros, radius)
         evidence.append(
-            f"zeros on a sphere of radius {radius:g} from {len(starts)} starts: {len(zeros.u)} kept for their variety, "
+            f"zeros on a sphere of radius {radius:g} from {len(starts)} starts, {in_cone} of them "
+            f"directions of the second-order cone on linear slices: {len(zeros.u)} kept for their variety, "
             f"{len(kept)} of them lead to the configuration (followed down to {reached:.1e})"
         )
-        for dimension, text in _dimensions(coarse, fine, kept, radius).items():
+        for dimension, text in _dimensions(coarse, fine, kept, radius, known).items():
             found.setdefault(dimension, text)
     if set(found) - {UNDECIDED}:
         found.pop(UNDECIDED, None)
@@ -68,17 +71,13 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
     return Branches(tuple(sorted(found)), (*evidence, *(found[d] for d in sorted(found))))
 
 
-def _starts(dof: int, forms: Array) -> Array:
-    """Unit directions: random, eigenvectors of combinations of the quadratic forms, and axes of their null space."""
+def _starts(dof: int, forms: Array) -> tuple[Array, int]:
+    """(unit directions, how many of them are in the second-order cone); without quadratic forms more random ones."""
     generator = np.random.default_rng(SEED + 1)
-    directions = list(generator.normal(size=(32 + 8 * dof, dof)))
-    used = forms[np.abs(forms).max(axis=(1, 2)) > 0] if len(forms) else forms
-    for _ in range(6 if len(used) else 0):
-        combination = np.tensordot(generator.normal(size=len(used)), used, axes=1)
-        vectors = np.linalg.eigh(combination)[1]
-        directions += list(vectors.T) + list(-vectors.T)
-    stack = np.array(directions)
-    return stack / np.linalg.norm(stack, axis=1)[:, None]
+    cone = cone_directions(forms, generator) if len(forms) else np.zeros((0, dof))
+    count = 12 + 4 * dof if len(cone) else 32 + 8 * dof
+    random = generator.normal(size=(count, dof))
+    return np.concatenate([random / np.linalg.norm(random, axis=1)[:, None], cone]), len(cone)
 
 
 def _representatives(variety: ClosureVariety, values: Values, radius: float, scale: float) -> Values:
@@ -118,16 +117,22 @@ def _scale(reduced: ReducedClosure, starts: Array, radius: float) -> float:
     return float(np.median(np.abs(values.g[values.solved]).max(axis=1))) if values.solved.any() else 0.0
 
 
-def _dimensions(coarse: ClosureVariety, fine: ClosureVariety, zeros: Array, radius: float) -> dict[int, str]:
-    """Dimension of the branch at each kind of zero, with how it was decided."""
+def _dimensions(
+    coarse: ClosureVariety, fine: ClosureVariety, zeros: Array, radius: float, known: set[int]
+) -> dict[int, str]:
+    """Dimension of the branch at each kind of zero, with how it was decided; of `known` kinds one zero is enough.
+
+    A kind are the zeros with equally many instantaneous freedoms; those found are added to `known`.
+    """
     groups: dict[int, list[Array]] = {}
     for q in zeros:
         groups.setdefault(local_at(coarse, q).dof, []).append(q)
     found: dict[int, str] = {}
-    for _, points in sorted(groups.items()):
-        for q in points[:: max(1, len(points) // 3)][:3]:
+    for kind, points in sorted(groups.items()):
+        for q in points[:: max(1, len(points) // 3)][: 1 if kind in known else 3]:
             dimension, text = _dimension_at(coarse, fine, q, radius)
             found.setdefault(dimension, text)
+        known.add(kind)
     return found
 
 
