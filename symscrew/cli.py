@@ -129,6 +129,12 @@ def parser() -> argparse.ArgumentParser:
     picture = _command(commands, "draw", draw_mechanism, "a picture of a mechanism in its reference configuration")
     _mechanism(picture)
     picture.add_argument("--out", metavar="FILE.png", required=True, help="the picture")
+
+    view = _command(commands, "view", view_mechanism, "a page with the mechanism in 3-D: to turn, move and play")
+    view.add_argument("mechanism", metavar="NAME|FILE|RUN.npz", help="a mechanism, or a recorded motion to play")
+    view.add_argument("--out", metavar="FILE.html", help="the page; without it the page is opened in the browser")
+    _gravity(view)
+    view.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
     _command(commands, "doctor", report_installation, "what is installed, and what each part is for")
     return top
 
@@ -151,10 +157,15 @@ def _mechanism(command: argparse.ArgumentParser) -> None:
     command.add_argument("mechanism", metavar="NAME|FILE", help=text)
 
 
-def _effects(command: argparse.ArgumentParser) -> None:
+def _gravity(command: argparse.ArgumentParser) -> None:
     gravity = command.add_mutually_exclusive_group()
     gravity.add_argument("--no-gravity", action="store_true", help="no gravity (default: 9.81 m/s^2 along -z)")
     gravity.add_argument("--gravity", nargs=3, metavar=("GX", "GY", "GZ"), help="acceleration of free fall [m/s^2]")
+    command.set_defaults(load=[])
+
+
+def _effects(command: argparse.ArgumentParser) -> None:
+    _gravity(command)
     command.add_argument(
         "--load", action="append", default=[], metavar="POINT", help="force and moment at a named point as an input"
     )
@@ -315,6 +326,28 @@ def draw_mechanism(options: argparse.Namespace) -> int:
     from symscrew.plots import save
 
     print(save(mechanism_figure(mechanism), path, tight=True))
+    return 0
+
+
+def view_mechanism(options: argparse.Namespace) -> int:
+    """`symscrew view`."""
+    from symscrew.console import Progress
+    from symscrew.model import derive
+    from symscrew.view import open_page, read, write_page
+
+    if options.out and Path(options.out).suffix != ".html":
+        raise UsageError(f"--out: expected a file name that ends in .html, got {options.out!r}")
+    progress = Progress()
+    with progress.step(f"read {options.mechanism}"):
+        mechanism, motion = read(options.mechanism)
+        effects = _chosen_effects(options, mechanism)
+    with progress.step(f"derive {mechanism.name}"):
+        model = derive(mechanism, effects, independent=options.independent)
+    if options.out is None:
+        print(open_page(model, motion))
+    else:
+        _writable(str(Path(options.out).parent))
+        print(write_page(model, options.out, motion))
     return 0
 
 

@@ -61,6 +61,18 @@ class RecordedMotion:
                 )
 
 
+def read(name_or_path: str) -> tuple[Mechanism, RecordedMotion | None]:
+    """A mechanism by its name or file, or a recorded motion (.npz) and the mechanism that moved.
+
+    Raises:
+        DescriptionError: neither, or the file does not hold what its name says.
+    """
+    if name_or_path.endswith(".npz"):
+        motion = read_motion(name_or_path)
+        return motion.mechanism, motion
+    return catalogue.find(name_or_path), None
+
+
 def read_motion(path: str | Path) -> RecordedMotion:
     """The motion in the file at `path`.
 

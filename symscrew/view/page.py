@@ -10,6 +10,7 @@ import json
 import os
 import re
 import tempfile
+import webbrowser
 from importlib import resources
 from pathlib import Path
 
@@ -33,6 +34,7 @@ def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
         "title": html.escape(model.name),
         "style": _file("page", "page.css"),
         "data": data.replace("<", "\\u003c"),
+        "licences": _in_script(_file("assets", "LICENSE")),
         "library": _file("assets", LIBRARY),
         "functions": _in_script(print_script(model, "functions", functions_of(model))),
         "scripts": "\n".join(f"<script>\n{_file('page', name)}</script>" for name in SCRIPTS),
@@ -53,6 +55,13 @@ def write_page(model: Model, path: str | Path, motion: RecordedMotion | None = N
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+    return file
+
+
+def open_page(model: Model, motion: RecordedMotion | None = None) -> Path:
+    """Write the page into a new temporary directory and open it in the browser, if there is one."""
+    file = write_page(model, Path(tempfile.mkdtemp(prefix="symscrew_view_")) / f"{model.name}.html", motion)
+    webbrowser.open(file.as_uri())
     return file
 
 

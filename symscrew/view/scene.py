@@ -14,6 +14,7 @@ import numpy as np
 from symscrew.functions.closure import THRESHOLD
 from symscrew.functions.kinematics import joint_freedom_labels, moving_bodies
 from symscrew.joints import JOINT_TYPES
+from symscrew.margins import FORMS
 from symscrew.mechanism import Joint, Mechanism
 from symscrew.model import Model
 from symscrew.outline import along, body_points, numbers, plate
@@ -23,8 +24,11 @@ Array = np.ndarray
 
 FUNCTIONS = (
     "body_poses", "joint_screws", "joint_points", "closure", "closure_jacobian", "platform_jacobian", "velocity",
-    "acceleration", "momentum_screws", "energy", "joint_reactions", "assemble", "margins",
+    "acceleration", "momentum_screws", "energy", "joint_reactions", "assemble", "limb_margins", "constraint_margin",
+    "actuation_margins",
 )  # fmt: skip
+MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
+ALL_DRIVES = "all drives"
 MAX_FRAMES = 1500
 MAX_VALUES = 400_000
 
@@ -68,6 +72,7 @@ def scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
         "v_kinds": [c.kind for c in system.tree.v],
         "reference": system.reference.tolist(),
         "parameters": system.parameter_values.tolist(),
+        "margins": _margins(model),
         "functions": {
             name: {
                 "inputs": [[port.name, port.size] for port in model.programs[name].inputs],
@@ -119,7 +124,7 @@ def _joints(model: Model, index: dict[str, int]) -> list[dict[str, Any]]:
 
 
 def _kind(joint: Joint, freedom: int) -> str:
-    """"turn", "slide" or "screw"."""
+    """The kind of a joint's freedom: "turn", "slide" or "screw"."""
     kind = JOINT_TYPES[joint.type].freedoms[freedom].kind
     return {"P": "slide", "H": "screw"}.get(kind, "turn")
 
@@ -161,6 +166,26 @@ def _independent(model: Model) -> list[dict[str, Any]]:
         made = {"label": label, "q": entry, "kind": kind, "unit": tree.q[entry].unit, "quaternion": start}
         result.append(made)
     return result
+
+
+def _margins(model: Model) -> list[dict[str, Any]]:
+    """Every margin from a singularity: function, entry, name, and whether it is a squared volume.
+
+    Of the actuation margins only that of all drives: those of some drives are for who locks only these.
+    """
+    made = []
+    for function in MARGINS:
+        if function not in model.programs:
+            continue
+        port = model.programs[function].outputs[0]
+        squared = f"{FORMS['squared']}: "
+        listed = [part[len(squared) :] for part in port.description.split("; ") if part.startswith(squared)]
+        names = listed[0].split(", ") if listed else []
+        for k, label in enumerate(port.labels):
+            if function != "actuation_margins" or label == ALL_DRIVES:
+                name = label if function == "limb_margins" else MARGINS[function]
+                made.append({"function": function, "entry": k, "name": name, "squared": label in names})
+    return made
 
 
 def _motion(model: Model, motion: RecordedMotion) -> dict[str, Any]:

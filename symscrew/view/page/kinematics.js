@@ -2,7 +2,7 @@
 
 /* The mechanism as it moves: the generated functions called by name, assembly from sliders, sweeps, recordings. */
 const Kinematics = (() => {
-  const PERIOD = 6, FRAMES = 240;
+  const PERIOD = 6, FRAMES = 60;
 
   function make(data, functions) {
     const independent = data.independent;
@@ -72,9 +72,10 @@ const Kinematics = (() => {
       return q;
     }
 
-    /* How far each slider goes from the reference with the others at rest: [low, high]. */
+    /* How far each slider goes from the reference with the others at rest: [low, high]; margins on the way. */
     function reach() {
       const home = toSliders(reference);
+      raise(reference);
       return independent.map((entry, k) => {
         const most = entry.quaternion !== null ? Math.PI / 2 : entry.kind === "length" ? data.length : Math.PI;
         const steps = entry.quaternion !== null ? 36 : 48;
@@ -88,6 +89,9 @@ const Kinematics = (() => {
               break;
             }
             last = sliders[k];
+            if (step % 4 === 0) {
+              raise(q);
+            }
           }
           return last;
         });
@@ -134,16 +138,16 @@ const Kinematics = (() => {
           const phase = half > 0 ? Math.asin(Math.max(-1, Math.min(1, (start - middle) / half))) : 0;
           return k === which ? middle + half * Math.sin(omega * t + phase) : start;
         }
-        const half = 0.6 * amplitude * Math.min(start - low, high - start);
+        const most = data.independent[k].kind === "length" ? Infinity : Math.PI / 4;
+        const half = 0.6 * amplitude * Math.min(start - low, high - start, most);
         return start + half * Math.sin(omega * t + (Math.PI * k) / home.length);
       });
     }
 
+    /* The motion that sliders as functions of time give; null where the loops do not close all the way. */
     function trySweep(sliders) {
-      const t = [...Array(FRAMES + 1).keys()].map((k) => (PERIOD * k) / FRAMES), h = PERIOD * 1e-4;
-      const frames = [];
-      let guess = reference;
-      for (const time of t) {
+      const h = PERIOD * 1e-4;
+      const exact = (time, guess) => {
         const q = assemble(sliders(time), guess);
         if (q === null) {
           return null;
@@ -154,10 +158,17 @@ const Kinematics = (() => {
         const v = call("velocity", { q, y_dot }).v;
         const a = call("acceleration", { q, v, y_ddot }).a;
         const found = loads(q, v, a);
-        frames.push({ q, v, a, u: found?.u ?? null, reactions: found?.reactions ?? null });
-        guess = q;
+        return { q, v, a, u: found?.u ?? null, reactions: found?.reactions ?? null };
+      };
+      const t = [...Array(FRAMES + 1).keys()].map((k) => (PERIOD * k) / FRAMES), frames = [];
+      for (const time of t) {
+        const state = exact(time, frames.at(-1)?.q ?? reference);
+        if (state === null) {
+          return null;
+        }
+        frames.push(state);
       }
-      return { t, frames, recorded: false };
+      return { t, frames, exact, recorded: false };
     }
 
     /* The recorded motion of the page's data, accelerations by differences of its rates. */
@@ -181,7 +192,7 @@ const Kinematics = (() => {
       return { t, frames, recorded: true, computed: { u: u === null, reactions: reactions === null } };
     }
 
-    /* The state of a motion at a time, between two frames. */
+    /* The state of a motion at a time: solved there, or between two recorded frames. */
     function at(motion, time) {
       const { t, frames } = motion;
       let high = t.findIndex((x) => x >= time);
@@ -191,6 +202,10 @@ const Kinematics = (() => {
         const from = frames[low][name], to = frames[high][name];
         return from === null || to === null ? null : from.map((x, k) => x + part * (to[k] - x));
       };
+      const solved = motion.exact?.(time, frames[part < 0.5 ? low : high].q);
+      if (solved) {
+        return solved;
+      }
       const state = { q: mix("q"), v: mix("v"), a: mix("a"), u: mix("u"), reactions: mix("reactions") };
       for (const start of data.quaternions) {
         const size = Math.hypot(...state.q.slice(start, start + 4)) || 1;
@@ -225,29 +240,39 @@ const Kinematics = (() => {
         .filter((twist) => Screws.norm([...Screws.scale(data.length, Screws.first(twist)), ...Screws.second(twist)]) > 1e-7 * data.length);
     }
 
-    /*
-     * How far from a singularity, without units, 0 there: { value, what }; null where the mechanism has none.
-     */
+    // -- margins from singularities: volumes without units, as parts of their largest values met in this page --
+
+    const largest = data.margins.map(() => 0);
+
+    function margins(q) {
+      return data.margins.map(({ function: name, entry, squared }) => {
+        const value = Math.abs(call(name, { q }).margins[entry]);
+        return squared ? Math.sqrt(value) : value;
+      });
+    }
+
+    function raise(q) {
+      margins(q).forEach((value, k) => { largest[k] = Math.max(largest[k], value); });
+    }
+
+    /* The smallest margin: { value (1: as far as it gets in this page, 0: singular), name }; null if there is none. */
     function margin(q) {
-      if (has("assemble")) {
+      if (data.margins.length > 0) {
+        raise(q);
+        const parts = margins(q).map((value, k) => (largest[k] > 1e-12 ? value / largest[k] : 0));
+        const value = Math.min(...parts);
+        return { value, name: data.margins[parts.indexOf(value)].name };
+      }
+      if (has("assemble") && independent.length > 0) {
         const found = call("velocity", { q });
         const value = found.status === 1 ? 0 : found.guard * data.threshold;
-        return Number.isFinite(value) ? { value, what: "smallest pivot of the loop closure" } : null;
+        return Number.isFinite(value) ? { value, name: "pivots" } : null;
       }
-      const jacobian = columns(call("platform_jacobian", { q }).jacobian, 6);
-      if (jacobian.length < 6) {
-        return null;
-      }
-      const rows = [0, 1, 2, 3, 4, 5].map((i) => jacobian.map((column, k) => {
-        const size = data.v_kinds[k] === "length" ? data.length : 1;
-        return (i < 3 ? column[i] : column[i] / data.length) * size;
-      }));
-      const { values } = Screws.decompose(rows, jacobian.length);
-      return { value: values[5] / values[0], what: "smallest over largest singular value of the platform's Jacobian" };
+      return null;
     }
 
     return {
-      call, has, columns, reference, toSliders, assemble, reach, rest, sweep, recording, at, freedoms, margin, PERIOD,
+      call, has, columns, reference, toSliders, assemble, reach, rest, sweep, recording, at, freedoms, raise, margin,
     };
   }
 

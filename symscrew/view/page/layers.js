@@ -19,7 +19,7 @@ const Layers = (() => {
     { id: "screws", title: "Joint screws", hint: "unit screws of all joints: arc = turning, double arrow = sliding", look: { dashed: false } },
     { id: "constraints", title: "Reciprocal wrenches", hint: "constraints that each limb puts on the platform: arrow = force, arc = couple", look: { dashed: true, tail: "box" } },
     { id: "freedoms", title: "Freedoms", hint: "what the platform can do here: arc = turning, double arrow = translation", look: { dashed: true } },
-    { id: "momentum", title: "Momentum screws", hint: "p on the axis of each body's momentum screw; arc = moment about it", look: { tail: "ball" }, unit: "kg m/s" },
+    { id: "momentum", title: "Momentum screws", hint: "momentum on the axis of each body's momentum screw, arc = moment about it; a dashed line leads to the centre of mass", look: { tail: "ball" }, unit: "kg m/s" },
     { id: "reactions", title: "Joint reactions", hint: "force and moment from parent on child at each joint", look: { tail: "none" }, unit: "N" },
     { id: "drives", title: "Drive forces", hint: "arrow = force, arc = torque, at the driven joints", look: { tail: "box" }, unit: "N" },
     { id: "masses", title: "Centres of mass", hint: "balls in quarters; the largest is that of all bodies", look: {} },
@@ -95,6 +95,8 @@ const Layers = (() => {
     draw(state) {
       this.state = state;
       this.points = this.model.columns(this.model.call("joint_points", state).points, 3);
+      const poses = this.posesOf(state);
+      this.seats = this.data.joints.map((joint) => this.carried(joint.point, joint.parent, poses));
       this.listing = [];
       for (const { id } of ALL) {
         const pen = this.pens[id];
@@ -111,6 +113,14 @@ const Layers = (() => {
       this.stage.labels.add(text, at, id, priority);
     }
 
+    /* Where something about a joint's sliding is drawn: beside its sleeve, on the side away from the middle. */
+    beside(j, direction) {
+      const seat = this.seats[j], away = Screws.subtract(seat, this.stage.middle);
+      const across = Screws.subtract(away, Screws.scale(Screws.dot(away, direction), direction));
+      const side = Screws.norm(across) > 1e-3 * this.size ? Screws.unit(across) : Screws.unit(Screws.cross(direction, [0.3, 0.5, 0.8]));
+      return Screws.add(seat, Screws.scale(0.05 * this.size, side));
+    }
+
     // -- screws --
 
     screwsOf(state) {
@@ -124,7 +134,7 @@ const Layers = (() => {
           const screw = screws[joint.screws + k], at = this.points[j];
           if (kind === "slide") {
             const direction = Screws.unit(Screws.second(screw));
-            pen.arrow(Screws.add(at, Screws.scale(-0.09 * this.size, direction)), direction, 0.18 * this.size, { both: true, thick: 0.9 });
+            pen.arrow(Screws.add(this.beside(j, direction), Screws.scale(-0.09 * this.size, direction)), direction, 0.18 * this.size, { both: true, thick: 0.9 });
             return;
           }
           const direction = Screws.unit(Screws.first(screw));
@@ -176,8 +186,10 @@ const Layers = (() => {
       const screws = this.screwsOf(state);
       const limbs = this.data.limbs.length ? this.data.limbs : null;
       if (limbs === null) {
-        const near = this.middle();
-        const wrenches = Screws.reciprocal(this.model.freedoms(state.q), this.data.length);
+        const free = this.model.freedoms(state.q);
+        // seen from a point on an axis of turning, the forces that meet it have no pitch
+        const near = Screws.principal(free, this.middle(), this.data.length).find(({ pitch }) => pitch === 0)?.point ?? this.middle();
+        const wrenches = Screws.reciprocal(free, this.data.length);
         Screws.principal(wrenches, near, this.data.length).forEach((found) =>
           this.principal({ ...found, near }, pen, names, "constraints", 0.2 * this.size, ""));
         return;
@@ -193,6 +205,11 @@ const Layers = (() => {
     draw_freedoms(state, pen) {
       const near = this.middle();
       const found = Screws.principal(this.model.freedoms(state.q), near, this.data.length);
+      if (found.length === 6) {
+        this.label("all six freedoms", near, "freedoms", 3);
+        this.listing.push({ id: "freedoms", text: "all six freedoms" });
+        return;
+      }
       found.forEach((screw) =>
         this.principal({ ...screw, near }, pen, { zero: "rotation", infinite: "translation", turning: true }, "freedoms", 0.22 * this.size, ""));
     }
@@ -202,6 +219,11 @@ const Layers = (() => {
     share(value, key) {
       const largest = this.largest[key];
       return largest > 0 ? (Math.abs(value) / largest) * 0.3 * this.size * this.boost : 0;
+    }
+
+    /* A value as text, 0 where it is rounding noise beside the largest of its kind. */
+    amount(value, key, count = 3) {
+      return digits(Math.abs(value) < 1e-11 * this.largest[key] ? 0 : value, count);
     }
 
     comOf(body, poses) {
@@ -232,9 +254,16 @@ const Layers = (() => {
     draw_momentum(state, pen) {
       this.momentaOf(state).forEach(({ screw, com }) => {
         const axis = Screws.axis(screw, com, 1e-9 * (this.largest.p || 1));
-        if (!Number.isFinite(axis.pitch)) {
-          this.moment(pen, com, Screws.scale(axis.size, axis.direction), "spin");
+        const away = Screws.norm(Screws.subtract(axis.point, com));
+        if (!Number.isFinite(axis.pitch) || away > 1.5 * this.size) {
+          // almost a couple, its axis far outside the picture: momentum at the centre of mass and moment about it
+          const p = Screws.first(screw), about = Screws.subtract(Screws.second(screw), Screws.cross(com, p));
+          pen.arrow(com, Screws.unit(p), Math.max(this.share(Screws.norm(p), "p"), 1e-6 * this.size));
+          this.moment(pen, com, about, "spin");
           return;
+        }
+        if (away > 0.03 * this.size) {
+          pen.axis(Screws.scale(0.5, Screws.add(axis.point, com)), Screws.unit(Screws.subtract(axis.point, com)), away);
         }
         const length = this.share(axis.size, "p");
         if (length > 0.004 * this.size) {
@@ -281,15 +310,16 @@ const Layers = (() => {
       }
       const screws = this.screwsOf(state);
       this.data.drives.forEach((drive, k) => {
-        const screw = screws[this.data.joints[drive.joint].screws + drive.freedom], at = this.points[drive.joint];
+        const screw = screws[this.data.joints[drive.joint].screws + drive.freedom];
         const slide = this.slides(drive), value = state.u[k], length = this.share(value, slide ? "drive" : "torque");
         const direction = Screws.scale(value < 0 ? -1 : 1, Screws.unit(slide ? Screws.second(screw) : Screws.first(screw)));
+        const at = slide ? this.beside(drive.joint, direction) : this.points[drive.joint];
         if (slide && length > 0.004 * this.size) {
           pen.arrow(at, direction, length, { thick: 1.5 });
         } else if (length > 0.02 * this.size) {
           pen.arc(at, direction, Math.max(0.03 * this.size, 0.4 * length), { thick: 1.3 });
         }
-        this.label(`${digits(value)} ${drive.unit}`, Screws.add(at, Screws.scale(slide ? length : 0.04 * this.size, direction)), "drives", 4);
+        this.label(`${this.amount(value, slide ? "drive" : "torque")} ${drive.unit}`, Screws.add(at, Screws.scale(slide ? length : 0.04 * this.size, direction)), "drives", 4);
       });
     }
 

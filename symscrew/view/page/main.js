@@ -2,7 +2,7 @@
 
 /* The page at work: one state of the mechanism, set by a slider or by the time of a motion, shown everywhere. */
 (() => {
-  const SAFE = 0.1, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+  const SAFE = 0.15, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
   const data = JSON.parse(document.getElementById("data").textContent);
   const { find, element } = Panel;
   const model = Kinematics.make(data, functions);
@@ -38,7 +38,7 @@
   }
 
   function rows() {
-    const made = data.drives.map((drive, k) => [`drive ${drive.label.replaceAll("_", " ")}`, state.u ? Layers.digits(state.u[k], 4) : "–", drive.unit]);
+    const made = data.drives.map((drive, k) => [`drive ${drive.label.replaceAll("_", " ")}`, state.u ? layers.amount(state.u[k], drive.unit === "N" ? "drive" : "torque", 4) : "–", drive.unit]);
     if (model.has("energy")) {
       const [kinetic, potential] = model.call("energy", state).energy;
       made.push(["kinetic energy", Layers.digits(kinetic, 4), "J"], ["potential energy", Layers.digits(potential, 4), "J"]);
@@ -90,6 +90,8 @@
       return;
     }
     layers.measure(motion);
+    motion.frames.forEach(({ q }) => model.raise(q));
+    stage.frame(motion.frames.flatMap(({ q }) => model.columns(model.call("joint_points", { q }).points, 3)));
     Panel.scales(layers.largest);
     Object.assign(find("#time"), { min: begin(), max: end() });
     Panel.notes(notes());
@@ -176,7 +178,7 @@
     } else if (event.key === "-") {
       stage.zoom(1.12);
     } else if (event.key === "Home") {
-      stage.see("Oblique");
+      stage.see(stage.first);
     } else if (event.key === " ") {
       toggle();
     } else {
@@ -215,7 +217,7 @@
   find("canvas").addEventListener("keydown", keys);
   find("canvas").addEventListener("pointerdown", () => { stage.touched = true; });
   stage.resize();
-  stage.see("Oblique");
+  stage.see(stage.first);
   paint(started.theme);
   if (options.length) {
     choose(options[0][0]);

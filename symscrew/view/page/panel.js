@@ -125,9 +125,9 @@ const Panel = (() => {
   /* What the longest arrow of each layer stands for. */
   function scales(largest) {
     const texts = {
-      momentum: `longest ${digits(largest.p)} kg m/s`,
-      reactions: `longest ${digits(largest.force)} N`,
-      drives: largest.drive > 0 ? `longest ${digits(largest.drive)} N` : `largest ${digits(largest.torque)} N m`,
+      momentum: `max ${digits(largest.p)} kg m/s`,
+      reactions: `max ${digits(largest.force)} N`,
+      drives: largest.drive > 0 ? `max ${digits(largest.drive)} N` : `max ${digits(largest.torque)} N m`,
     };
     Object.entries(texts).forEach(([id, text]) => { find(`#scale-${id}`).textContent = text; });
   }
@@ -158,11 +158,11 @@ const Panel = (() => {
     const chip = find("#margin");
     chip.hidden = found === null;
     if (found !== null) {
-      const [state, mark, words] = level >= 1 ? ["none", "✕", "singular"] : level > 0 ? ["low", "▲", "near a singularity"] : ["good", "✓", "away from singularities"];
+      const [state, mark, words] = level >= 1 ? ["none", "✕", "singular"] : level > 0 ? ["low", "▲", "near a singularity"] : ["good", "✓", "no singularity near"];
       chip.dataset.level = state;
-      chip.title = found.what;
+      chip.title = "Smallest of the margins from limb, constraint and actuation singularities, as a part of the largest value met in this page";
       chip.querySelector(".mark").textContent = mark;
-      chip.querySelector(".text").textContent = `margin ${digits(found.value, 2)}, ${words}`;
+      chip.querySelector(".text").textContent = `${words}: margin ${digits(found.value < 1e-9 ? 0 : found.value, 2)} (${found.name.replaceAll("_", " ")})`;
     }
   }
 

@@ -168,7 +168,6 @@ const Shapes = (() => {
       this.group = new L.Group();
       this.size = size;
       this.look = look;
-      // drawn over the bodies as far as they hide it, so that no arrow is lost inside a bar
       this.solid = new L.MeshBasicMaterial({ color: colour });
       this.pools = { arrow: [], arc: [], axis: [] };
       this.used = { arrow: 0, arc: 0, axis: 0 };
@@ -210,7 +209,7 @@ const Shapes = (() => {
       back.position.y = head / 2;
       back.visible = both;
       tail.visible = !both && tail.userData.kind !== "none";
-      tail.scale.setScalar(2.1 * r);
+      tail.scale.setScalar((tail.userData.kind === "box" ? 1.5 : 2.1) * r);
     }
 
     newArrow() {
@@ -220,7 +219,7 @@ const Shapes = (() => {
       const back = new L.Mesh(new L.ConeGeometry(1, 1, 18), this.solid);
       back.rotation.x = Math.PI;
       const kind = this.look.tail ?? "none";
-      const tail = new L.Mesh(kind === "box" ? new L.BoxGeometry(2, 2, 2) : new L.SphereGeometry(1, 14, 10), this.solid);
+      const tail = new L.Mesh(kind === "box" ? new L.BoxGeometry(2, 0.8, 2) : new L.SphereGeometry(1, 14, 10), this.solid);
       tail.userData.kind = kind;
       item.add(shaft, tip, back, tail);
       return item;

@@ -74,22 +74,40 @@ const Stage = (() => {
       this.labels = new Labels(holder.querySelector(".labels"));
       this.extent();
       this.paint(theme);
-      this.see("Oblique");
+      this.first = this.plane();
+      this.see(this.first);
     }
 
     /* Middle and size of the mechanism in its reference configuration. */
     extent() {
       const all = this.data.bodies.flatMap((b) => [...b.plate, ...b.bar, ...b.struts.flat()]).concat(this.data.points.map((p) => p.at));
-      const places = all.length ? all : [[0, 0, 0]];
-      const low = [0, 1, 2].map((k) => Math.min(...places.map((p) => p[k])));
-      const high = [0, 1, 2].map((k) => Math.max(...places.map((p) => p[k])));
-      this.middle = [0, 1, 2].map((k) => (low[k] + high[k]) / 2);
-      this.size = Math.hypot(...[0, 1, 2].map((k) => high[k] - low[k])) || this.data.length;
-      this.floor = low[2];
+      this.places = all.length ? all : [[0, 0, 0]];
+      this.frame([]);
+      this.size = this.spread;
+      this.floor = Math.min(...this.places.map((p) => p[2]));
       this.camera.near = 0.01 * this.size;
       this.camera.far = 60 * this.size;
       this.controls.minDistance = 0.15 * this.size;
       this.controls.maxDistance = 20 * this.size;
+    }
+
+    /* What has to be in the picture: the reference configuration and further points. */
+    frame(points) {
+      this.framed = [...this.places, ...points];
+      const low = [0, 1, 2].map((k) => Math.min(...this.framed.map((p) => p[k])));
+      const high = [0, 1, 2].map((k) => Math.max(...this.framed.map((p) => p[k])));
+      this.middle = [0, 1, 2].map((k) => (low[k] + high[k]) / 2);
+      this.spread = Math.hypot(...[0, 1, 2].map((k) => high[k] - low[k])) || this.data.length;
+      if (this.view && !this.touched) {
+        this.see(this.view);
+      }
+    }
+
+    /* The view along the axes where all joints turn about parallel ones, as those of a planar mechanism do. */
+    plane() {
+      const axes = this.data.joints.filter(({ type }) => type !== "fixed").map(({ type, axes: own }) => (type === "R" ? own[0] : null));
+      const views = { Side: 0, Front: 1, Top: 2 };
+      return Object.keys(views).find((view) => axes.every((axis) => axis && Math.abs(axis[views[view]]) > 1 - 1e-9)) ?? "Oblique";
     }
 
     /* Everything in the colours of a theme. */
@@ -166,11 +184,19 @@ const Stage = (() => {
       this.paints.platform_sheet.color.copy(colour);
     }
 
+    /* A view by name, from as near as everything framed allows. */
     see(name) {
       const towards = Shapes.vector(VIEWS[name]).normalize();
-      const aspect = this.camera.aspect || 1, distance = (2.0 * this.size) / Math.min(1, aspect);
-      this.controls.target.copy(Shapes.vector(this.middle));
-      this.camera.position.copy(this.controls.target).addScaledVector(towards, distance);
+      const right = new L.Vector3(0, 0, 1).cross(towards).normalize(), up = towards.clone().cross(right);
+      const room = 0.1 * this.size, half = Math.tan((this.camera.fov * Math.PI) / 360);
+      const seen = this.framed.map((p) => Shapes.vector(p)).map((p) => [p.dot(right), p.dot(up), p.dot(towards)]);
+      const middle = [0, 1, 2].map((k) => (Math.min(...seen.map((p) => p[k])) + Math.max(...seen.map((p) => p[k]))) / 2);
+      const distance = Math.max(...seen.map(([x, y, z]) => Math.max(
+        (Math.abs(x - middle[0]) + room) / (half * (this.camera.aspect || 1)), (Math.abs(y - middle[1]) + room) / half,
+      ) + z - middle[2]));
+      this.controls.target.set(0, 0, 0);
+      [right, up, towards].forEach((axis, k) => this.controls.target.addScaledVector(axis, middle[k]));
+      this.camera.position.copy(this.controls.target).addScaledVector(towards, 1.06 * distance);
       this.controls.update();
       this.view = name;
       this.dirty = true;
