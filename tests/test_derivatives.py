@@ -83,13 +83,29 @@ def moved(found: Model, q: Array, step: Array) -> Array:
     return result
 
 
-def differences(function: Callable[[float], Array], step: float) -> Array:
-    """Derivative at 0 by central differences of four steps, extrapolated: the error is of order step^8."""
-    table = [(function(h) - function(-h)) / (2 * h) for h in (step / 2**k for k in range(4))]
+HALVINGS = np.array([1, -1, 1 / 2, -1 / 2, 1 / 4, -1 / 4, 1 / 8, -1 / 8])
+
+
+def differences(function: Callable[[Array], Array], step: float) -> Array:
+    """Derivative at 0 by central differences of four steps, extrapolated: the error is of order step^8.
+
+    `function` takes the steps as an array (8, 1) and gives its values (8, states, n).
+    """
+    steps = step * HALVINGS
+    both = function(steps[:, None])
+    table = [(up - down) / (2 * h) for up, down, h in zip(both[::2], both[1::2], steps[::2], strict=True)]
     for order in range(1, 4):
         factor = 4.0**order
         table = [(factor * b - a) / (factor - 1) for a, b in pairwise(table)]
     return table[0]
+
+
+def batched(found: Model, function: str, *arguments: Array) -> Array:
+    """The first output for arguments with any batch axes, all in one evaluation."""
+    batch = np.broadcast_shapes(*(x.shape[:-1] for x in arguments))
+    flat = [np.broadcast_to(x, (*batch, x.shape[-1])).reshape(-1, x.shape[-1]) for x in arguments]
+    result = values(found, function, *flat)[0]
+    return result.reshape(*batch, *result.shape[1:])
 
 
 def tree_columns(found: Model, function: str, state: list[Array], step: float = 2e-2) -> list[Array]:
@@ -100,10 +116,10 @@ def tree_columns(found: Model, function: str, state: list[Array], step: float = 
         columns = []
         for e in directions:
 
-            def along(h: float, k: int = k, e: Array = e) -> Array:
-                changed = list(state)
-                changed[k] = moved(found, state[0], h * e) if k == 0 else state[k] + h * e
-                return values(found, function, *changed)[0]
+            def along(h: Array, k: int = k, e: Array = e) -> Array:
+                changed, step = list(state), h[..., None] * e
+                changed[k] = moved(found, state[0], step) if k == 0 else state[k] + step
+                return batched(found, function, *changed)
 
             columns.append(differences(along, step))
         result.append(np.stack(columns, -1))
@@ -113,9 +129,9 @@ def tree_columns(found: Model, function: str, state: list[Array], step: float = 
 def assembled(found: Model, q: Array, shift: Array, *parameters: Array) -> Array:
     """The configuration on the branch of q whose independent coordinates are shifted."""
     if not found.system.cuts:
-        return moved(found, q, np.broadcast_to(shift, q.shape))
+        return moved(found, q, shift)
     y = q[:, list(found.programs["assemble"].independent)]
-    return values(found, "assemble", y + shift, q, *parameters)[0]
+    return batched(found, "assemble", y + shift, q, *parameters)
 
 
 def independent_columns(found: Model, function: str, state: list[Array], step: float = 4e-3) -> list[Array]:
@@ -127,10 +143,10 @@ def independent_columns(found: Model, function: str, state: list[Array], step: f
         columns = []
         for e in directions:
 
-            def along(h: float, k: int = k, e: Array = e) -> Array:
-                changed = list(state)
-                changed[k] = assembled(found, state[0], h * e) if k == 0 else state[k] + h * e
-                return values(found, function, *changed)[0]
+            def along(h: Array, k: int = k, e: Array = e) -> Array:
+                changed, step = list(state), h[..., None] * e
+                changed[k] = assembled(found, state[0], step) if k == 0 else state[k] + step
+                return batched(found, function, *changed)
 
             columns.append(differences(along, step))
         result.append(np.stack(columns, -1))
@@ -283,10 +299,10 @@ def test_linearisation(name: str) -> None:
     assert a.shape[1:] == (2 * n, 2 * n) and b.shape[1:] == (2 * n, u.shape[1])
     change = np.random.default_rng(5).uniform(-1, 1, 2 * n + u.shape[1])
 
-    def along(h: float) -> Array:
-        x, w = h * change[: 2 * n], h * change[2 * n :]
-        rates = y_dot + x[n:]
-        second = values(found, "forward_dynamics_independent", assembled(found, q, x[:n]), rates, u + w)[0]
+    def along(h: Array) -> Array:
+        x, w = h[..., None] * change[: 2 * n], h[..., None] * change[2 * n :]
+        rates = y_dot + x[..., n:]
+        second = batched(found, "forward_dynamics_independent", assembled(found, q, x[..., :n]), rates, u + w)
         return np.concatenate([rates, second], -1)
 
     expected = differences(along, 4e-3)
@@ -351,37 +367,22 @@ def test_by_run_time_parameters() -> None:
     found = with_parameters("three_ups_upu_s_physical")
     q, v, a, y_dot, y_ddot = (x[:2] for x in consistent(found))
     p = np.repeat(found.system.parameter_values[None], len(q), 0)
-    tree, closed = [], []
-    for e in np.eye(p.shape[1]):
-
-        def of_tree(h: float, e: Array = e) -> Array:
-            return values(found, "inverse_dynamics", q, v, a, p + h * e)[0]
-
-        def of_loops(h: float, e: Array = e) -> Array:
-            changed = p + h * e
-            return values(
-                found, "inverse_dynamics_independent", assembled(found, q, 0 * y_dot, changed), y_dot, y_ddot, changed
-            )[0]
-
-        tree.append(differences(of_tree, 4e-3))
-        closed.append(differences(of_loops, 4e-3))
-    got = values(found, "inverse_dynamics_parameters", q, v, a, p)[0]
-    assert relative(got, np.stack(tree, -1)) < 1e-8
-    got = values(found, "inverse_dynamics_independent_parameters", q, y_dot, y_ddot, p)[0]
-    assert relative(got, np.stack(closed, -1)) < 1e-8
     u = values(found, "inverse_dynamics_independent", q, y_dot, y_ddot, p)[0] * 1.1
-    forward = []
-    for e in np.eye(p.shape[1]):
 
-        def moving(h: float, e: Array = e) -> Array:
-            changed = p + h * e
-            return values(
-                found, "forward_dynamics_independent", assembled(found, q, 0 * y_dot, changed), y_dot, u, changed
-            )[0]
+    def of_tree(h: Array, e: Array) -> Array:
+        return batched(found, "inverse_dynamics", q, v, a, p + h[..., None] * e)
 
-        forward.append(differences(moving, 4e-3))
-    got = values(found, "forward_dynamics_independent_parameters", q, y_dot, u, p)[0]
-    assert relative(got, np.stack(forward, -1)) < 1e-8
+    def of_loops(h: Array, e: Array, function: str, third: Array) -> Array:
+        changed = p + h[..., None] * e
+        return batched(found, function, assembled(found, q, 0 * y_dot, changed), y_dot, third, changed)
+
+    unit = np.eye(p.shape[1])
+    expected = np.stack([differences(lambda h, e=e: of_tree(h, e), 4e-3) for e in unit], -1)
+    assert relative(values(found, "inverse_dynamics_parameters", q, v, a, p)[0], expected) < 1e-8
+    for name, third in (("inverse_dynamics_independent", y_ddot), ("forward_dynamics_independent", u)):
+        columns = [differences(lambda h, e=e, n=name, x=third: of_loops(h, e, n, x), 4e-3) for e in unit]
+        got = values(found, f"{name}_parameters", q, y_dot, third, p)[0]
+        assert relative(got, np.stack(columns, -1)) < 1e-8
 
 
 def test_nothing_asked_nothing_paid() -> None:
