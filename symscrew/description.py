@@ -71,34 +71,40 @@ def load(path: str | Path) -> Mechanism:
     """
     file = Path(path)
     try:
-        if file.stat().st_size > MAX_BYTES:
-            raise DescriptionError(
-                f"{file.name}: the file has {file.stat().st_size} bytes; a description has at most {MAX_BYTES}"
-            )
-        text = file.read_bytes().decode("utf-8")
-    except OSError as error:
-        raise DescriptionError(f"{file.name}: the file cannot be read: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise DescriptionError(f"{file.name}: expected a text file in UTF-8 with a TOML description") from error
-    try:
-        return loads(text)
+        return loads(read_text(file))
     except DescriptionError as error:
         raise DescriptionError(f"{file.name}: {error}") from error
 
 
+def read_text(file: Path) -> str:
+    """The text of a file that is not too large; raises DescriptionError."""
+    try:
+        if file.stat().st_size > MAX_BYTES:
+            raise DescriptionError(f"the file has {file.stat().st_size} bytes; a description has at most {MAX_BYTES}")
+        return file.read_bytes().decode("utf-8")
+    except OSError as error:
+        raise DescriptionError(f"the file cannot be read: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise DescriptionError("expected a text file in UTF-8 with a TOML description") from error
+
+
 def loads(text: str) -> Mechanism:
     """The validated mechanism that the TOML `text` describes; raises DescriptionError."""
+    return _build(read_tables(text))
+
+
+def read_tables(text: str) -> dict[str, Any]:
+    """The tables of a TOML text, decimals with all their digits; raises DescriptionError."""
     if len(text) > MAX_BYTES:
         raise DescriptionError(f"the description has {len(text)} characters; at most {MAX_BYTES} are read")
     _check_nesting(text)
     try:
         # Decimal keeps every digit; a float would round the file's decimals.
-        tables = tomllib.loads(text, parse_float=Decimal)
+        return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, ValueError, ArithmeticError) as error:
         raise DescriptionError(f"not a valid TOML file: {shorten(str(error), 200)}") from error
     except RecursionError as error:
         raise DescriptionError(f"the description is nested more than {MAX_NESTING} deep") from error
-    return _build(tables)
 
 
 def _check_nesting(text: str) -> None:

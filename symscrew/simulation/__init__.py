@@ -1,0 +1,1 @@
+"""Simulation of a scene: from its programs to a run, its report and its files."""

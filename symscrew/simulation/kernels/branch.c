@@ -1,0 +1,441 @@
+/* Steps near a singular configuration, where the closure loses rank and projection alone goes astray.
+ *
+ * Branches of the motion cross there, but along each of them the motion is smooth. So a state is carried along its own
+ * branch: the branch is the graph over the tangent space T of an anchor, a nearby configuration that is regular.
+ * A point of the graph is reached from the anchor in short strides, extrapolated from the strides before and corrected
+ * by Newton's method at fixed tangential coordinates; the neighbourhood of the singular configuration itself (pivot
+ * below ZONE) is never corrected or evaluated, but interpolated from both sides. The slopes are then a smooth function
+ * of the tangential coordinates, so every Runge-Kutta formula keeps its order across the crossing.
+ */
+#if NR && FREE
+
+typedef struct {
+    double base[NQ1];           /* the anchor */
+    double tangent[FREE][NV1];  /* orthonormal, without units */
+} Chart;
+
+static int tangent_space(const Rows *f, double (*tangent)[NV1])
+{
+    int found = 0;
+    double left[NV1][NV1];
+    for (int i = 0; i < NV; ++i) {
+        for (int k = 0; k < NV; ++k) {
+            left[i][k] = i == k ? 1.0 : 0.0;
+        }
+    }
+    while (found < FREE) {
+        int best = 0;
+        double most = -1.0;
+        for (int i = 0; i < NV; ++i) {
+            double square = 0.0;
+            for (int pass = 0; pass < 2; ++pass) {
+                for (int j = 0; j < f->rank + found; ++j) {
+                    const double *b = j < f->rank ? f->basis[j] : tangent[j - f->rank];
+                    double along = 0.0;
+                    for (int k = 0; k < NV; ++k) {
+                        along += left[i][k] * b[k];
+                    }
+                    for (int k = 0; k < NV; ++k) {
+                        left[i][k] -= along * b[k];
+                    }
+                }
+            }
+            for (int k = 0; k < NV; ++k) {
+                square += left[i][k] * left[i][k];
+            }
+            if (square > most * (1.0 + 1e-9)) {
+                most = square;
+                best = i;
+            }
+        }
+        if (!(most > 1e-20)) {
+            return FAILED;
+        }
+        for (int k = 0; k < NV; ++k) {
+            tangent[found][k] = left[best][k] / sqrt(most);
+        }
+        ++found;
+    }
+    return 0;
+}
+
+static void tangential(const Chart *c, const double *z, double *y)
+{
+    for (int j = 0; j < FREE; ++j) {
+        y[j] = 0.0;
+        for (int k = 0; k < NV; ++k) {
+            y[j] += c->tangent[j][k] * (z[k] / UNIT[k]);
+        }
+    }
+}
+
+/* Newton from q to the point of the branch with tangential coordinates y. `moved`: size of the first correction. */
+static int corrected(const Chart *c, const double *y, double *q, Opening *o, Rows *f, double *moved)
+{
+    double z[NV1], here[FREE], right[NR], d[NV1], next[NQ1], before = INFINITY;
+    *moved = -1.0;
+    for (int step = 0; step < 12; ++step) {
+        if (opening(q, o) != 0) {
+            return FAILED;
+        }
+        row_space(o, (const double (*)[NV1])c->tangent, FREE, f);
+        if (f->smallest < ZONE) {
+            return IN_ZONE;
+        }
+        local_coordinates(c->base, q, z);
+        tangential(c, z, here);
+        double along[NV1], off = 0.0;
+        for (int k = 0; k < NV; ++k) {
+            along[k] = 0.0;
+        }
+        for (int j = 0; j < FREE; ++j) {
+            off = fmax(off, fabs(y[j] - here[j]));
+            for (int k = 0; k < NV; ++k) {
+                along[k] += (y[j] - here[j]) * c->tangent[j][k];
+            }
+        }
+        for (int i = 0; i < NR; ++i) {
+            right[i] = -o->residual[i];
+            for (int k = 0; k < NV; ++k) {
+                right[i] -= o->jacobian[i][k] * along[k];
+            }
+        }
+        shortest(f, right, d);
+        const double open = fmax(off, largest(o->residual, NR));
+        if (!(open < 1e3 * before)) {
+            return FAILED;
+        }
+        const int last = open < CLOSED || (open < NEARLY_CLOSED && open > 0.5 * before);
+        before = open;
+        double size = 0.0;
+        for (int k = 0; k < NV; ++k) {
+            size += d[k] * d[k];
+            z[k] = (d[k] + along[k]) * UNIT[k];
+        }
+        if (*moved < 0.0) {
+            *moved = sqrt(size);
+        }
+        if (!(size < 1.0)) {
+            return FAILED;
+        }
+        retract(q, z, next);
+        memcpy(q, next, sizeof(double) * NQ);
+        if (last) { /* that step too: near the zone every digit of q counts */
+            return 0;
+        }
+    }
+    return FAILED;
+}
+
+/* A walk along a straight line in tangential coordinates: the last points, for the extrapolation. */
+#define MEMORY 6
+typedef struct {
+    int count;
+    double place[MEMORY];
+    double z[MEMORY][NV1]; /* without units */
+} Walk;
+
+static void remember(Walk *w, double place, const double *z)
+{
+    if (w->count == MEMORY) {
+        memmove(w->place, w->place + 1, sizeof w->place - sizeof *w->place);
+        memmove(w->z, w->z + 1, sizeof w->z - sizeof *w->z);
+        --w->count;
+    }
+    w->place[w->count] = place;
+    memcpy(w->z[w->count], z, sizeof w->z[0]);
+    ++w->count;
+}
+
+/* The polynomial through the remembered points at `place`. */
+static void extrapolated(const Walk *w, double place, double *z)
+{
+    for (int k = 0; k < NV; ++k) {
+        z[k] = 0.0;
+    }
+    for (int i = 0; i < w->count; ++i) {
+        double weight = 1.0;
+        for (int j = 0; j < w->count; ++j) {
+            weight *= j == i ? 1.0 : (place - w->place[j]) / (w->place[i] - w->place[j]);
+        }
+        for (int k = 0; k < NV; ++k) {
+            z[k] += weight * w->z[i][k];
+        }
+    }
+}
+
+static void unscaled(double *z)
+{
+    for (int k = 0; k < NV; ++k) {
+        z[k] *= UNIT[k];
+    }
+}
+
+static void scaled(double *z)
+{
+    for (int k = 0; k < NV; ++k) {
+        z[k] /= UNIT[k];
+    }
+}
+
+/* One stride to `place` on the line start + place direction. IN_ZONE: not corrected, not remembered. */
+static int stride(const Chart *c, const double *start, const double *direction, double place, Walk *w, double *q)
+{
+    double z[NV1], y[FREE], moved;
+    Opening o;
+    Rows f;
+    for (int j = 0; j < FREE; ++j) {
+        y[j] = start[j] + place * direction[j];
+    }
+    if (w->count == 1) { /* along the tangent space */
+        for (int k = 0; k < NV; ++k) {
+            z[k] = w->z[0][k];
+            for (int j = 0; j < FREE; ++j) {
+                z[k] += (place - w->place[0]) * direction[j] * c->tangent[j][k];
+            }
+        }
+    } else {
+        extrapolated(w, place, z);
+    }
+    unscaled(z);
+    retract(c->base, z, q);
+    const int outcome = corrected(c, y, q, &o, &f, &moved);
+    if (outcome == 0 && moved > 0.3 * f.smallest) {
+        return FAILED; /* the other branch may be as near */
+    }
+    if (outcome == 0) {
+        local_coordinates(c->base, q, z);
+        scaled(z);
+        remember(w, place, z);
+    }
+    return outcome;
+}
+
+/* Walks from the last remembered place to `goal`, over the zone where it must. IN_ZONE: the goal itself is in it. */
+static int walk(const Chart *c, const double *start, const double *direction, double goal, Walk *w, double *q)
+{
+    double length = STRIDE, place = w->place[w->count - 1];
+    const double sign = goal > place ? 1.0 : -1.0;
+    for (int step = 0; step < 400; ++step) {
+        const double left = fabs(goal - place);
+        if (left < 1e-15) {
+            return 0;
+        }
+        const double next = left <= length ? goal : place + sign * length;
+        const int outcome = stride(c, start, direction, next, w, q);
+        if (outcome == 0) {
+            place = next;
+            length = fmin(STRIDE, 1.5 * length);
+        } else if (outcome == IN_ZONE) {
+            if (left <= length) {
+                return IN_ZONE;
+            }
+            length += 0.4 * STRIDE;
+            if (length > 20.0 * STRIDE) {
+                return FAILED;
+            }
+        } else {
+            length *= 0.5;
+            if (length < 1e-3 * STRIDE) {
+                return FAILED;
+            }
+        }
+    }
+    return FAILED;
+}
+
+static void rates_on_branch(const Chart *c, const Opening *o, const Rows *f, const double *w, double *v)
+{
+    double along[NV1], right[NR], d[NV1];
+    for (int k = 0; k < NV; ++k) {
+        along[k] = 0.0;
+        for (int j = 0; j < FREE; ++j) {
+            along[k] += w[j] * c->tangent[j][k];
+        }
+    }
+    for (int i = 0; i < NR; ++i) {
+        right[i] = 0.0;
+        for (int k = 0; k < NV; ++k) {
+            right[i] -= o->jacobian[i][k] * along[k];
+        }
+    }
+    shortest(f, right, d);
+    for (int k = 0; k < NV; ++k) {
+        v[k] = (along[k] + d[k]) * UNIT[k];
+    }
+}
+
+/* State of the branch at a regular point q: rates with tangential part w, accelerations, slopes of x. */
+static int state_on_branch(const Chart *c, double t, const double *q, const double *w, const double *x, double *v,
+                           double *a, double *x_dot, const double *u)
+{
+    Opening o;
+    Rows f;
+    if (opening(q, &o) != 0) {
+        return FAILED;
+    }
+    row_space(&o, (const double (*)[NV1])c->tangent, FREE, &f);
+    rates_on_branch(c, &o, &f, w, v);
+    return a == NULL ? 0 : valid(forces_at(t, q, v, x, u, a, x_dot));
+}
+
+/* Walks from the anchor to the tangential coordinates `goal`; `way` keeps the last points, `length` how far it is. */
+static int reach(const Chart *c, const double *goal, Walk *way, double *length, double *q)
+{
+    const double zero[FREE] = {0.0}, origin[NV1] = {0.0};
+    double ray[FREE];
+    *length = 0.0;
+    for (int j = 0; j < FREE; ++j) {
+        *length += goal[j] * goal[j];
+    }
+    *length = sqrt(*length);
+    way->count = 0;
+    remember(way, 0.0, origin);
+    memcpy(q, c->base, sizeof(double) * NQ);
+    if (*length < 1e-15) {
+        return 0;
+    }
+    for (int j = 0; j < FREE; ++j) {
+        ray[j] = goal[j] / *length;
+    }
+    return walk(c, zero, ray, *length, way, q);
+}
+
+#define SIDE 6
+/* The state at y, inside the zone, from SIDE points on either side along the line of motion. */
+static int interpolated_state(const Chart *c, double t, const double *y, const double *w, const double *x,
+                              double spacing, double *q_out, double *v_out, double *a, double *x_dot, const double *u)
+{
+    static const double WEIGHTS[SIDE] = {6.0 / 7.0, -15.0 / 28.0, 5.0 / 21.0, -1.0 / 14.0, 1.0 / 77.0, -1.0 / 924.0};
+    double direction[FREE], speed = 0.0, begin[FREE], length, q[NQ1], last[NV1];
+    double zs[NV1] = {0.0}, vs[NV1] = {0.0}, as[NV1] = {0.0}, xs[NX1] = {0.0};
+    Walk way, line;
+    for (int j = 0; j < FREE; ++j) {
+        speed += w[j] * w[j];
+    }
+    if (!(speed > 0.0)) {
+        return AT_REST; /* nothing says along which branch */
+    }
+    for (int j = 0; j < FREE; ++j) {
+        direction[j] = w[j] / sqrt(speed);
+        begin[j] = y[j] - SIDE * spacing * direction[j];
+    }
+    int outcome = reach(c, begin, &way, &length, q);
+    if (outcome != 0) {
+        return outcome;
+    }
+    local_coordinates(c->base, q, last);
+    scaled(last);
+    line.count = 0;
+    remember(&line, -SIDE * spacing, last);
+    for (int i = -SIDE; i <= SIDE; ++i) {
+        double vi[NV1], ai[NV1], xi[NX1], zi[NV1];
+        if (i == 0) {
+            continue;
+        }
+        outcome = i > -SIDE ? walk(c, y, direction, i * spacing, &line, q) : 0;
+        if (outcome == 0) {
+            outcome = state_on_branch(c, t, q, w, x, vi, a == NULL ? NULL : ai, xi, u);
+        }
+        if (outcome != 0) {
+            return outcome;
+        }
+        const double weight = WEIGHTS[(i < 0 ? -i : i) - 1];
+        local_coordinates(c->base, q, zi);
+        for (int k = 0; k < NV; ++k) {
+            zs[k] += weight * zi[k];
+            vs[k] += weight * vi[k];
+            as[k] += a == NULL ? 0.0 : weight * ai[k];
+        }
+        for (int k = 0; k < NX && a != NULL; ++k) {
+            xs[k] += weight * xi[k];
+        }
+    }
+    retract(c->base, zs, q_out);
+    memcpy(v_out, vs, sizeof(double) * NV);
+    if (a != NULL) {
+        memcpy(a, as, sizeof(double) * NV);
+        memcpy(x_dot, xs, sizeof(double) * NX);
+    }
+    return 0;
+}
+
+/* The branch over the tangential coordinates of (z, v): q, v on it and, if a is not NULL, accelerations and x_dot. */
+static int branch_state(const Chart *c, double t, const double *z, const double *v, const double *x, double *q_out,
+                        double *v_out, double *a, double *x_dot, double *smallest, const double *u)
+{
+    double y[FREE], w[FREE], q[NQ1], moved;
+    Opening o;
+    Rows f;
+    tangential(c, z, y);
+    tangential(c, v, w);
+    retract(c->base, z, q);
+    int outcome = corrected(c, y, q, &o, &f, &moved);
+    if (outcome != 0 || moved > 0.1 * f.smallest) {
+        Walk way;
+        double length;
+        outcome = reach(c, y, &way, &length, q);
+    }
+    if (outcome == 0) {
+        if (opening(q, &o) != 0) {
+            return FAILED;
+        }
+        row_space(&o, (const double (*)[NV1])c->tangent, FREE, &f);
+        *smallest = f.smallest;
+        rates_on_branch(c, &o, &f, w, v_out);
+        memcpy(q_out, q, sizeof(double) * NQ);
+        return a == NULL ? 0 : valid(forces_at(t, q_out, v_out, x, u, a, x_dot));
+    }
+    if (outcome != IN_ZONE) {
+        return FAILED;
+    }
+    for (double spacing = SPACING; spacing < 12.0 * SPACING; spacing *= 1.5) {
+        outcome = interpolated_state(c, t, y, w, x, spacing, q_out, v_out, a, x_dot, u);
+        if (outcome != IN_ZONE) {
+            break;
+        }
+    }
+    if (outcome != 0 || opening(q_out, &o) != 0) {
+        return outcome == AT_REST ? AT_REST : FAILED;
+    }
+    row_space(&o, (const double (*)[NV1])c->tangent, FREE, &f);
+    *smallest = f.smallest;
+    return 0;
+}
+
+/* A regular configuration near (q, v): q itself, or one on the way behind it. */
+static int anchored(const double *q, const double *v, Chart *c)
+{
+    Opening o;
+    Rows f;
+    double size = 0.0, z[NV1], at[NQ1], still[NV1] = {0.0}, smallest;
+    for (int k = 0; k < NV; ++k) {
+        size += (v[k] / UNIT[k]) * (v[k] / UNIT[k]);
+    }
+    size = sqrt(size);
+    for (int step = 0; step < 8; ++step) {
+        memcpy(at, q, sizeof(double) * NQ);
+        if (step > 0) {
+            if (!(size > 0.0)) {
+                return AT_REST;
+            }
+            for (int k = 0; k < NV; ++k) {
+                z[k] = -v[k] / size * (2.0 * ZONE * step);
+            }
+            retract(q, z, at);
+            if (settle(at, still, &smallest) != 0) {
+                continue;
+            }
+        }
+        if (opening(at, &o) != 0) {
+            return FAILED;
+        }
+        row_space(&o, NULL, 0, &f);
+        if (f.smallest > 1.5 * ZONE) {
+            memcpy(c->base, at, sizeof(double) * NQ);
+            return tangent_space(&f, c->tangent);
+        }
+    }
+    return FAILED;
+}
+#endif

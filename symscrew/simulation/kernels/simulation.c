@@ -1,0 +1,367 @@
+/* A run: steps, their control, samples at given times, and what happens on the way. */
+
+enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL };
+
+typedef struct {
+    double t, x[NX1], q[NQ1], v[NV1];
+    double pivot;      /* at t, and its rate there */
+    double pivot_rate;
+    double h;          /* the next step */
+    double earlier_error;
+    double rtol, atol, longest, shortest;
+    int method, started;
+    long steps, rejected, careful, evaluations;
+    long budget;
+    int reason;        /* why the last step failed */
+    Step step;
+} Simulation;
+
+typedef struct {
+    double t, pivot;
+    double q[NQ1], v[NV1];
+    double lost;       /* how many rows of the closure lose their independence */
+    double rows[NR1];  /* 1 for such a row */
+} Crossing;
+
+size_t simulation_size(void) { return sizeof(Simulation); }
+size_t crossing_size(void) { return sizeof(Crossing); }
+
+/* How fast the pivot changes along the motion. */
+static double pivot_rate(const double *q, const double *v, double pivot)
+{
+#if NR && FREE
+    double z[NV1], at[NQ1], size = 0.0;
+    Opening o;
+    Rows f;
+    for (int k = 0; k < NV; ++k) {
+        size = fmax(size, fabs(v[k] / UNIT[k]));
+    }
+    if (!(size > 0.0)) {
+        return 0.0;
+    }
+    const double step = 1e-7 / size;
+    for (int k = 0; k < NV; ++k) {
+        z[k] = step * v[k];
+    }
+    retract(q, z, at);
+    if (opening(at, &o) != 0) {
+        return 0.0;
+    }
+    row_space(&o, NULL, 0, &f);
+    return (f.smallest - pivot) / step;
+#else
+    (void)q;
+    (void)v;
+    (void)pivot;
+    return 0.0;
+#endif
+}
+
+int simulation_start(Simulation *s, double t, const double *q, const double *v, const double *x, int method, double h,
+                     double rtol, double atol, double longest, long budget)
+{
+    memset(s, 0, sizeof *s);
+    s->t = t;
+    memcpy(s->q, q, sizeof(double) * NQ);
+    memcpy(s->v, v, sizeof(double) * NV);
+    memcpy(s->x, x, sizeof(double) * NX);
+    s->method = method;
+    s->h = h;
+    s->rtol = rtol;
+    s->atol = atol;
+    s->longest = longest;
+    s->earlier_error = 1e-4;
+    s->budget = budget;
+    const int outcome = settle(s->q, s->v, &s->pivot);
+    s->pivot_rate = pivot_rate(s->q, s->v, s->pivot);
+    return outcome == 0 ? 0 : NOT_CLOSED;
+}
+
+static int begin(const Simulation *s, Step *step, double h, int careful)
+{
+    const double *base = s->q;
+    double z[NV1] = {0.0};
+    step->careful = careful;
+    step->u = NULL;
+#if NR && FREE
+    if (careful) {
+        const int outcome = anchored(s->q, s->v, &step->chart);
+        if (outcome != 0) {
+            return outcome;
+        }
+        base = step->chart.base;
+        local_coordinates(base, s->q, z);
+    }
+#endif
+    memcpy(step->base, base, sizeof(double) * NQ);
+    memcpy(step->start, z, sizeof(double) * NV);
+    memcpy(step->start + NV, s->v, sizeof(double) * NV);
+    memcpy(step->start + 2 * NV, s->x, sizeof(double) * NX);
+    step->t = s->t;
+    step->h = h;
+    return 0;
+}
+
+/* A first step by Hairer's rule: a small explicit step, and the change of the slope along it. */
+static double first_step(Simulation *s, Step *step)
+{
+    double y[NY1], dy[NY1], size = 0.0, rate = 0.0, change = 0.0;
+    memcpy(step->end, step->start, sizeof step->end);
+    memcpy(step->q, s->q, sizeof s->q);
+    for (int i = 0; i < NY - PASSIVE; ++i) {
+        const double w = weight(step, i, s->rtol, s->atol);
+        const double value = i < NV ? 0.0 : step->start[i] / w;
+        size += value * value;
+        rate += (step->k[0][i] / w) * (step->k[0][i] / w);
+    }
+    double h = size < 1e-10 || rate < 1e-10 ? 1e-6 : 0.01 * sqrt(size / rate);
+    h = fmin(h, s->longest);
+    for (int i = 0; i < NY; ++i) {
+        y[i] = step->start[i] + h * step->k[0][i];
+    }
+    if (slope(step, s->t + h, y, dy) != 0) {
+        return fmin(1e-6, s->longest);
+    }
+    for (int i = 0; i < NY - PASSIVE; ++i) {
+        const double w = weight(step, i, s->rtol, s->atol), difference = (dy[i] - step->k[0][i]) / w;
+        change += difference * difference;
+    }
+    const double steepest = fmax(sqrt(rate), sqrt(change) / h);
+    const double second = steepest <= 1e-15 ? fmax(1e-6, h * 1e-3) : pow(0.01 / steepest, 0.125);
+    return fmin(fmin(100.0 * h, second), s->longest);
+}
+
+static int needs_care(const Simulation *s, double h)
+{
+#if NR && FREE
+    return s->pivot < CAREFUL || s->pivot + 1.5 * fabs(h) * fmin(s->pivot_rate, 0.0) < CAREFUL;
+#else
+    (void)s;
+    (void)h;
+    return 0;
+#endif
+}
+
+/* Where the pivot is smallest within the step just taken, if it has a minimum there below LOOK. */
+static int crossing_within(Simulation *s, Crossing *found, double rate_at_end)
+{
+#if NR && FREE
+    Step *step = &s->step;
+    double left = step->t, right = step->t + step->h, x[NX1];
+    double low = s->pivot, high = step->pivot, low_rate = s->pivot_rate, high_rate = -rate_at_end;
+    if (!(low_rate < 0.0 && high_rate < 0.0)) {
+        return 0;
+    }
+    found->t = left;
+    for (int pass = 0; pass < 60; ++pass) {
+        /* Newton from both ends towards the zero of the pivot, the middle where that leaves the bracket */
+        double guess = low < high ? left - low / low_rate : right + high / high_rate;
+        const double width = right - left;
+        if (!(guess > left + 1e-3 * width * (pass > 0) && guess < right - 1e-3 * width * (pass > 0)) || pass % 4 == 3) {
+            guess = 0.5 * (left + right);
+        }
+        double pivot;
+        const int outcome = state_within(step, s->method, guess, found->q, found->v, x, &pivot);
+        if (outcome != 0) {
+            return 0;
+        }
+        found->t = guess;
+        found->pivot = pivot;
+        const double rate = pivot_rate(found->q, found->v, pivot);
+        if (pivot < 1e-9 * PIVOT || width < 1e-12 * fmax(1.0, fabs(guess))) {
+            break;
+        }
+        if (rate < 0.0) {
+            left = guess;
+            low = pivot;
+            low_rate = rate;
+        } else {
+            right = guess;
+            high = pivot;
+            high_rate = -rate;
+        }
+    }
+    if (found->pivot > LOOK) {
+        return 0;
+    }
+    Opening o;
+    Rows f;
+    if (opening(found->q, &o) != 0) {
+        return 0;
+    }
+    row_space(&o, NULL, 0, &f);
+    found->lost = 0.0;
+    for (int i = 0; i < NR; ++i) {
+        const int row = f.order[i];
+        const int short_row = i < RANK && (i >= f.rank || f.lower[row][i] < LOOK);
+        found->rows[row] = short_row || i >= RANK ? 1.0 : 0.0;
+        found->lost += short_row;
+    }
+    return 1;
+#else
+    (void)s;
+    (void)found;
+    (void)rate_at_end;
+    return 0;
+#endif
+}
+
+/* One accepted step of at most h (fixed methods: of exactly h), with retries. */
+static int advance(Simulation *s, double target)
+{
+    Step *step = &s->step;
+    const int adaptive = s->method == DOP853;
+    int cautious = 0;
+    for (int attempt = 0; attempt < 60; ++attempt) {
+        double h = adaptive ? fmin(s->h, s->longest) : s->h;
+        if (!adaptive && target - s->t < 1.5 * h) {
+            h = target - s->t;
+        }
+        const int careful = cautious || needs_care(s, h);
+        const int fresh = !s->started || careful || step->careful;
+        if (fresh) {
+            int outcome = begin(s, step, h, careful);
+            if (outcome == 0) {
+                outcome = slope(step, s->t, step->start, step->k[0]);
+            }
+            if (outcome != 0) {
+                s->reason = outcome;
+                return outcome == AT_REST ? STUCK : NOT_DEFINED;
+            }
+        } else {
+            memcpy(step->k[0], step->k[12], sizeof step->k[0]);
+            begin(s, step, h, 0);
+            local_rates(step->start, s->v, step->k[0]);
+        }
+        if (!s->started && adaptive && s->h <= 0.0) {
+            s->h = first_step(s, step);
+            h = s->h;
+        }
+        s->started = 1;
+        if (careful && adaptive) { /* the chart covers a neighbourhood only */
+            double size = 0.0;
+            for (int k = 0; k < NV; ++k) {
+                size = fmax(size, fabs(s->v[k] / UNIT[k]));
+            }
+            h = size > 0.0 ? fmin(h, REACH / size) : h;
+        }
+        step->h = h;
+        if (!(fabs(h) > s->shortest + 1e-15 * fabs(s->t))) {
+            return STEP_TOO_SMALL;
+        }
+        int outcome = take(step, s->method);
+        step->error = outcome == 0 && adaptive ? dop853_error(step, s->rtol, s->atol) : 0.0;
+        if (outcome == 0 && step->error < 1.0) {
+            outcome = last_slope(step);
+            if (outcome == 0) {
+                if (adaptive) { /* Gustafsson's control: Hairer, Wanner II, IV.2 */
+                    const double error = fmax(step->error, 1e-8);
+                    double factor = 0.9 * pow(error, -0.125 + 0.75 * 0.04) * pow(s->earlier_error, 0.04);
+                    factor = fmin(6.0, fmax(0.333, factor));
+                    s->h = h * (attempt > 0 ? fmin(1.0, factor) : factor);
+                    s->earlier_error = fmax(error, 1e-4);
+                }
+                s->careful += careful;
+                ++s->steps;
+                return DONE;
+            }
+        }
+        s->reason = outcome;
+        ++s->rejected;
+        memcpy(step->k[12], step->k[0], sizeof step->k[0]); /* an attempt may begin from the same slope again */
+        if (outcome != 0) {
+            if (!adaptive && cautious) {
+                return outcome == AT_REST ? STUCK : NOT_CLOSED;
+            }
+            if (!adaptive) {
+                cautious = NR && FREE;
+                if (!cautious) {
+                    return NOT_DEFINED;
+                }
+                continue;
+            }
+            cautious = (attempt >= 2 && NR && FREE) ? 1 : cautious;
+            s->h = 0.25 * h;
+        } else {
+            s->h = h * fmax(0.2, 0.9 * pow(step->error, -0.125));
+        }
+    }
+    return s->reason == AT_REST ? STUCK : STEP_TOO_SMALL;
+}
+
+/* Goes on until the last of `count` output times (ascending, not before t) or for `most` steps; writes samples
+ * and crossings. Returns GOING_ON while there is more to do, else how it ended. */
+int simulation_advance(Simulation *s, long most, const double *times, size_t count, size_t *written, double *q, double *v,
+                       double *x, Crossing *crossings, size_t room, size_t *met)
+{
+    evaluations = 0;
+    for (long done = 0; *written < count; ++done) {
+        if (done == most) {
+            s->evaluations += evaluations;
+            return GOING_ON;
+        }
+        while (*written < count && times[*written] <= s->t) { /* the very first */
+            memcpy(q + *written * NQ, s->q, sizeof(double) * NQ);
+            memcpy(v + *written * NV, s->v, sizeof(double) * NV);
+            memcpy(x + *written * NX, s->x, sizeof(double) * NX);
+            ++*written;
+        }
+        if (*written == count) {
+            break;
+        }
+        if (s->steps >= s->budget) {
+            return TOO_MANY_STEPS;
+        }
+        const int outcome = advance(s, times[*written]);
+        if (outcome != DONE) {
+            s->evaluations += evaluations;
+            return outcome;
+        }
+        Step *step = &s->step;
+        const double end = s->method == DOP853 || times[*written] - step->t - step->h > 1e-9 * step->h
+                               ? step->t + step->h
+                               : times[*written];
+        const int look = step->careful || step->pivot < CAREFUL || s->pivot < CAREFUL;
+        const double rate = look || NR ? pivot_rate(step->q, step->v, step->pivot) : 0.0;
+        if (look && *met < room && crossing_within(s, crossings + *met, rate)) {
+            ++*met;
+        }
+        while (*written < count && times[*written] <= end) {
+            double pivot;
+            const double when = times[*written];
+            if (when == end) {
+                memcpy(q + *written * NQ, step->q, sizeof(double) * NQ);
+                memcpy(v + *written * NV, step->v, sizeof(double) * NV);
+                memcpy(x + *written * NX, step->x, sizeof(double) * NX);
+            } else if (state_within(step, s->method, when, q + *written * NQ, v + *written * NV, x + *written * NX,
+                                    &pivot) != 0) {
+                s->evaluations += evaluations;
+                return NOT_CLOSED;
+            }
+            ++*written;
+        }
+        s->t = end;
+        memcpy(s->q, step->q, sizeof s->q);
+        memcpy(s->v, step->v, sizeof s->v);
+        memcpy(s->x, step->x, sizeof s->x);
+        s->pivot = step->pivot;
+        s->pivot_rate = rate;
+    }
+    s->evaluations += evaluations;
+    return DONE;
+}
+
+void simulation_report(const Simulation *s, double *t, double *q, double *v, double *x, double *numbers)
+{
+    *t = s->t;
+    memcpy(q, s->q, sizeof(double) * NQ);
+    memcpy(v, s->v, sizeof(double) * NV);
+    memcpy(x, s->x, sizeof(double) * NX);
+    numbers[0] = (double)s->steps;
+    numbers[1] = (double)s->rejected;
+    numbers[2] = (double)s->careful;
+    numbers[3] = (double)s->evaluations;
+    numbers[4] = s->pivot;
+    numbers[5] = s->h;
+    numbers[6] = (double)s->reason;
+}

@@ -1,0 +1,209 @@
+/* One step of every method, over y = (local coordinates z, rates v, states x). */
+
+enum { EULER, SEMI_IMPLICIT_EULER, RK4, RK8, DOP853 };
+
+typedef struct {
+    int careful;
+    double base[NQ1];
+#if NR && FREE
+    Chart chart;
+#endif
+    const double *u;      /* drives held by the caller, or NULL */
+    double t, h;
+    double start[NY1], end[NY1];
+    double k[16][NY1];    /* slopes; 12 is that at the end */
+    double q[NQ1], v[NV1], x[NX1], pivot; /* the state at the end, on the manifold */
+    double dense[8][NY1];
+    int dense_ready;
+    double error;
+} Step;
+
+static int slope(Step *s, double t, const double *y, double *dy)
+{
+    double q[NQ1];
+    ++evaluations;
+#if NR && FREE
+    if (s->careful) {
+        double v[NV1], z[NV1], pivot;
+        const int outcome = branch_state(&s->chart, t, y, y + NV, y + 2 * NV, q, v, dy + NV, dy + 2 * NV, &pivot, s->u);
+        if (outcome == 0) {
+            local_coordinates(s->base, q, z);
+            local_rates(z, v, dy);
+        }
+        return outcome;
+    }
+#endif
+    retract(s->base, y, q);
+    local_rates(y, y + NV, dy);
+    return valid(forces_at(t, q, y + NV, y + 2 * NV, s->u, dy + NV, dy + 2 * NV));
+}
+
+#define EACH(expression)                                                                                               \
+    for (int i = 0; i < NY; ++i) {                                                                                     \
+        y[i] = s->start[i] + h * (expression);                                                                         \
+    }
+#define STAGE(target, c)                                                                                               \
+    outcome = slope(s, s->t + (c) * h, y, k[target]);                                                                  \
+    if (outcome != 0) {                                                                                        \
+        return outcome;                                                                                                \
+    }
+
+static int runge_kutta_4(Step *s)
+{
+    const double h = s->h;
+    double(*k)[NY1] = s->k, y[NY1];
+    int outcome;
+    EACH(0.5 * k[0][i])
+    STAGE(1, 0.5)
+    EACH(0.5 * k[1][i])
+    STAGE(2, 0.5)
+    EACH(k[2][i])
+    STAGE(3, 1.0)
+    EACH((k[0][i] + k[3][i]) / 6.0 + (k[1][i] + k[2][i]) / 3.0)
+    memcpy(s->end, y, sizeof s->end);
+    return 0;
+}
+
+static int euler(Step *s, int semi_implicit)
+{
+    const double h = s->h;
+    double(*k)[NY1] = s->k, y[NY1];
+    EACH(k[0][i])
+    if (semi_implicit) {
+        double rates[NV1];
+        local_rates(s->start, y + NV, rates);
+        for (int i = 0; i < NV; ++i) {
+            y[i] = s->start[i] + h * rates[i];
+        }
+    }
+    memcpy(s->end, y, sizeof s->end);
+    return 0;
+}
+
+static double weight(const Step *s, int i, double rtol, double atol)
+{
+    if (i < NV) {
+        return (atol + rtol) * UNIT[i]; /* angles grow with every turn, their errors should not */
+    }
+    const double size = fmax(fabs(s->start[i]), fabs(s->end[i]));
+    return (i < 2 * NV ? atol * UNIT[i - NV] : atol) + rtol * size;
+}
+
+/* Dormand and Prince's method of order 8 with error estimates of orders 5 and 3 (Hairer, Norsett, Wanner, Solving
+ * Ordinary Differential Equations I, 2nd ed., II.10). */
+static int dop853(Step *s)
+{
+    const double h = s->h;
+    double(*k)[NY1] = s->k, y[NY1];
+    int outcome;
+#include "dop853_stages.c"
+    memcpy(s->end, y, sizeof s->end);
+    return 0;
+}
+
+static double dop853_error(const Step *s, double rtol, double atol)
+{
+    double fifth = 0.0, third = 0.0;
+    for (int i = 0; i < NY - PASSIVE; ++i) {
+        const double(*k)[NY1] = s->k, scale = weight(s, i, rtol, atol);
+        const double five = DOP853_ERROR_5(i) / scale, three = DOP853_ERROR_3(i) / scale;
+        fifth += five * five;
+        third += three * three;
+    }
+    const double both = fifth + 0.01 * third;
+    return both > 0.0 ? fabs(s->h) * fifth / sqrt(both * (NY - PASSIVE)) : 0.0;
+}
+
+/* From end to a state on the manifold. */
+static int finish(Step *s)
+{
+    memcpy(s->x, s->end + 2 * NV, sizeof(double) * NX);
+#if NR && FREE
+    if (s->careful) {
+        const int outcome = branch_state(&s->chart, s->t + s->h, s->end, s->end + NV, s->x, s->q, s->v, NULL, NULL,
+                                         &s->pivot, s->u);
+        local_coordinates(s->base, s->q, s->end);
+        memcpy(s->end + NV, s->v, sizeof(double) * NV);
+        return outcome;
+    }
+#endif
+    retract(s->base, s->end, s->q);
+    memcpy(s->v, s->end + NV, sizeof(double) * NV);
+    const int outcome = settle(s->q, s->v, &s->pivot);
+    if (outcome == 0 && NR) {
+        local_coordinates(s->base, s->q, s->end);
+        memcpy(s->end + NV, s->v, sizeof(double) * NV);
+    }
+    return outcome;
+}
+
+static int take(Step *s, int method)
+{
+    int outcome;
+    s->dense_ready = 0;
+    switch (method) {
+    case EULER: outcome = euler(s, 0); break;
+    case SEMI_IMPLICIT_EULER: outcome = euler(s, 1); break;
+    case RK4: outcome = runge_kutta_4(s); break;
+    default: outcome = dop853(s); break;
+    }
+    return outcome == 0 ? finish(s) : outcome;
+}
+
+/* The slope at the end, which is the first of the next step too. */
+static int last_slope(Step *s)
+{
+    return slope(s, s->t + s->h, s->end, s->k[12]);
+}
+
+static int prepare_dense(Step *s, int method)
+{
+    const double h = s->h;
+    double(*k)[NY1] = s->k, y[NY1];
+    int outcome = 0;
+    if (s->dense_ready) {
+        return 0;
+    }
+    if (method == DOP853) {
+#include "dop853_dense.c"
+    } else {
+        for (int i = 0; i < NY; ++i) { /* the cubic through both ends */
+            const double change = s->end[i] - s->start[i];
+            s->dense[0][i] = change;
+            s->dense[1][i] = h * k[0][i] - change;
+            s->dense[2][i] = 2.0 * change - h * (k[12][i] + k[0][i]);
+            for (int j = 3; j < 7; ++j) {
+                s->dense[j][i] = 0.0;
+            }
+        }
+    }
+    s->dense_ready = 1;
+    return outcome;
+}
+
+/* The state at time t within the step, on the manifold. */
+static int state_within(Step *s, int method, double t, double *q, double *v, double *x, double *pivot)
+{
+    const int outcome = prepare_dense(s, method);
+    if (outcome != 0) {
+        return outcome;
+    }
+    const double part = (t - s->t) / s->h;
+    double y[NY1];
+    for (int i = 0; i < NY; ++i) {
+        double value = 0.0;
+        for (int j = 6; j >= 0; --j) {
+            value = (value + s->dense[j][i]) * (j % 2 == 0 ? part : 1.0 - part);
+        }
+        y[i] = s->start[i] + value;
+    }
+    memcpy(x, y + 2 * NV, sizeof(double) * NX);
+#if NR && FREE
+    if (s->careful) {
+        return branch_state(&s->chart, t, y, y + NV, x, q, v, NULL, NULL, pivot, s->u);
+    }
+#endif
+    retract(s->base, y, q);
+    memcpy(v, y + NV, sizeof(double) * NV);
+    return settle(q, v, pivot);
+}

@@ -1,0 +1,198 @@
+"""The compiled run: generated functions and the integration loop in one C file, called once per run."""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import tempfile
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from symscrew.compiled import compile_c
+from symscrew.export.c import print_c
+from symscrew.export.listing import decimal
+from symscrew.model import Model
+from symscrew.simulation.programs import Plant
+
+KERNELS = Path(__file__).parent / "kernels"
+FLAGS = ("-O3", "-fno-trapping-math")
+METHODS = {"euler": 0, "semi_implicit_euler": 1, "rk4": 2, "rk8": 3, "dop853": 4}
+GOING_ON = 1
+
+
+def generated(plant: Plant) -> dict[str, str]:
+    """The plant's functions as C: file name to text."""
+    programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
+    if plant.closure is not None:
+        programs["closure_both"] = replace(plant.closure, name="closure_both")
+    reduced = Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
+    return print_c(reduced)
+
+
+def kernel_text(name: str) -> str:
+    """A kernel's text with the files that it includes put in."""
+    lines = []
+    for line in (KERNELS / name).read_text(encoding="utf-8").splitlines():
+        if line.startswith('#include "dop853_'):
+            lines.append(kernel_text(line.split('"')[1]).rstrip("\n"))
+        else:
+            lines.append(line)
+    return "\n".join([*lines, ""])
+
+
+def _table(name: str, rows: Sequence[tuple[int, int]]) -> str:
+    body = ", ".join(f"{{{a}, {b}}}" for a, b in rows) or "{0, 0}"
+    return f"static const int {name}[{max(len(rows), 1)}][2] = {{{body}}};"
+
+
+def _vector(name: str, values: Sequence[float]) -> str:
+    body = ", ".join(decimal(float(v)) for v in values) or "1.0"
+    return f"static const double {name}[{max(len(values), 1)}] = {{{body}}};"
+
+
+def constants(plant: Plant) -> str:
+    """Sizes, units and thresholds that the kernels read."""
+    tree, sizes = plant.system.tree, plant.sizes
+    spheres = [(link.q.start, link.v.start) for link in tree.links[1:] if link.motion.kind == "S"]
+    plain = [(link.q.start, link.v.start) for link in tree.links[1:] if link.motion.kind not in "SF"]
+    nq, nv, nx, nr = sizes["q"], sizes["v"], sizes["x"], len(plant.rows)
+    passive = int(plant.works)
+    numbers = {
+        "NQ": nq, "NV": nv, "NX": nx, "NU": sizes["u"], "NS": plant.tables, "NR": nr, "RANK": plant.rank,
+        "FREE": nv - plant.rank, "NY": 2 * nv + nx, "PASSIVE": passive, "PLAIN_COUNT": len(plain),
+        "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
+        "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "MOST_CORRECTIONS": 12,
+        "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
+    }  # fmt: skip
+    reals = {
+        "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-4 * plant.pivot,
+        "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.04, "SPACING": 0.03, "REACH": 0.6,
+    }  # fmt: skip
+    lines = [f"#define {name} {value}" for name, value in numbers.items()]
+    lines += [f"#define {name} {decimal(float(value))}" for name, value in reals.items()]
+    lines += [
+        _table("PLAIN", plain),
+        _table("SPHERES", spheres),
+        _vector("UNIT", plant.units),
+        _vector("ROW_SCALE", plant.rows),
+        _vector("PARAMETERS", plant.parameters),
+        "static long evaluations;",
+    ]
+    return "\n".join([*lines, ""])
+
+
+def adapters(plant: Plant) -> str:
+    """C that calls the generated functions by the names that the kernels use."""
+    name = plant.model.name
+    commanded = [port for port in plant.inputs.outputs]
+    lines = [
+        "static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
+        "                     double *x_dot)",
+        "{",
+        "    double s[NS + 1];",
+        "    tables_at(t, s);",
+        f"    int outcome = {name}_slopes(&t, q, v, x, u, s, PARAMETERS, a, x_dot);",
+        "    if (outcome != 1) {",
+        "        return outcome;",
+        "    }",
+        *(f"    double {port.name}[{max(port.size, 1)}];" for port in commanded),
+    ]
+    if commanded:
+        given = ", ".join(p.name for p in commanded)
+        lines.append(f"    if ({name}_inputs(&t, q, v, x, u, s, PARAMETERS, {given}) != 0) {{")
+        lines += ["        return 2;", "    }"]
+    known = {"q": "q", "v": "v", "x": "x", "t": "&t", "p": "PARAMETERS"}
+    arguments = [known.get(p.name, f"{p.name}_command") for p in plant.forward.inputs]
+    results = [{"a": "a", "x_dot": "x_dot"}.get(p.name, "spare") for p in plant.forward.outputs]
+    spare = max([p.size for p in plant.forward.outputs if p.name not in ("a", "x_dot")], default=0)
+    if spare:
+        lines.append(f"    double spare[{spare}];")
+    if sum(p.size for p in plant.slopes.outputs if p.name == "x_dot"):
+        lines += ["    for (int k = 0; k < NX; ++k) {", "        x_dot[k] = 0.0;", "    }"]
+    lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
+    if plant.closure is not None:
+        p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
+        lines += [
+            "static int closure_at(const double *q, double *residual, double *jacobian)",
+            "{",
+            f"    return {name}_closure_both(q{p}, residual, jacobian);",
+            "}",
+        ]
+    return "\n".join([*lines, ""])
+
+
+def source(plant: Plant, tables: str = "") -> str:
+    """The whole C file of a run."""
+    files = generated(plant)
+    name = plant.model.name
+    code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
+    no_tables = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
+    kernels = [kernel_text(file) for file in ("manifold.c", "branch.c", "steps.c", "simulation.c")]
+    head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
+    return "\n".join([*head, kernel_text("dop853_error.h"), tables or no_tables, adapters(plant), *kernels])
+
+
+class Library:
+    """A compiled run: `start`, then `advance` until it is not going on."""
+
+    def __init__(self, plant: Plant, tables: str = "", flags: Sequence[str] = FLAGS) -> None:
+        self.plant = plant
+        text = source(plant, tables)
+        with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+            file, library = Path(temporary) / "run.c", Path(temporary) / "run.so"
+            file.write_text(text, encoding="utf-8")
+            compile_c(file, library, flags=flags)
+            self.code = ctypes.CDLL(str(library))  # stays mapped when the file is gone
+        self.hash = hashlib.sha256(text.encode()).hexdigest()[:16]
+        for name in ("simulation_size", "crossing_size"):
+            getattr(self.code, name).restype = ctypes.c_size_t
+        self.code.simulation_start.restype = self.code.simulation_advance.restype = ctypes.c_int
+        self.state = np.zeros(self.code.simulation_size() // 8 + 8)
+        nq, nv, nr = plant.sizes["q"], plant.sizes["v"], len(plant.rows)
+        self.crossing = np.dtype(
+            [("t", "f8"), ("pivot", "f8"), ("q", "f8", (max(nq, 1),)), ("v", "f8", (max(nv, 1),)), ("lost", "f8"),
+             ("rows", "f8", (max(nr, 1),))]
+        )  # fmt: skip
+        assert self.crossing.itemsize == self.code.crossing_size()
+
+    def start(
+        self, t: float, q: np.ndarray, v: np.ndarray, x: np.ndarray, *, method: str, h: float, rtol: float,
+        atol: float, longest: float, budget: int,
+    ) -> int:  # fmt: skip
+        """Begin at a state; see simulation.c."""
+        d = ctypes.c_double
+        arrays = [np.ascontiguousarray(a, dtype=float) for a in (q, v, x)]
+        return int(
+            self.code.simulation_start(
+                _pointer(self.state), d(t), *map(_pointer, arrays), ctypes.c_int(METHODS[method]), d(h), d(rtol),
+                d(atol), d(longest), ctypes.c_long(budget),
+            )
+        )  # fmt: skip
+
+    def advance(self, most: int, times: np.ndarray, written: np.ndarray, q: np.ndarray, v: np.ndarray, x: np.ndarray,
+                crossings: np.ndarray, met: np.ndarray) -> int:  # fmt: skip
+        """Go on for at most `most` steps; `written` and `met` (one size_t each) count samples and crossings."""
+        return int(
+            self.code.simulation_advance(
+                _pointer(self.state), ctypes.c_long(most), _pointer(times), ctypes.c_size_t(len(times)),
+                _pointer(written), _pointer(q), _pointer(v), _pointer(x), _pointer(crossings),
+                ctypes.c_size_t(len(crossings)), _pointer(met),
+            )
+        )  # fmt: skip
+
+    def report(self) -> tuple[float, np.ndarray, np.ndarray, np.ndarray, dict[str, float]]:
+        """Time, state and counters now."""
+        sizes = self.plant.sizes
+        t, numbers = np.zeros(1), np.zeros(8)
+        q, v, x = (np.zeros(max(sizes[k], 1)) for k in "qvx")
+        self.code.simulation_report(*map(_pointer, (self.state, t, q, v, x, numbers)))
+        names = ("steps", "rejected", "careful", "evaluations", "pivot", "h", "reason")
+        state = (array[: sizes[k]] for k, array in zip("qvx", (q, v, x), strict=True))
+        return (float(t[0]), *state, dict(zip(names, numbers.tolist(), strict=False)))  # type: ignore[return-value]
+
+
+def _pointer(array: np.ndarray) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)

@@ -1,0 +1,221 @@
+"""The programs of a run: slopes of the state with the scene's controller inside, drives, closure.
+
+All have the inputs t, q, v, x, u, s, p: time, configuration, rates, states (those of the effects and of the
+controller, last the work done by drives and effects), drives held from outside (none where the scene commands
+them), values of the scene's tables at t, run-time parameters. Ports that a scene does not need have size 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew.functions.ports import a_port, q_port, u_port, v_port
+from symscrew.model import Model
+from symscrew.program import Port, Program
+from symscrew.simulation.linking import Linker, Operand
+from symscrew.system import System
+
+WORK = "work"
+STANDARD = ("q", "v", "u", "x", "t", "p")
+
+
+@dataclass(frozen=True)
+class Plant:
+    """What an integrator needs of a model in a scene.
+
+    `slopes`: (t, q, v, x, u, s, p) -> a, x_dot. `inputs`: the same -> u_command and the effects' inputs.
+    `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small.
+    `closure`: q, p -> residual, jacobian, or None without loops. `units`, `rows`: what divides rates and closure
+    rows to make them plain numbers. `rank`: independent rows of the closure in regular configurations. `pivot`: the
+    smallest pivot of the closure's rows that regular configurations have. `works`: whether the last state is the
+    work done by drives and effects.
+    """
+
+    model: Model
+    slopes: Program
+    inputs: Program
+    forward: Program
+    closure: Program | None
+    x_labels: tuple[str, ...]
+    units: np.ndarray
+    rows: np.ndarray
+    rank: int
+    pivot: float
+    works: bool
+    parameters: np.ndarray
+    tables: int
+
+    @property
+    def system(self) -> System:
+        """The mechanism on its tape."""
+        return self.model.system
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Entries of q, v, x, u (from outside), s and p."""
+        return {port.name: port.size for port in self.slopes.inputs if port.name != "t"}
+
+
+def plant(
+    model: Model,
+    controller: Program | None = None,
+    *,
+    held: bool = False,
+    parameters: np.ndarray | None = None,
+    work: bool | None = None,
+) -> Plant:
+    """The programs of a model under a controller.
+
+    Args:
+        model: with forward dynamics.
+        controller: (any of t, q, v, x, s, p) -> u, states' rates `c_dot`, effects' inputs; outputs that are
+            missing are zero. Its states come after those of the effects in x.
+        held: the drives are given from outside and held during a step; the controller must not have an output u.
+        parameters: values of the run-time parameters; default: those of the description.
+        work: whether to integrate the work of drives and effects; default: where there is any.
+    """
+    system, forward = model.system, model.programs["forward_dynamics"]
+    assert isinstance(forward, Program)
+    given = {p.name: p for p in (controller.outputs if controller else ())}
+    own = {p.name: p for p in forward.inputs}
+    effect_states = own["x"].labels if "x" in own else ()
+    controller_states = given["c_dot"].labels if "c_dot" in given else ()
+    powers = model.programs.get("effect_power")
+    if work is None:
+        work = bool(system.drives and (held or "u" in given)) or bool(powers)
+    labels = (*effect_states, *controller_states, *((WORK,) if work else ()))
+    tables = next((p.size for p in controller.inputs if p.name == "s"), 0) if controller else 0
+    ports = _ports(system, labels, tables, held)
+    linker = Linker(ports)
+    link = _Link(linker, forward, controller, len(effect_states), len(controller_states))
+    outputs = link.run(forward)
+    rates = [*outputs.get("x_dot", ()), *link.commands.get("c_dot", ())]
+    if work:
+        rates.append(_power(link, model, powers))
+    x_dot = Port("x_dot", (len(rates),), ("1/s",) * len(rates), labels, "rates of the states")
+    slopes = linker.program(
+        "slopes", "Accelerations and rates of the states.", [(a_port(system), outputs["a"]), (x_dot, rates)]
+    )
+    values = system.parameter_values if parameters is None else np.asarray(parameters, dtype=float)
+    units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+    rows = np.array([1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows])
+    closure, rank, pivot = _closure(model), 0, 1.0
+    if closure is not None:
+        rank, pivot = _regular(model, units, rows)
+    return Plant(model, slopes, _inputs(ports, forward, controller, len(effect_states), len(controller_states)),
+                 forward, closure, labels, units, rows, rank, pivot, bool(work), values, tables)  # fmt: skip
+
+
+def _ports(system: System, labels: Sequence[str], tables: int, held: bool) -> list[Port]:
+    count = len(system.parameters)
+    drives = u_port(system)
+    return [
+        Port("t", (1,), ("s",), ("t",), "time"),
+        q_port(system),
+        v_port(system),
+        Port("x", (len(labels),), ("1",) * len(labels), tuple(labels), "states"),
+        drives if held else Port("u", (0,), (), (), "drives from outside"),
+        Port("s", (tables,), ("1",) * tables, tuple(f"s{k}" for k in range(tables)), "values of the tables at t"),
+        Port("p", (count,), ("1",) * count, tuple(f"p{k}" for k in range(count)), "run-time parameters"),
+    ]
+
+
+class _Link:
+    """Forward dynamics behind a controller in one linker."""
+
+    def __init__(self, linker: Linker, forward: Program, controller: Program | None, effects: int, states: int) -> None:
+        self.linker = linker
+        x = linker.entries["x"]
+        self.arguments: dict[str, Sequence[Operand]] = {"x": x[:effects]}
+        self.commands: dict[str, tuple[Operand, ...]] = {}
+        if controller is not None:
+            self.commands = linker.call(controller, {"x": x[:effects], "c": x[effects : effects + states]})
+        for port in forward.inputs:
+            if port.name == "u" and len(linker.entries["u"]) == port.size and port.size:
+                self.arguments["u"] = linker.entries["u"]
+            elif port.name not in STANDARD or port.name == "u":
+                self.arguments[port.name] = self.commands.get(port.name, (0.0,) * port.size)
+
+    def run(self, program: Program) -> dict[str, tuple[Operand, ...]]:
+        """Outputs of a function of the model at the present state."""
+        return self.linker.call(program, self.arguments)
+
+
+def _power(link: _Link, model: Model, powers: object) -> Operand:
+    """Power of the drives and of the effects that store no energy [W]."""
+    linker = link.linker
+    total: Operand = 0.0
+    rates = model.programs.get("drive_rates")
+    if isinstance(rates, Program) and "u" in link.arguments:
+        total = linker.sum_of_products(link.arguments["u"], link.run(rates)["rates"])
+    if isinstance(powers, Program):
+        for power in link.run(powers)["power"]:
+            total = linker.apply("add", total, power)
+    return total
+
+
+def _inputs(ports: Sequence[Port], forward: Program, controller: Program | None, effects: int, states: int) -> Program:
+    """The controller alone: what it commands, as the inputs of forward dynamics that are not the state."""
+    linker = Linker(ports)
+    link = _Link(linker, forward, controller, effects, states)
+    outputs = [
+        (_renamed(port), link.arguments[port.name])
+        for port in forward.inputs
+        if port.name == "u" or port.name not in STANDARD
+    ]
+    return linker.program("inputs", "Drives and inputs of the effects that the scene commands.", outputs)
+
+
+def _renamed(port: Port) -> Port:
+    return Port(f"{port.name}_command", port.shape, port.units, port.labels, port.description)
+
+
+def _closure(model: Model) -> Program | None:
+    """Residual and Jacobian of the closure in one program."""
+    parts = [model.programs.get(name) for name in ("closure", "closure_jacobian")]
+    first, second = parts
+    if not isinstance(first, Program) or not isinstance(second, Program) or not first.outputs[0].size:
+        return None
+    linker = Linker(first.inputs)
+    outputs = [(program.outputs[0], linker.call(program, {})[program.outputs[0].name]) for program in (first, second)]
+    return linker.program("closure_both", "How far the loops are open, and the closure Jacobian.", outputs)
+
+
+def _regular(model: Model, units: np.ndarray, rows: np.ndarray) -> tuple[int, float]:
+    """Rank and smallest pivot of the closure at the model's sample states, without units."""
+    system = model.system
+    q = system.sample_states[0]
+    jacobian = model.programs["closure_jacobian"]
+    given = [np.repeat(system.parameter_values[None], len(q), 0)] if len(jacobian.inputs) > 1 else []
+    values = model("closure_jacobian", q, *given)[0][0].reshape(len(q), len(units), len(rows)).transpose(0, 2, 1)
+    found = [row_pivots(matrix * rows[:, None] * units) for matrix in values]
+    rank = max(int((p > 1e-7 * p[0]).sum()) for p in found if len(p))
+    pivots = sorted(p[rank - 1] for p in found if len(p) >= rank and rank)
+    return rank, float(pivots[len(pivots) // 2]) if pivots else 1.0
+
+
+def row_pivots(matrix: np.ndarray) -> np.ndarray:
+    """Lengths of the rows made orthogonal one after the other, the longest remaining row first."""
+    left, pivots = np.array(matrix), []
+    for _ in range(min(left.shape)):
+        norms = np.sqrt((left**2).sum(axis=1))
+        best = int(norms.argmax())
+        if norms[best] < 1e-14:
+            break
+        pivots.append(norms[best])
+        unit = left[best] / norms[best]
+        for _ in range(2):
+            left -= np.outer(left @ unit, unit)
+    return np.array(pivots)
+
+
+def commands(plant: Plant, controller_inputs: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """What the scene commands at states (n, size): drives `u` and the effects' inputs, by name."""
+    from symscrew.program import evaluate
+
+    arrays = [controller_inputs[port.name] for port in plant.inputs.inputs]
+    results, _ = evaluate(plant.inputs, arrays)
+    return {p.name.removesuffix("_command"): r for p, r in zip(plant.inputs.outputs, results, strict=True)}
