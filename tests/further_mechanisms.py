@@ -178,8 +178,7 @@ def hexagon() -> Mechanism:
 
 def peaucellier() -> Mechanism:
     """Fixed O and Q with |OQ| = |QA|; OB = OD; rhombus A B C D."""
-    points = [[0, 0], [Rational(3, 2), 0], [Rational(12, 5), Rational(6, 5)], [Rational(23, 5), Rational(4, 5)],
-              [3, Rational(18, 5)], [0, 0]]  # fmt: skip
+    points = [[0, 0], [Rational(3, 2), 0], [Rational(12, 5), Rational(6, 5)]]
     # B and D mirror each other in the line O A, whose direction is (2, 1) / sqrt 5
     a = Matrix(points[2])
     direction = Matrix([2, 1])
@@ -194,7 +193,6 @@ def peaucellier() -> Mechanism:
 def coupler_point_and_centre() -> Mechanism:
     """A third bar from a coupler point to the centre of curvature of its path: the bar's length is stationary to
     second order, so the instantaneous motion passes the second-order test and is stopped at third order."""
-    t = sympy.Symbol("t")
     a, b, d, o = Matrix([0, 0]), Matrix([1, 2]), Matrix([5, 0]), Matrix([4, 3])
     # rates of the four-bar a-b-o-d with crank rate 1, twice differentiated
     w, z = sympy.symbols("w z")
@@ -213,7 +211,6 @@ def coupler_point_and_centre() -> Mechanism:
     normal = perp(velocity)
     radius = velocity.dot(velocity) / normal.dot(acceleration)
     centre = p + normal * radius
-    del t
     return graph(
         ("R", "base", "crank", [*a, 0], Z), ("R", "crank", "coupler", [*b, 0], Z),
         ("R", "coupler", "rocker", [*o, 0], Z), ("R", "rocker", "base", [*d, 0], Z),
@@ -261,8 +258,11 @@ def three_prs() -> Mechanism:
     joints = []
     for k, (c, s) in enumerate([(1, 0), (0, 1), (-1, 0)]):
         bodies = ["base", f"a{k}", f"b{k}", "plate"]
-        joints += [("P", "base", bodies[1], [3 * c, 3 * s, 0], Z), ("R", bodies[1], bodies[2], [3 * c, 3 * s, 1], [-s, c, 0]),
-                   ("S", bodies[2], "plate", [2 * c, 2 * s, 4], None)]  # fmt: skip
+        joints += [
+            ("P", "base", bodies[1], [3 * c, 3 * s, 0], Z),
+            ("R", bodies[1], bodies[2], [3 * c, 3 * s, 1], [-s, c, 0]),
+            ("S", bodies[2], "plate", [2 * c, 2 * s, 4], None),
+        ]
     return graph(*joints)
 
 
@@ -317,7 +317,9 @@ CASES: dict[str, Case] = {
         (1, 1, None, 3), "four translations in space",
     ),
     "differential screw": Case(
-        lambda: loop(("H", [0, 0, 0], Z), ("H", [0, 0, 2], Z), ("P", [0, 0, 0], Z), pitches={0: HALF, 1: Rational(1, 3)}),
+        lambda: loop(
+            ("H", [0, 0, 0], Z), ("H", [0, 0, 2], Z), ("P", [0, 0, 0], Z), pitches={0: HALF, 1: Rational(1, 3)}
+        ),
         (1, 1, None, 4), "two pitches about one axis",
     ),
     "rhombus, two branches": Case(

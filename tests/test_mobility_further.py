@@ -13,6 +13,7 @@ from symscrew.mobility.local import local_at, quadratic_forms
 from symscrew.mobility.network import network_of
 from symscrew.mobility.tangent_cone import continued
 from symscrew.mobility.variety import DIGITS_60, ClosureVariety
+from symscrew.mobility.witnesses import Witness, recheck
 from symscrew.operations import CONTEXT
 
 SLOW = {"six legs on a circle", "six legs, no circle", "miura flat"}
@@ -24,6 +25,7 @@ def test_known_mobility(name: str) -> None:
     found = analyse_mobility(case.make())
     assert (found.dof, found.finite.dof, found.finite.branches, found.overconstraints) == case.expected
     assert found.kutzbach + found.overconstraints == found.dof and found.decisions.exact
+    assert [check.claim for check in found.verify() if not check.holds] == []
 
 
 @pytest.mark.parametrize("name", ["3rps-mode_transition", "sarrus-flat_folded", "stewart_6sps", "double_watt_cusp"])
@@ -62,3 +64,16 @@ def test_fixed_point_residual_is_that_of_the_exponentials(name: str) -> None:
     random = np.random.default_rng(5)
     q = np.array([CONTEXT.mpf(float(c)) for c in 0.3 * random.normal(size=variety.columns)], dtype=object)
     assert max(abs(variety.evaluate(q[None])[0][0] - variety.residual(q))) < 1e-56
+
+
+def test_wrong_claims_are_found_out() -> None:
+    """The second route disagrees with claims that are false."""
+    shaky = network_of(build(ENTRIES["collinear_3R"]))
+    moving = network_of(build(ENTRIES["bennett"]))
+    crossing = network_of(build(ENTRIES["parallelogram-change_point"]))
+    wrong = (
+        Witness(shaky, "smooth", 1, 1), Witness(moving, "isolated", 0, 0), Witness(crossing, "smooth", 2, 2),
+        Witness(moving, "smooth", 2, 2), Witness(crossing, "isolated", 0, 0),
+    )  # fmt: skip
+    assert [recheck(witness)[1] for witness in wrong] == [False] * 5
+    assert recheck(Witness(moving, "smooth", 1, 1))[1] and recheck(Witness(shaky, "isolated", 0, 0))[1]

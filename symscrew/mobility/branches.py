@@ -18,6 +18,7 @@ from symscrew.mobility.local import SEED, Local, coarse_rank, flatten, local_at,
 from symscrew.mobility.quadric_cone import cone_directions
 from symscrew.mobility.reduced import ReducedClosure, Values, is_zero
 from symscrew.mobility.variety import Array, ClosureVariety
+from symscrew.mobility.witnesses import Witness
 
 RADII = (0.1, 0.02)
 INWARDS = 6
@@ -27,23 +28,34 @@ SIGNAL = 1e-10
 """g must be this large at random points of a sphere for a zero in double precision to mean something."""
 
 
+@dataclass(frozen=True)
+class BranchPoint:
+    """A point of a branch: its dimension, instantaneous freedoms, displacements in 60 digits, and in words."""
+
+    dimension: int
+    instantaneous: int
+    q: Array
+    text: str
+
+
 class UndecidedError(ArithmeticError):
     """The configuration is singular, and double precision does not tell the dimension of the motion through it."""
 
 
 @dataclass(frozen=True)
 class Branches:
-    """Dimensions of the branches, ascending, and how they were found."""
+    """Dimensions of the branches, ascending, how they were found, and a point of each."""
 
     dimensions: tuple[int, ...]
     evidence: tuple[str, ...]
+    witnesses: tuple[Witness, ...]
 
 
 def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: Array) -> Branches:
     """The dimensions of all branches that were found through `here`; none means an isolated configuration."""
     reduced = ReducedClosure(coarse, here)
     starts, in_cone = _starts(here.dof, forms)
-    found: dict[int, str] = {}
+    found: dict[int, BranchPoint] = {}
     known: set[int] = set()
     evidence = []
     for radius in RADII:
@@ -57,8 +69,8 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
             f"directions of the second-order cone on linear slices: {len(zeros.u)} kept for their variety, "
             f"{len(kept)} of them lead to the configuration (followed down to {reached:.1e})"
         )
-        for dimension, text in _dimensions(coarse, fine, kept, radius, known).items():
-            found.setdefault(dimension, text)
+        for dimension, point in _dimensions(coarse, fine, kept, radius, known).items():
+            found.setdefault(dimension, point)
     if set(found) - {UNDECIDED}:
         found.pop(UNDECIDED, None)
     elif found:
@@ -68,7 +80,9 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
         )
     if not evidence:
         raise UndecidedError("the reduced closure is too small on all spheres to find its zeros in double precision")
-    return Branches(tuple(sorted(found)), (*evidence, *(found[d] for d in sorted(found))))
+    points = [found[d] for d in sorted(found)]
+    witnesses = (Witness(coarse.network, "branch", p.dimension, p.instantaneous, p.q) for p in points)
+    return Branches(tuple(sorted(found)), (*evidence, *(p.text for p in points)), tuple(witnesses))
 
 
 def _starts(dof: int, forms: Array) -> tuple[Array, int]:
@@ -119,7 +133,7 @@ def _scale(reduced: ReducedClosure, starts: Array, radius: float) -> float:
 
 def _dimensions(
     coarse: ClosureVariety, fine: ClosureVariety, zeros: Array, radius: float, known: set[int]
-) -> dict[int, str]:
+) -> dict[int, BranchPoint]:
     """Dimension of the branch at each kind of zero, with how it was decided; of `known` kinds one zero is enough.
 
     A kind are the zeros with equally many instantaneous freedoms; those found are added to `known`.
@@ -127,34 +141,29 @@ def _dimensions(
     groups: dict[int, list[Array]] = {}
     for q in zeros:
         groups.setdefault(local_at(coarse, q).dof, []).append(q)
-    found: dict[int, str] = {}
+    found: dict[int, BranchPoint] = {}
     for kind, points in sorted(groups.items()):
         for q in points[:: max(1, len(points) // 3)][: 1 if kind in known else 3]:
-            dimension, text = _dimension_at(coarse, fine, q, radius)
-            found.setdefault(dimension, text)
+            point = _dimension_at(coarse, fine, q, radius)
+            found.setdefault(point.dimension, point)
         known.add(kind)
     return found
 
 
-def _dimension_at(
-    coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float, depth: int = 0
-) -> tuple[int, str]:
-    """(dimension of the configuration space at a generic point of a branch, how it was decided)."""
-    there, residual = local_refined(coarse, fine, q)
+def _dimension_at(coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float, depth: int = 0) -> BranchPoint:
+    """The configuration space at a generic point of a branch."""
+    there, point, residual = local_refined(coarse, fine, q)
     instantaneous = there.dof
     gap = f"singular values {there.gap[0]:.1e} | {there.gap[1]:.1e}"
+    manifold = f"a branch of dimension {instantaneous}: at a point of it (closed to {residual:.0e})"
     if there.rank == coarse.rows:
-        return instantaneous, (
-            f"a branch of dimension {instantaneous}: at a point of it (closed to {residual:.0e}) the closure "
-            f"equations are independent; {gap}"
-        )
+        text = f"{manifold} the closure equations are independent; {gap}"
+        return BranchPoint(instantaneous, instantaneous, point, text)
     steps = tuple(radius / k for k in (10, 30, 100))
     trials = [vanishes(coarse, fine, there, direction, steps) for direction in flatten(instantaneous, 2)]
     if all(trial.closed for trial in trials):
-        return instantaneous, (
-            f"a branch of dimension {instantaneous}: at a point of it (closed to {residual:.0e}) finite motions "
-            f"along all {instantaneous} instantaneous freedoms close in 60 digits; {gap}"
-        )
+        text = f"{manifold} finite motions along all {instantaneous} instantaneous freedoms close in 60 digits; {gap}"
+        return BranchPoint(instantaneous, instantaneous, point, text)
     zeros = _zeros_around(coarse, there, radius / 10)
     likely = sorted(zeros, key=lambda q: float(coarse_rank(coarse, q)), reverse=True)[:3]
     fewest = min(((local_refined(coarse, fine, q)[0].dof, k) for k, q in enumerate(likely)), default=(instantaneous, 0))
@@ -164,8 +173,8 @@ def _dimension_at(
     dimension = _spanned(zeros, there, radius / 10)
     if dimension and dimension == _spanned(_zeros_around(coarse, there, radius / 30), there, radius / 30):
         text = f"a branch of dimension {dimension}, shaky all along: {instantaneous} instantaneous freedoms on it"
-        return dimension, text
-    return UNDECIDED, "a zero on it could not be classified"
+        return BranchPoint(dimension, instantaneous, point, text)
+    return BranchPoint(UNDECIDED, instantaneous, point, "a zero on it could not be classified")
 
 
 def _zeros_around(variety: ClosureVariety, there: Local, radius: float) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 
 from symscrew.mobility.screw_systems import ZERO_BELOW, eliminate
 from symscrew.mobility.symbolic import numbers_at
+from symscrew.mobility.witnesses import recheck
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility
@@ -25,14 +26,32 @@ class Check:
 
 
 def verify(found: Mobility) -> tuple[Check, ...]:
-    """Ranks by singular values in double precision, reciprocity, motions in the closure, symbols against numbers."""
+    """Every claim by a route that it was not found by.
+
+    Ranks by singular values and over an exact field, reciprocity, motions in the closure, finite mobility by power
+    series (smooth points and branches) or by displacements (isolated points), symbols against numbers.
+    """
     checks = [_rank(found), _closure(found), _reciprocity(found)]
     count = found.kutzbach + found.overconstraints == found.dof
     checks.append(Check("Kutzbach + overconstraints = dof", count, f"{found.kutzbach} + {found.overconstraints}"))
     if found.finite.dof is not None:
         bounded = found.finite.dof <= found.dof and (not found.finite.smooth or found.finite.dof == found.dof)
         checks.append(Check("finite mobility at most the instantaneous", bounded, f"{found.finite.dof} <= {found.dof}"))
+    checks += [Check(*recheck(witness)) for witness in found.finite.witnesses]
+    if found.decisions.field is not None:
+        checks.append(_over_the_field(found))
     return (*checks, *_symbols(found))
+
+
+def _over_the_field(found: Mobility) -> Check:
+    """Elimination over the exact field against elimination in 60 digits."""
+    decided = [d for d in found.decisions.ranks if d.exact is not None]
+    different = [d for d in decided if d.exact != d.numeric]
+    rounded = bool(different) and all((d.exact or 0) > d.numeric for d in different)
+    text = f"{len(decided)} ranks over {found.decisions.field}"
+    if rounded:
+        text += f", {len(different)} of them larger by rounded decimals: {found.decisions.why}"
+    return Check("ranks over an exact field", not different or rounded, text)
 
 
 def _rank(found: Mobility) -> Check:

@@ -71,7 +71,7 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
     left = float(np.linalg.norm(np.concatenate([fine.residual(point), missing]).astype(float)))
     if left > CLOSED:
         raise DescriptionError(f"at {', '.join(at)}: the loops close only to {left:.1e}; a singular configuration?")
-    return _moved(network, fine, point), left
+    return moved(network, fine, point), left
 
 
 def _target(mechanism: Mechanism, network: Network, name: str, value: Any) -> tuple[int, Any]:
@@ -111,7 +111,8 @@ def _closed(variety: ClosureVariety, q: Array, columns: list[int], goal: Array, 
     raise DescriptionError(f"at {names}: the loops cannot be assembled there from the reference configuration")
 
 
-def _moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
+def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
+    """The network in the configuration with the displacements `point`, in 60 digits."""
     screws, poses = fine.forward(point[None])
     centre = fine.centre
     edges: dict[str, Edge] = {}

@@ -37,6 +37,7 @@ from symscrew.mobility.screw_systems import null_space
 from symscrew.mobility.spins import without_spins
 from symscrew.mobility.tangent_cone import continued
 from symscrew.mobility.variety import DIGITS_60, ClosureVariety
+from symscrew.mobility.witnesses import Witness
 
 ORDERS = 6
 """Highest order of the kinematic tangent cone that is tried."""
@@ -50,8 +51,8 @@ class FiniteMobility:
     `branches`: the dimensions that branches through a singular configuration have, None where smooth; `kind`:
     `smooth`, `infinitesimal` (no real motion, some instantaneous), `singular` (one dimension, fewer than
     instantaneous or several branches), `kinematotropic` (branches of different dimension) or `undecided` (singular,
-    `dof` None). `evidence` says how it
-    was decided, `proved` whether without sampling.
+    `dof` None). `evidence` says how it was decided, `proved` whether without sampling; `witnesses` what can
+    be checked again.
     """
 
     dof: int | None
@@ -60,6 +61,7 @@ class FiniteMobility:
     kind: str
     evidence: tuple[str, ...]
     proved: bool
+    witnesses: tuple[Witness, ...] = ()
 
 
 def finite_mobility(network: Network) -> FiniteMobility:
@@ -71,14 +73,15 @@ def finite_mobility(network: Network) -> FiniteMobility:
     smooth = all(part.smooth for part in parts)
     evidence = tuple(dict.fromkeys(text for part in parts for text in part.evidence))
     proved = all(part.proved for part in parts)
+    witnesses = tuple(witness for part in parts for witness in part.witnesses)
     if smooth:
-        return FiniteMobility(sum(part.dof or 0 for part in parts), True, None, "smooth", evidence, proved)
+        return FiniteMobility(sum(part.dof or 0 for part in parts), True, None, "smooth", evidence, proved, witnesses)
     dimensions = {0}
     for part in parts:
         own = (part.branches or (0,)) if part.branches is not None else (part.dof or 0,)
         dimensions = {a + b for a in dimensions for b in own}
     branches = tuple(sorted(dimensions - {0}))
-    return FiniteMobility(max(dimensions), False, branches, _kind(branches), evidence, proved)
+    return FiniteMobility(max(dimensions), False, branches, _kind(branches), evidence, proved, witnesses)
 
 
 def _kind(branches: Sequence[int]) -> str:
@@ -92,12 +95,12 @@ def _block_mobility(network: Network) -> FiniteMobility:
     motions = null_space(rows, network.freedoms).basis
     dof = len(motions)
     if not network.chords:
-        return _smooth(dof, "joints outside of loops move freely", proved=True)
+        return _smooth(network, dof, "joints outside of loops move freely", proved=True)
     if dof == 0:
-        return _smooth(0, "no instantaneous motion, hence none", proved=True)
+        return _smooth(network, 0, "no instantaneous motion, hence none", proved=True)
     if len(rows) == network.freedoms - dof:
         text = "the closure equations are independent, so that the configuration space is smooth (implicit functions)"
-        return _smooth(dof, text, proved=True)
+        return _smooth(network, dof, text, proved=True)
     slim, spins = without_spins(network)
     if spins:
         fewer = null_space(slim.loop_rows(), slim.freedoms).basis
@@ -121,13 +124,14 @@ def _with_spins(found: FiniteMobility, spins: int) -> FiniteMobility:
 def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int) -> FiniteMobility:
     coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
     if not motions:
-        return _smooth(0, "no instantaneous motion but the spins", proved=True)
+        return _smooth(network, 0, "no instantaneous motion but the spins", proved=True)
     here = local_at(coarse, np.zeros(coarse.columns), motions=motions)
     trials = [vanishes(coarse, fine, here, direction) for direction in flatten(here.dof)]
     if all(trial.closed for trial in trials):
         largest = max(trial.residual for trial in trials)
         step = max(trial.step for trial in trials)
         return _smooth(
+            network,
             dof,
             f"all loops close in 60 digits (residual {largest:.0e}) after {len(trials)} random finite motions "
             f"of size {step:g} along all {dof} instantaneous freedoms: the redundant equations vanish identically",
@@ -139,18 +143,22 @@ def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int)
         arc = continued(network, motions[0], ORDERS)
         if arc.order is not None:
             return _infinitesimal(
+                network,
                 f"the one instantaneous motion cannot be continued at order {arc.order} of the kinematic tangent cone "
-                f"(screw brackets in 60 digits; a unit self-stress does work {arc.obstruction:.1e} there)"
+                f"(screw brackets in 60 digits; a unit self-stress does work {arc.obstruction:.1e} there)",
             )
-        return _infinitesimal(f"{text}; an analytic function of one variable that does not vanish has isolated zeros")
+        return _infinitesimal(
+            network, f"{text}; an analytic function of one variable that does not vanish has isolated zeros"
+        )
     forms = quadratic_forms(coarse, here)
     weights = definite_stress(forms)
     if weights is not None:
         pivot = proved_definite(network, motions, _about_origin(coarse, weights @ here.stresses))
         if pivot is not None:
             return _infinitesimal(
+                network,
                 "a self-stress has a positive definite quadratic form on the instantaneous motions (Cholesky in 60 "
-                f"digits, smallest pivot {float(pivot):.1e}): no second-order motion, prestress stable"
+                f"digits, smallest pivot {float(pivot):.1e}): no second-order motion, prestress stable",
             )
     return _singular(coarse, fine, here, forms, text)
 
@@ -170,13 +178,14 @@ def _singular(
     found = find_branches(coarse, fine, here, forms)
     evidence = (text, *found.evidence)
     if not found.dimensions:
-        return FiniteMobility(0, False, (), "infinitesimal", evidence, False)
-    return FiniteMobility(max(found.dimensions), False, found.dimensions, _kind(found.dimensions), evidence, False)
+        return replace(_infinitesimal(coarse.network, ""), evidence=evidence, proved=False)
+    kind = _kind(found.dimensions)
+    return FiniteMobility(max(found.dimensions), False, found.dimensions, kind, evidence, False, found.witnesses)
 
 
-def _smooth(dof: int, text: str, *, proved: bool) -> FiniteMobility:
-    return FiniteMobility(dof, True, None, "smooth", (text,), proved)
+def _smooth(network: Network, dof: int, text: str, *, proved: bool) -> FiniteMobility:
+    return FiniteMobility(dof, True, None, "smooth", (text,), proved, (Witness(network, "smooth", dof, dof),))
 
 
-def _infinitesimal(text: str) -> FiniteMobility:
-    return FiniteMobility(0, False, (), "infinitesimal", (text,), True)
+def _infinitesimal(network: Network, text: str) -> FiniteMobility:
+    return FiniteMobility(0, False, (), "infinitesimal", (text,), True, (Witness(network, "isolated", 0, 0),))

@@ -152,8 +152,8 @@ def refine(coarse: ClosureVariety, fine: ClosureVariety, q: Array, rank: int) ->
     return point, best
 
 
-def local_refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array) -> tuple[Local, float]:
-    """(decomposition at a zero with the rank decided in 60 digits, closure residual of the refined zero).
+def local_refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array) -> tuple[Local, Array, float]:
+    """(decomposition at a zero with the rank decided in 60 digits, the refined zero, its closure residual).
 
     Singular values of a branch that leaves a singular configuration only at high order are small but not zero;
     they are told apart after the zero has been refined. Where it cannot be (a shaky branch), by the gap.
@@ -162,12 +162,12 @@ def local_refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array) -> tup
     values = np.linalg.svd(coarse.evaluate(q[None])[1][0], compute_uv=False)
     most = int((values > DISTINCT * max(values[0], 1e-300)).sum())
     if most == doubtful.rank:
-        return doubtful, refine(coarse, fine, q, doubtful.rank)[1]
+        return doubtful, *refine(coarse, fine, q, doubtful.rank)
     point, residual = refine(coarse, fine, q, most)
     if residual > CLOSED:
-        return doubtful, residual
+        return doubtful, *refine(coarse, fine, q, doubtful.rank)
     rank = eliminate(fine.evaluate(point[None])[1][0].tolist(), fine.columns).rank
-    return local_at(coarse, point.astype(float), rank=rank), residual
+    return local_at(coarse, point.astype(float), rank=rank), point, residual
 
 
 def quadratic_forms(variety: ClosureVariety, here: Local) -> Array:
