@@ -106,6 +106,7 @@ def parser() -> argparse.ArgumentParser:
     _effects(generate)
     generate.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
     generate.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
+    generate.add_argument("--derivatives", action="store_true", help="also derivatives and the linearisation")
 
     check = _command(commands, "check", check_output, "is generated output up to date, clean and right?")
     check.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")
@@ -251,7 +252,13 @@ def _derived(options: argparse.Namespace, progress: object) -> Model:
         mechanism = catalogue.find(options.mechanism)
         effects = _chosen_effects(options, mechanism)
     with progress.step(f"derive {mechanism.name}"):
-        return derive(mechanism, effects, independent=options.independent, length=options.length)
+        return derive(
+            mechanism,
+            effects,
+            independent=options.independent,
+            length=options.length,
+            derivatives=options.derivatives,
+        )
 
 
 def _chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[Effect]:

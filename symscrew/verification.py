@@ -94,10 +94,11 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
     """The model of a directory, with the recorded states as test inputs where they fit."""
     mechanism = description.load(directory / "mechanism.toml")
     effects = tuple(effect_from_json(entry) for entry in content["effects"])
-    model = derive(mechanism, effects)
+    derivatives = "linearisation" in content.get("functions", {})
+    model = derive(mechanism, effects, derivatives=derivatives)
     chosen = content.get("independent") or None
     if chosen and model_hash(model) != content.get("hash"):
-        other = derive(mechanism, effects, independent=chosen)
+        other = derive(mechanism, effects, independent=chosen, derivatives=derivatives)
         model = other if model_hash(other) == content.get("hash") else model
     recorded = read_json(directory / "test_vectors.json")
     inputs = dict(model.test_inputs)
@@ -158,8 +159,8 @@ def _compare_files(directory: Path, files: Mapping[str, bytes], model: Model) ->
 
 
 def _first_difference(found: bytes, expected: bytes) -> str:
-    there = found.decode("utf-8", "replace").splitlines()
-    here = expected.decode("utf-8", "replace").splitlines()
+    there = found.decode("utf-8", "replace").split("\n")
+    here = expected.decode("utf-8", "replace").split("\n")
     for number, (a, b) in enumerate(zip(there, here, strict=False), 1):
         if a != b:
             return f", line {number}: found {a.strip()[:70]!r}, expected {b.strip()[:70]!r}"
