@@ -290,7 +290,7 @@ def test_casadi_files_load_without_symscrew(generated):
 
 def test_numpy_module_depends_on_numpy_only(generated):
     imports = re.findall(r"^[ \t]*(?:import|from) .*", (generated / "handmade_numpy.py").read_text(), re.MULTILINE)
-    assert imports == ["import numpy as np"]
+    assert imports == ["from __future__ import annotations", "import numpy as np"]
 
 
 def test_python_code_is_never_evaluated():

@@ -65,7 +65,7 @@ def test_other_effects_and_coordinates_are_regenerated(tmp_path):
     generate(derive(catalogue.load("four_bar"), effects, independent=["B"]), tmp_path / "moon", targets=("numpy",))
     manifest = json.loads((tmp_path / "moon/manifest.json").read_text())
     assert manifest["independent"] == ["B"]
-    assert manifest["effects"][1] == {"type": "ExternalWrench", "point": "coupler_middle"}
+    assert manifest["effects"][1].items() >= {"type": "ExternalWrench", "point": "coupler_middle"}.items()
     assert failures(tmp_path / "moon") == []
 
 
