@@ -6,7 +6,7 @@ network -> instantaneous -> limbs, platform -> finite.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -28,7 +28,8 @@ from symscrew.mobility.instantaneous import (
 from symscrew.mobility.network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.screw_systems import ScrewSystem
-from symscrew.mobility.symbolic import SymbolicMobility, symbolic_mobility
+from symscrew.mobility.singularities import Singularities, singularities
+from symscrew.mobility.symbolic import Locus, SymbolicMobility, symbolic_mobility
 from symscrew.mobility.words import describe_twist, describe_wrench
 
 
@@ -49,7 +50,12 @@ class Mobility:
     constraints: ScrewSystem | None
     decisions: Decisions
     closed_to: float = 0.0
-    in_reference: bool = True
+    coordinates: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def in_reference(self) -> bool:
+        """Whether no joint coordinate was given."""
+        return not self.coordinates
 
     @property
     def method(self) -> str:
@@ -104,6 +110,16 @@ class Mobility:
     def redundant(self) -> Overconstraints:
         """Self-stresses: joints whose reactions are not unique, and how to remove the redundancy."""
         return overconstraints(self.network, self.first_order)
+
+    @cached_property
+    def singularities(self) -> Singularities:
+        """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
+        return singularities(self.mechanism, self.coordinates)
+
+    @property
+    def loci(self) -> tuple[Locus, ...]:
+        """Where, in the parameters, something degenerates in the reference configuration."""
+        return (*(self.symbolic.loci if self.symbolic is not None else ()), *self.singularities.loci)
 
     def verify(self) -> tuple[Check, ...]:
         """Every claim checked again by another route; see `symscrew.mobility.checks`."""
@@ -162,5 +178,5 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         constraints,
         decisions,
         residual,
-        in_reference=not coordinates,
+        coordinates,
     )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy
 
+from symscrew.mobility.singularities import as_lines, as_values
 from symscrew.mobility.words import describe_twist, describe_wrench
 
 if TYPE_CHECKING:
@@ -47,8 +48,9 @@ def values(found: Mobility) -> dict[str, Any]:
         "dof_drives_locked": found.dof_drives_locked,
         "loci": [
             {"kind": locus.kind, "where": locus.where, "zero": str(locus.expression), "meaning": locus.meaning}
-            for locus in (symbolic.loci if symbolic else ())
+            for locus in found.loci
         ],
+        "singularities": as_values(found.singularities),
         "overconstraint_joints": list(found.redundant.statically_indeterminate),
         "method": found.method,
         "exact": found.decisions.exact,
@@ -76,11 +78,11 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
         lines.append(f"in symbols (omega ; v): {_formulas(found.symbolic.freedoms)}")
     result.append((f"Freedoms of {found.platform.body}", lines))
-    if found.symbolic is not None and found.symbolic.loci:
-        lines = [
-            f"${sympy.latex(locus.expression)} = 0$ ({locus.where}): {locus.meaning}" for locus in found.symbolic.loci
-        ]
+    if found.loci:
+        lines = [f"${sympy.latex(locus.expression)} = 0$ ({locus.where}): {locus.meaning}" for locus in found.loci]
         result.append(("Where it degenerates", lines))
+    if lines := as_lines(found.singularities):
+        result.append(("How far from singularities (0 at one)", lines))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
     if found.nearly_parallel:
@@ -180,7 +182,7 @@ def _mathml(found: Mobility) -> dict[str, str]:
         cells = [presented(c) for c in vector]
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
         result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
-    for locus in found.symbolic.loci:
+    for locus in found.loci:
         body = f"{presented(locus.expression)}<mo>=</mo><mn>0</mn>"
         result[f"{sympy.latex(locus.expression)} = 0"] = f"<math>{body}</math>"
     return result

@@ -62,12 +62,16 @@ def symbolic_mobility(mechanism: Mechanism) -> SymbolicMobility | None:
     if not mechanism.limbs or mechanism.platform is None:
         return None
     chains = {name: [mechanism.joints[j] for j in limb.joints] for name, limb in mechanism.limbs.items()}
-    expressions = [e for chain in chains.values() for joint in chain for e in _expressions(joint)]
     try:
-        work = _Work(mechanism, Generators(mechanism, expressions))
-        return work.run(chains)
+        return symbolic_screws(mechanism).run(chains)
     except NotPolynomialError:
         return None
+
+
+def symbolic_screws(mechanism: Mechanism) -> SymbolicScrews:
+    """The ring of the limbs' geometry; raises NotPolynomialError where there is none."""
+    joints = [mechanism.joints[j] for limb in mechanism.limbs.values() for j in limb.joints]
+    return SymbolicScrews(mechanism, Generators(mechanism, [e for joint in joints for e in _expressions(joint)]))
 
 
 def _expressions(joint: Joint) -> list[sympy.Expr]:
@@ -75,8 +79,8 @@ def _expressions(joint: Joint) -> list[sympy.Expr]:
     return [*joint.point, *(c for axis in joint.axes for c in axis), *pitch]
 
 
-class _Work:
-    """The computation over one ring."""
+class SymbolicScrews:
+    """Screws, wrenches and where they degenerate, over one ring."""
 
     def __init__(self, mechanism: Mechanism, ring: Generators) -> None:
         self.mechanism, self.ring = mechanism, ring
@@ -90,23 +94,24 @@ class _Work:
         self.loci: list[Locus] = []
 
     def run(self, chains: dict[str, list[Joint]]) -> SymbolicMobility:
+        """Limbs, their constraints, the platform's freedoms and where they degenerate."""
         limbs, union = [], []
         for name, joints in chains.items():
-            screws = [screw for joint in joints for screw in self._screws(joint)]
-            wrenches, dependent = self._reciprocal(screws)
+            screws = [screw for joint in joints for screw in self.screws(joint)]
+            wrenches, dependent = self.reciprocal(screws)
             self._note("limb", name, dependent, "the screws of the limb become dependent")
             for wrench in wrenches:
                 self._note_wrench(name, wrench)
             limbs.append(SymbolicLimb(name, self._vectors(screws), self._vectors(wrenches)))
             union += wrenches
-        freedoms, dependent = self._reciprocal(union)
+        freedoms, dependent = self.reciprocal(union)
         meaning = "the constraints of the limbs become dependent"
         self._note("constraint", self.mechanism.platform or "", dependent, meaning)
         return SymbolicMobility(
             tuple(self.ring.parameters), tuple(limbs), self._vectors(union), self._vectors(freedoms), tuple(self.loci)
         )
 
-    def _screws(self, joint: Joint) -> list[list[Poly]]:
+    def screws(self, joint: Joint) -> list[list[Poly]]:
         """Screws of a joint as polynomials: each times its common denominator."""
         read = self.ring.read
         point = tuple(read(c) for c in joint.point)
@@ -122,13 +127,10 @@ class _Work:
         made = motion_screws(joint, wrapped, axes, pitch)  # type: ignore[arg-type]
         return [scalars.cleared(twist.components) for _, twists in made for twist in twists]
 
-    def _reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:
+    def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:
         """(null vectors of the reciprocal product, common factor of all maximal minors of the screws)."""
         ring = self.ring
-        rows = [[*screw[3:], *screw[:3]] for screw in screws]
-        values = [[ring.number(c, self.somewhere) for c in row] for row in rows]
-        independent = _independent(values)
-        rows = [rows[i] for i in independent]
+        rows = [[*screws[i][3:], *screws[i][:3]] for i in self.independent(screws)]
         rank = len(rows)
         if rank == 0:
             return [[ring.ring.one if i == j else ring.ring.zero for i in range(6)] for j in range(6)], ring.ring.one
@@ -141,6 +143,10 @@ class _Work:
         )
         vectors = [self._cramer(minors, used, free) for free in range(6) if free not in used]
         return [self._primitive(vector) for vector in vectors], common
+
+    def independent(self, screws: Sequence[Sequence[Poly]]) -> list[int]:
+        """Indices of the first screws that are linearly independent for generic values of the parameters."""
+        return _independent([[self.ring.number(c, self.somewhere) for c in screw] for screw in screws])
 
     def _cramer(self, minors: dict[tuple[int, ...], Poly], used: tuple[int, ...], free: int) -> list[Poly]:
         """x_free = det(used), x_j = -+ det(used with j replaced by free): rows x = 0."""
