@@ -137,6 +137,8 @@ def _partials(tape: Tape, node: Node) -> Iterator[tuple[Node, Node]]:
         yield args[0], -(node * node)
     elif op == "sqrt":
         yield args[0], 1 / (2 * node)
+    elif op == "exp":
+        yield args[0], node
     elif op == "sin":
         yield args[0], tape.function("cos", args[0])
     elif op == "cos":

@@ -13,10 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.effects import Effect, Gravity
+from symscrew.effects import Effect, Gravity, transformed
 from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
+from symscrew.functions.effects import effect_functions
 from symscrew.functions.forward import forward_functions, second_paths
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
@@ -76,7 +77,7 @@ def derive(
     if length is not None:
         read = Reader(dict(mechanism.parameters)).characteristic_length(length)
         mechanism = replace(mechanism, characteristic_length=read)
-    system = System(mechanism)
+    system = System(mechanism, transformed(mechanism, tuple(effects)))
     system.use_samples()
     loops = Loops(system, independent)
     motion = Motion(system)
@@ -87,6 +88,7 @@ def derive(
         *dynamic_functions(system, effects, loops),
         *forward_functions(system, effects, loops),
         *platform_functions(system, effects),
+        *effect_functions(system, effects),
     ]
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)

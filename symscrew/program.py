@@ -30,6 +30,7 @@ COUNTED = {
     "cos": "trig",
     "tan": "trig",
     "atan2": "trig",
+    "exp": "trig",
     "abs": "compare",
     "less": "compare",
     "select": "compare",

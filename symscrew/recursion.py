@@ -332,30 +332,25 @@ def _shifted(frame: Frame, inertia: Inertia) -> Inertia:
     return Inertia(inertia.mass, add(s, scale(inertia.mass, r)), spread)  # type: ignore[arg-type]
 
 
-def inertial_wrench(inertia: Inertia, rate: Rates, spinning: Matrix | None = None) -> tuple[Vector, Vector]:
+NOTHING: Matrix = ((0, 0, 0),) * 3
+
+
+def inertial_wrench(inertia: Inertia, rate: Rates, still: Matrix = NOTHING) -> tuple[Vector, Vector]:
     """(force, moment about the link's origin): the rate of the link's momentum screw, link axes.
 
     The axial vector of U Sigma is written so that a diagonal Sigma costs three operations a component:
-    J_x alpha_x + (Sigma_yy - Sigma_zz) omega_y omega_z, and so on. `spinning` is another second moment matrix
-    for the terms in omega: less than Sigma where gyroscopic terms are left out.
+    J_x alpha_x + (Sigma_yy - Sigma_zz) omega_y omega_z, and so on. `still` is the part of Sigma whose
+    terms in omega are left out.
     """
     force = add(scale(inertia.mass, rate.origin), transform(rate.matrix, inertia.first))
-    if spinning is None:
-        moment = _axial(inertia.second, rate)
-    else:
-        turning = Rates(ZERO, rate.alpha, ZERO, acceleration_matrix(ZERO, rate.alpha))
-        spin = Rates(rate.omega, ZERO, ZERO, acceleration_matrix(rate.omega, ZERO))
-        moment = add(_axial(inertia.second, turning), _axial(spinning, spin))
-    return force, add(moment, cross(inertia.first, rate.origin))
-
-
-def _axial(spread: Matrix, rate: Rates) -> Vector:
-    """The axial vector of U Sigma."""
     omega, alpha, matrix = rate.omega, rate.alpha, rate.matrix
+    spread = inertia.second
     axial = []
     for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        spun = spread[y][y] - spread[z][z] - (still[y][y] - still[z][z])
         value = (spread[y][y] + spread[z][z]) * alpha[x]
-        value = value + (spread[y][y] - spread[z][z]) * (omega[y] * omega[z])
+        value = value + spun * (omega[y] * omega[z])
         value = value + (matrix[z][x] * spread[x][y] - matrix[y][x] * spread[x][z])
-        axial.append(value + spread[y][z] * (omega[z] * omega[z] - omega[y] * omega[y]))
-    return (axial[0], axial[1], axial[2])
+        value = value - (omega[z] * omega[x] * still[x][y] - omega[y] * omega[x] * still[x][z])
+        axial.append(value + (spread[y][z] - still[y][z]) * (omega[z] * omega[z] - omega[y] * omega[y]))
+    return force, add((axial[0], axial[1], axial[2]), cross(inertia.first, rate.origin))

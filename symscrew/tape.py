@@ -13,7 +13,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -232,7 +232,7 @@ class Tape:
         return self._make("reciprocal", (x,))
 
     def function(self, name: str, *args: Any) -> Node:
-        """sqrt, sin, cos, atan2, abs, less (1 if x < y else 0), select (condition, if true, if false)."""
+        """sqrt, exp, sin, cos, tan, atan2, abs, less (1 if x < y else 0), select (condition, if true, if false)."""
         nodes = tuple(self.node(a) for a in args)
         if name in ("sin", "cos") and nodes[0].op == "neg":
             inner = self.function(name, nodes[0].args[0])
@@ -273,7 +273,26 @@ class Tape:
             return total
         if expression.is_Pow:
             return self._power(args[0], expression.exp)
-        return self.function(type(expression).__name__, *args)
+        return self._named(type(expression).__name__, args)
+
+    def _named(self, name: str, args: Sequence[Node]) -> Node:
+        """A function of the grammar, or of its derivatives, in terms of the tape's operations."""
+        x = args[0]
+        if name in ("sqrt", "sin", "cos", "tan", "exp", "atan2"):
+            return self.function(name, *args)
+        if name == "Abs":
+            return self.function("abs", x)
+        if name == "cot":
+            return self.reciprocal(self.function("tan", x))
+        if name == "atan":
+            return self.function("atan2", x, self.one)
+        if name in ("asin", "acos"):
+            other = self.sqrt(self.one - x * x)
+            return self.function("atan2", *((x, other) if name == "asin" else (other, x)))
+        if name == "sign":
+            positive = self.function("select", self.function("less", self.zero, x), self.one, self.zero)
+            return self.function("select", self.function("less", x, self.zero), -self.one, positive)
+        raise ValueError(f"expected functions of the grammar, got {name}")
 
     def _power(self, base: Node, exponent: sympy.Expr) -> Node:
         if exponent.is_Rational and exponent.q in (1, 2) and abs(exponent.p) <= 64:

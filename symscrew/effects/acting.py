@@ -104,9 +104,8 @@ class Acting(Quantities):
             tuple(true.second[i][j] - true.first[i] * self.system.tape.node(spread[j]) for j in range(3))
             for i in range(3)
         )
-        kept = tuple(tuple(inertia.second[i][j] - own[i][j] for j in range(3)) for i in range(3))
-        kept = self.system.geometry.settle_matrix(kept)  # type: ignore[arg-type]
-        return inertial_wrench(inertia, moving[link], kept)  # type: ignore[arg-type]
+        still = self.system.geometry.settle_matrix(own)  # type: ignore[arg-type]
+        return inertial_wrench(inertia, moving[link], still)
 
     def inertial_wrenches(self, a: Sequence[Node]) -> Loads:
         """Inertial wrench of every link with regrouped inertias, for given accelerations of the tree."""

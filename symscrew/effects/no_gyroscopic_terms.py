@@ -14,8 +14,8 @@ class NoGyroscopicTerms(Effect):
     """A simplification: omega x J omega is left out of the moment about every body's centre of mass.
 
     Euler's equation becomes J alpha = sum of moments; forces m a_C stay, centripetal and Coriolis accelerations of the
-    centres included. The rate of the kinetic energy then no longer is the power of all forces: what is missing is
-    omega . (omega x J omega) = 0 for each body alone, so the balance holds all the same.
+    centres included. The couple that is left out does no work, omega . (omega x J omega) = 0, so energy stays in
+    balance.
 
         [[effects]]
         type = "no_gyroscopic_terms"

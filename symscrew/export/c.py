@@ -39,6 +39,7 @@ TABLE = {
     "reciprocal": "1.0 / {0}",
     "div": "{0} / {1}",
     "sqrt": "sqrt({0})",
+    "exp": "exp({0})",
     "sin": "sin({0})",
     "cos": "cos({0})",
     "tan": "tan({0})",
@@ -56,7 +57,7 @@ STATUS_MACROS = {
     3: "NOT_CONVERGED",
     4: "OTHER_BRANCH",
 }
-NAMES_OF_MATH = "sin cos tan sqrt atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
+NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
 NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j "

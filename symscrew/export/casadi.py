@@ -31,6 +31,7 @@ TABLE: Mapping[str, Callable[..., Any]] = {
     "reciprocal": lambda x: 1 / x,
     "div": lambda x, y: x / y,
     "sqrt": ca.sqrt,
+    "exp": ca.exp,
     "sin": ca.sin,
     "cos": ca.cos,
     "tan": ca.tan,

@@ -3,12 +3,13 @@
     const { status, v } = four_bar.velocity(q, y_dot);
 
 Arguments are arrays of numbers, results are Float64Arrays, matrices column by column as in the C code; the
-statuses are the same, and results are NaN where the status is not 0.
+statuses are the same, and results are NaN where the status is not 0. Rank-revealing second paths are not printed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import fields
 
 from symscrew.export.listing import (
     Operand,
@@ -25,6 +26,7 @@ from symscrew.export.listing import (
 )
 from symscrew.model import Model
 from symscrew.program import Iteration, Program
+from symscrew.rank_revealing import RankRevealing
 
 TABLE = {
     "add": "{0} + {1}",
@@ -34,6 +36,7 @@ TABLE = {
     "reciprocal": "1.0 / {0}",
     "div": "{0} / {1}",
     "sqrt": "Math.sqrt({0})",
+    "exp": "Math.exp({0})",
     "sin": "Math.sin({0})",
     "cos": "Math.cos({0})",
     "tan": "Math.tan({0})",
@@ -132,12 +135,21 @@ def print_script(model: Model, constant: str, functions: Iterable[str] | None = 
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " */", '"use strict";']
     lines += [f"const {constant} = (() => {{", *RUNTIME.strip("\n").splitlines()]
     for name in chosen:
-        program = model.programs[name]
+        program = _first_path(model.programs[name])
         body = _iteration(name, program) if isinstance(program, Iteration) else _function(name, program)
         lines += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
     lines += ["", *wrapped(f"return {{ {', '.join(chosen)} }};", first="  ", later="    "), "})();"]
     lines += ['if (typeof module !== "undefined") {', f"  module.exports = {constant};", "}"]
     return "\n".join([*lines, ""])
+
+
+def _first_path(program: Program | Iteration) -> Program | Iteration:
+    """The program as it is printed: straight-line code alone, status 1 where the other targets go on."""
+    if not isinstance(program, RankRevealing):
+        return program
+    parts = {part.name: getattr(program, part.name) for part in fields(Program)}
+    note = "the rank-revealing path behind small pivots is not in the JavaScript: status 1 there"
+    return Program(**{**parts, "notes": (*program.notes, note)})
 
 
 def _comment(lines: Sequence[str]) -> list[str]:

@@ -34,6 +34,7 @@ TABLE = {
     "reciprocal": "1.0 / {0}",
     "div": "{0} / {1}",
     "sqrt": "np.sqrt({0})",
+    "exp": "np.exp({0})",
     "sin": "np.sin({0})",
     "cos": "np.cos({0})",
     "tan": "np.tan({0})",

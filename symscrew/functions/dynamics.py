@@ -25,20 +25,32 @@ from symscrew.functions.ports import (
 )
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
-from symscrew.reactions import joint_wrenches, numeric_multipliers, solve_reactions
+from symscrew.reactions import Reactions, joint_wrenches, numeric_multipliers, solve_reactions
 from symscrew.screws import ZERO, Vector
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import Link
 from symscrew.tree_dynamics import generalised_forces, mass_matrix
 
+Loads = Mapping[str, tuple[Vector, Vector]]
+
 
 class Equations:
     """Equilibrium of a system under effects, eliminated once for all dynamic functions."""
 
-    def __init__(self, system: System, effects: Sequence[Effect]) -> None:
+    def __init__(
+        self, system: System, effects: Sequence[Effect], loads: Loads | None = None, *, unloaded: bool = False
+    ) -> None:
+        """Equations at the system's present nodes.
+
+        `loads` are the joints' reactions for load-dependent effects; by default those that the same equations
+        have without these effects (`unloaded`).
+        """
         self.system = system
-        self.forces = Acting(system, effects)
+        self.forces = Acting(system, effects, loads)
+        if self.forces.needs_reactions and loads is None and not unloaded:
+            first = Equations(system, effects, unloaded=True)
+            self.forces = Acting(system, effects, first.reactions(first.solution.u).wrenches)
         self.setting = Setting(
             system.tape,
             system.tree,
@@ -71,6 +83,16 @@ class Equations:
     def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
         """Inertial wrench of the bodies as given."""
         return self.forces.inertial_wrench(link.index, self.system.inertia[link.index], self.rates)
+
+    def reactions(self, forces: Sequence[Node]) -> Reactions:
+        """Reactions of all joints for given forces and torques of the drives on their joints."""
+        multipliers = numeric_multipliers(self.balance, forces)
+        found = joint_wrenches(self.setting, self.system.pose, self.true_wrench, self.forces.loads, multipliers, forces)
+        return solve_reactions(self.setting, found, self.balance.free)
+
+    def command(self, solution: DriveSolution) -> tuple[Port, tuple[Node, ...]]:
+        """The output u: what the drives are given, on the motors' side of their transmissions."""
+        return self.forces.drive_port(u_port(self.system)), self.forces.drive_commands(solution.u)
 
     @property
     def drive_scales(self) -> dict[int, float]:
@@ -130,7 +152,7 @@ def _inverse_dynamics(equations: Equations) -> Function:
         "inverse_dynamics",
         text,
         _inputs(equations),
-        [(u_port(system), equations.solution.u)],
+        [equations.command(equations.solution)],
         guards,
         equations.notes,
     )
@@ -152,7 +174,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     ]
     guards = guarded((*loops.guards, *equations.balance.guards, *equations.solution.guards))
     text = "Drives from the configuration and the rates and second rates of the independent coordinates."
-    output = [(u_port(system), equations.solution.u)]
+    output = [equations.command(equations.solution)]
     return function(system, "inverse_dynamics_independent", text, inputs, output, guards, equations.notes)
 
 
@@ -185,7 +207,7 @@ def _with_preload(equations: Equations) -> Function:
         "inverse_dynamics_preload",
         text,
         inputs,
-        [(u_port(system), solution.u)],
+        [equations.command(solution)],
         guards,
         equations.notes,
     )
@@ -196,7 +218,7 @@ def _joint_reactions(equations: Equations) -> Function:
     port, values, more, notes = all_reactions(equations, u)
     outputs: list[tuple[Port, Sequence[object]]] = [(port, values)]
     if system.drives:
-        outputs.insert(0, (u_port(system), list(u)))
+        outputs.insert(0, equations.command(equations.solution))
     guards = guarded((*equations.balance.guards, *equations.solution.guards, *more))
     text = "Drives and all joint reactions at once, at O in absolute axes."
     every = (*equations.notes, *notes)
@@ -205,10 +227,7 @@ def _joint_reactions(equations: Equations) -> Function:
 
 def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[object], tuple[Guard, ...], list[str]]:
     """The reactions of all joints for given drives: port, values, guarded pivots, notes."""
-    system, setting = equations.system, equations.setting
-    multipliers = numeric_multipliers(equations.balance, u)
-    found = joint_wrenches(setting, system.pose, equations.true_wrench, equations.forces.loads, multipliers, u)
-    reactions = solve_reactions(setting, found, equations.balance.free)
+    system, reactions = equations.system, equations.reactions(u)
     notes = []
     if reactions.free:
         notes.append(

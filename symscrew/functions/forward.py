@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from symscrew.admissible import Admissible
 from symscrew.effects import Acting, Effect
+from symscrew.elimination import Guard
 from symscrew.equilibrium import ONE
 from symscrew.functions.closure import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
-from symscrew.functions.dynamics import Equations, all_reactions, in_order, reactions_port
+from symscrew.functions.dynamics import Equations, Loads, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.loops import Loops
 from symscrew.program import Function, Iteration, Port, Program, lower
@@ -43,32 +44,69 @@ State = list[tuple[Port, Sequence[Node]]]
 
 def forward_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Forward dynamics from the tree and from the independent coordinates, and projections onto the closure."""
-    functions = [
-        _forward_dynamics(system, effects, loops),
-        _from_independent(system, effects, loops),
-        _with_reactions(system, effects, loops),
-    ]
+    functions = (
+        []
+        if "quasi_static" in Acting(system, effects).simplifications
+        else [
+            _forward_dynamics(system, effects, loops),
+            _from_independent(system, effects, loops),
+            _with_reactions(system, effects, loops),
+        ]
+    )
     if system.cuts:
         functions += [_close_position(system, loops), _close_velocity(system, loops)]
     return functions
 
 
-def driven(system: System, effects: Sequence[Effect]) -> tuple[Acting, State]:
-    """What acts, drives included, and the drives' input."""
-    acting = Acting(system, effects)
-    port = u_port(system)
+def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:
+    """What acts, drives included, and the drives' input; `loads` are the reactions for load-dependent effects."""
+    acting = Acting(system, effects, loads)
+    port = acting.drive_port(u_port(system))
     nodes = tuple(
         system.tape.symbol(f"u_{label.replace('.', '_')}", unit, f"drive of {label}")
         for label, unit in zip(port.labels, port.units, strict=True)
     )
-    for (joint, freedom), node in zip(system.drives, nodes, strict=True):
-        acting.drive(joint, freedom, node)
+    for k, ((joint, freedom), node) in enumerate(zip(system.drives, nodes, strict=True)):
+        acting.drive(joint, freedom, acting.drive_force(k, node))
     return acting, [(port, nodes)] if nodes else []
+
+
+@dataclass(frozen=True)
+class Solved:
+    """What acts, the drives' input, free joint accelerations, accelerations of the tree, guarded pivots, reactions
+    for load-dependent effects."""
+
+    acting: Acting
+    drives: State
+    free: list[Node]
+    a: list[Node]
+    guards: tuple[Guard, ...]
+    loads: Loads | None = None
+
+    @property
+    def forces(self) -> tuple[Node, ...]:
+        """Forces and torques of the drives on their joints."""
+        nodes = self.drives[0][1] if self.drives else ()
+        return tuple(self.acting.drive_force(k, node) for k, node in enumerate(nodes))
+
+
+def solved(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads | None = None) -> Solved:
+    """Accelerations from the drives; twice where effects depend on the reactions, which the first time gives."""
+    acting, drives = driven(system, effects, loads)
+    free, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
+    result = Solved(acting, drives, free, a, tuple(guards), loads)
+    if not acting.needs_reactions or loads is not None:
+        return result
+    first = Equations(system.at(system.inputs.q, {}, system.inputs.v, a), effects, unloaded=True)
+    found = first.reactions(result.forces)
+    again = solved(system, effects, loops, found.wrenches)
+    return replace(again, guards=(*again.guards, *guards, *first.balance.guards, *found.guards))
 
 
 def second_paths(system: System, effects: Sequence[Effect], loops: Loops) -> dict[str, SecondPath]:
     """The dense quantities that solve forward dynamics again where a pivot of its straight-line code is small."""
-    if not system.cuts:
+    acting = Acting(system, effects)
+    if not system.cuts or acting.needs_reactions or "quasi_static" in acting.simplifications:
         return {}
     regular = len(loops.elimination.steps)
     rows = tuple(1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows)
@@ -102,7 +140,7 @@ def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
     """Reactions for given accelerations and multipliers, and the same without units at the joints' points."""
     equations = Equations(system, effects)
     acting, drives = driven(system, effects)
-    u = drives[0][1] if drives else ()
+    u = Solved(acting, drives, [], [], ()).forces
     setting, tape = equations.setting, system.tape
     labels = list(setting.multipliers())
     units = ["N" if row.unit == "N" else "N m" for cut in system.cuts for row in cut.rows]
@@ -131,28 +169,29 @@ def _plain(name: str, size: int) -> Port:
 
 
 def _forward_dynamics(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
-    acting, drives = driven(system, effects)
-    _, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
-    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
+    found = solved(system, effects, loops)
     text = "Accelerations of the tree from a consistent state and the drives."
-    every = guarded((*loops.guards, *guards), SWITCH if system.cuts else THRESHOLD)
-    return function(system, "forward_dynamics", text, inputs, [(a_port(system), a)], every)
+    every = guarded((*loops.guards, *found.guards), SWITCH if system.cuts else THRESHOLD)
+    return function(system, "forward_dynamics", text, _inputs(system, found), [(a_port(system), found.a)], every)
+
+
+def _inputs(system: System, found: Solved) -> State:
+    state = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
+    return [*state, *found.drives, *found.acting.inputs]
 
 
 def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
     """Accelerations first, then the equilibrium of all links with the drives put in."""
-    acting, drives = driven(system, effects)
-    _, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
-    equations = Equations(system.at(system.inputs.q, {}, system.inputs.v, a), effects)
-    u = drives[0][1] if drives else ()
-    port, values, more, notes = all_reactions(equations, u)
-    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
+    found = solved(system, effects, loops)
+    equations = Equations(system.at(system.inputs.q, {}, system.inputs.v, found.a), effects, found.loads)
+    port, values, more, notes = all_reactions(equations, found.forces)
     text = (
         "Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives."
     )
-    every = guarded((*loops.guards, *guards, *equations.balance.guards, *more), SWITCH if system.cuts else THRESHOLD)
-    outputs: list[tuple[Port, Sequence[object]]] = [(a_port(system), a), (port, values)]
-    return function(system, "forward_dynamics_reactions", text, inputs, outputs, every, notes)
+    guards = (*loops.guards, *found.guards, *equations.balance.guards, *more)
+    every = guarded(guards, SWITCH if system.cuts else THRESHOLD)
+    outputs: list[tuple[Port, Sequence[object]]] = [(a_port(system), found.a), (port, values)]
+    return function(system, "forward_dynamics_reactions", text, _inputs(system, found), outputs, every, notes)
 
 
 def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
@@ -160,12 +199,12 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     y_dot = loops.inputs("ydot")
     w = loops.rates_from(y_dot)
     moving = system.at(system.inputs.q, {}, system.tree_rates(w))
-    acting, drives = driven(moving, effects)
-    free, a, guards = Admissible(moving, loops, acting.reflected_inertia).accelerations(acting)
-    y_ddot = loops.second_rates(free, system.joint_rates(a), w)
-    inputs = [(q_port(system), system.inputs.q), (y_port(loops, "y_dot", 1), y_dot), *drives, *acting.inputs]
+    found = solved(moving, effects, loops)
+    y_ddot = loops.second_rates(found.free, system.joint_rates(found.a), w)
+    state = [(q_port(system), system.inputs.q), (y_port(loops, "y_dot", 1), y_dot)]
+    inputs = [*state, *found.drives, *found.acting.inputs]
     text = "Second rates of the independent coordinates from the configuration, their rates and the drives."
-    every = guarded((*loops.guards, *guards))
+    every = guarded((*loops.guards, *found.guards))
     output = [(y_port(loops, "y_ddot", 2), y_ddot)]
     return function(system, "forward_dynamics_independent", text, inputs, output, every)
 

@@ -9,7 +9,7 @@ from symscrew.effects import Effect
 from symscrew.elimination import Elimination, eliminate
 from symscrew.functions.closure import guarded
 from symscrew.functions.dynamics import Equations
-from symscrew.functions.ports import a_port, function, q_port, u_port, v_port
+from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
 from symscrew.program import Function, Port
 from symscrew.system import System
@@ -62,7 +62,7 @@ def platform_functions(system: System, effects: Sequence[Effect]) -> list[Functi
         inputs = [(pose, q_in), (rate, v_in), (gain, a_in), *equations.forces.inputs]
         every = [*guards, *guarded((*equations.balance.guards, *equations.solution.guards))]
         text = "Drives from the platform's own coordinates, rates and accelerations, limbs in closed form."
-        output = [(u_port(system), equations.solution.u)]
+        output = [equations.command(equations.solution)]
         result.append(function(system, "inverse_dynamics_platform", text, inputs, output, every, equations.notes))
     return result
 
