@@ -84,7 +84,6 @@ const Stage = (() => {
       this.places = all.length ? all : [[0, 0, 0]];
       this.frame([]);
       this.size = this.spread;
-      this.floor = Math.min(...this.places.map((p) => p[2]));
       this.camera.near = 0.01 * this.size;
       this.camera.far = 60 * this.size;
       this.controls.minDistance = 0.15 * this.size;
@@ -98,9 +97,18 @@ const Stage = (() => {
       const high = [0, 1, 2].map((k) => Math.max(...this.framed.map((p) => p[k])));
       this.middle = [0, 1, 2].map((k) => (low[k] + high[k]) / 2);
       this.spread = Math.hypot(...[0, 1, 2].map((k) => high[k] - low[k])) || this.data.length;
-      if (this.view && !this.touched) {
-        this.see(this.view);
+      this.lowest = low[2];
+      if (this.view) {
+        this.lay();
+        if (!this.touched) {
+          this.see(this.view);
+        }
       }
+    }
+
+    /* The grid below everything that is framed. */
+    lay() {
+      this.grid.position.set(this.middle[0], this.middle[1], this.lowest - 0.045 * this.size);
     }
 
     /* The view along the axes where all joints turn about parallel ones, as those of a planar mechanism do. */
@@ -120,10 +128,10 @@ const Stage = (() => {
       const sun = new L.DirectionalLight("#ffffff", 1.6);
       sun.position.set(-0.6, -1, 1.6);
       this.scene.add(sun);
-      const grid = new L.GridHelper(3 * this.size, 24, this.colours.grid, this.colours.grid);
-      grid.rotation.x = Math.PI / 2;
-      grid.position.set(this.middle[0], this.middle[1], this.floor - 0.045 * this.size);
-      this.scene.add(grid);
+      this.grid = new L.GridHelper(3 * this.size, 24, this.colours.grid, this.colours.grid);
+      this.grid.rotation.x = Math.PI / 2;
+      this.scene.add(this.grid);
+      this.lay();
       this.build();
       this.dirty = true;
     }
