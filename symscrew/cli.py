@@ -262,7 +262,7 @@ def _derived(options: argparse.Namespace, progress: object) -> Model:
 
 
 def _chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[Effect]:
-    from symscrew.effects import ExternalWrench, Gravity
+    from symscrew.effects import Gravity
     from symscrew.errors import did_you_mean
 
     effects: list[Effect] = []
@@ -274,6 +274,8 @@ def _chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[E
             raise UsageError(str(error)) from error
         effects.append(gravity)
     for point in dict.fromkeys(options.load):
+        from symscrew.effects import ExternalWrench
+
         if point not in mechanism.points:
             raise UsageError(f"--load: no point {point!r} in {mechanism.name}; {did_you_mean(point, mechanism.points)}")
         effects.append(ExternalWrench(point))

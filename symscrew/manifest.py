@@ -8,13 +8,13 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import symscrew
-from symscrew import effects as effect_module
 from symscrew.effects import Effect
+from symscrew.effects.registry import effect_from_table, effect_to_table
+from symscrew.errors import DescriptionError
 from symscrew.export.listing import model_hash, statuses
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
@@ -144,33 +144,17 @@ def read_json(path: Path) -> Any:
 
 
 def effect_to_json(effect: Effect) -> dict[str, Any]:
-    """An effect as its type and fields; numbers that JSON cannot hold exactly become text."""
-    fields = {f.name: _to_json(getattr(effect, f.name)) for f in dataclasses.fields(effect)}
-    return {"type": type(effect).__name__, **fields}
+    """An effect as its type and the fields that are required or differ from their defaults."""
+    return {**effect_to_table(effect), "type": type(effect).__name__}
 
 
 def effect_from_json(entry: Any) -> Effect:
     """The effect that `effect_to_json` wrote.
 
     Raises:
-        OutputError: the type or a field is unknown.
+        OutputError: the type or a field is unknown, or a value is of the wrong kind.
     """
-    known = {name: getattr(effect_module, name) for name in effect_module.__all__ if name not in ("Acting", "Effect")}
-    kind = entry.get("type") if isinstance(entry, dict) else None
-    if not isinstance(kind, str) or kind not in known:
-        raise OutputError(f"manifest.json: expected an effect ({', '.join(known)}), got {entry!r:.80}")
-    fields = {key: _from_json(value) for key, value in entry.items() if key != "type"}
-    names = {f.name for f in dataclasses.fields(known[kind])}
-    if not set(fields) <= names:
-        raise OutputError(f"manifest.json: {kind} has the fields {', '.join(names)}, got {', '.join(fields)}")
-    return known[kind](**fields)
-
-
-def _to_json(value: Any) -> Any:
-    if isinstance(value, (list, tuple)):
-        return [_to_json(v) for v in value]
-    return str(value) if isinstance(value, Fraction) else value
-
-
-def _from_json(value: Any) -> Any:
-    return tuple(_from_json(v) for v in value) if isinstance(value, list) else value
+    try:
+        return effect_from_table(entry, "manifest.json: effects")
+    except DescriptionError as error:
+        raise OutputError(str(error)) from error

@@ -57,9 +57,9 @@ class BaseMotion(Effect):
             omega, alpha, acceleration = self._from_pose(acting, what)
         else:
             twist, rate = self._from_twist(acting, what) if self.twist else _inputs(acting)
-            omega, v = twist[:3], twist[3:]
-            alpha = rate[:3]
-            acceleration = add(rate[3:], cross(omega, v))
+            omega, v = _halves(twist)
+            alpha, v_dot = _halves(rate)
+            acceleration = add(v_dot, cross(omega, v))
         if self.attitude:
             labels = ("w", "x", "y", "z")
             text = "attitude of the base: unit quaternion from its axes to absolute axes"
@@ -103,11 +103,15 @@ class BaseMotion(Effect):
             ddp * cr - dp * dr * sr + ddy * cp * sr - dy * dp * sp * sr + dy * dr * cp * cr,
             ddy * cp * cr - dy * dp * sp * cr - dy * dr * cp * sr - ddp * sr - dp * dr * cr,
         )
-        x, yy, z = (sum_column(rotation, k, second[:3]) for k in range(3))
+        x, yy, z = (_back(rotation, k, second[:3]) for k in range(3))
         return omega, alpha, (x, yy, z)
 
 
-def sum_column(rotation: tuple, k: int, vector: list[Node]) -> Node:
+def _halves(six: tuple[Node, ...]) -> tuple[Vector, Vector]:
+    return (six[0], six[1], six[2]), (six[3], six[4], six[5])
+
+
+def _back(rotation: tuple, k: int, vector: list[Node]) -> Node:
     """Component k of rotation^T vector."""
     return rotation[0][k] * vector[0] + rotation[1][k] * vector[1] + rotation[2][k] * vector[2]
 
