@@ -67,6 +67,7 @@ class Geometry:
             for p in mechanism.parameters.values()
             if p.run_time
         }
+        self._scalars: dict[object, Node] = {}
         trials = []
         for k in range(3 if self.parameters else 0):
             # Trial 0 is the nominal value; the others are off it by factors that no identity survives.
@@ -79,8 +80,11 @@ class Geometry:
         tape.set_parameter_trials(trials)
 
     def scalar(self, expression: object) -> Node:
-        """A number of the description as a node."""
-        return self.tape.settle(self.tape.expression(self.mechanism.baked(expression), self.parameters))
+        """A number of the description as a node; 60 digits of the same expression are computed once."""
+        if expression not in self._scalars:
+            node = self.tape.expression(self.mechanism.baked(expression), self.parameters)  # type: ignore[arg-type]
+            self._scalars[expression] = self.tape.settle(node)
+        return self._scalars[expression]
 
     def vector(self, values: tuple) -> Vector:
         """A vector of the description as nodes."""

@@ -208,8 +208,10 @@ def as_lines(found: Singularities) -> list[str]:
     """One line a margin."""
     if found.margins is None:
         return ["Margins are not known here: a coordinate of a joint that closes a loop was given"]
-    lines = []
+    if not found.margins:
+        return []
+    lines = [f"Volumes of screws and wrenches with lengths divided by {found.length:g} m, without unit"]
     for m in found.margins:
-        words = "SINGULAR" if m.singular else f"{m.value:.6g}"
-        lines.append(f"{m.kind}, {m.name}: {words} ({FORMS[m.form]}; lengths divided by {found.length:g} m)")
+        value = "SINGULAR here" if m.singular else f"{m.value:.6g}"
+        lines.append(f"{m.kind} ({m.name}): {value}, {m.meaning}")
     return lines

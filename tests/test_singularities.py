@@ -1,0 +1,87 @@
+"""What mobility analysis says about the three kinds of singularity: margins at a configuration, loci in symbols."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+import sympy
+
+from symscrew import catalogue
+from symscrew.cli import main
+from symscrew.mobility import report
+from symscrew.mobility.analysis import Mobility, analyse_mobility
+
+R, RP, H = sympy.symbols("R r H", real=True)
+
+
+def values(found: Mobility, kind: str) -> dict[str, float]:
+    assert found.singularities.margins is not None
+    return {m.name: m.value for m in found.singularities.margins if m.kind == kind}
+
+
+def zeros(found: Mobility, kind: str, where: str) -> list[sympy.Expr]:
+    return [locus.expression for locus in found.loci if (locus.kind, locus.where) == (kind, where)]
+
+
+def test_loci_of_the_seed_are_found_in_its_parameters() -> None:
+    found = analyse_mobility(catalogue.load("three_ups_upu_s"))
+    (constraint,) = zeros(found, "constraint", "platform")
+    # L = R sin(theta) with L^2 = (R - r)^2 + H^2 and L sin(theta) = R - r
+    assert sympy.expand(constraint - ((R - RP) ** 2 + H**2 - R * (R - RP))) == 0
+    assert set(zeros(found, "actuation", "all drives")) == {H, R}
+    assert zeros(found, "limb", "limb2")[0] == H
+
+
+def test_limbs_that_may_be_left_out_in_the_reference_pose() -> None:
+    """Drives 1 and 3, or 2 and 4, alone never hold the platform there; every other pair does."""
+    found = analyse_mobility(catalogue.load("three_ups_upu_s"))
+    never = {locus.where for locus in found.loci if locus.kind == "actuation" and locus.expression == 0}
+    assert never == {"limb1_P limb3_P", "limb2_P limb4_P"}
+    held = {name for name, value in values(found, "actuation").items() if abs(value) > 0.1}
+    assert held == {"all drives", "limb1_P limb2_P", "limb1_P limb4_P", "limb2_P limb3_P", "limb3_P limb4_P"}
+
+
+def test_constraint_singularity_by_a_parameter_and_by_a_coordinate() -> None:
+    """On the locus the margin is zero, and the mechanism has a freedom more; the margin is signed around it."""
+    seed = catalogue.load("three_ups_upu_s")
+    found = analyse_mobility(seed, at={"H": "sqrt(3/20)"})
+    assert abs(values(found, "constraint")["platform"]) < 1e-12 and found.dof == 3
+    at, around = "sqrt(3)/5 - 3/10", []  # the leg is R sin(theta) = 0.2 sqrt(3) long
+    for offset in ("0", "1/1000", "-1/1000"):
+        found = analyse_mobility(seed, at={"limb1_P": f"{at} + {offset}"})
+        around.append(values(found, "constraint")["platform"])
+        assert found.singularities.margins[0].kind == "limb" and not found.singularities.margins[0].singular
+    assert abs(around[0]) < 1e-12 and min(map(abs, around[1:])) > 1e-4
+    assert len({value > 0 for value in around[1:]}) == 2, around
+
+
+def test_margin_agrees_with_the_freedoms_left_by_locked_drives() -> None:
+    straight = analyse_mobility(catalogue.load("stewart_6ups"))
+    assert straight.dof_drives_locked == 0 and abs(values(straight, "actuation")["all drives"]) > 1
+    bar = analyse_mobility(catalogue.load("four_bar"))
+    assert bar.dof_drives_locked == 0 and set(values(bar, "limb")) == {"rocker"}
+
+
+def test_json_keeps_the_kinds_apart(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["mobility", "ur5", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["singularities"]
+    assert found["constraint"] == [] and found["actuation"] == []
+    (arm,) = found["limb"]
+    assert arm["name"] == "arm" and arm["singular"] and arm["form"] == "signed volume"
+    assert main(["mobility", "ur5", "--json", "--at", "elbow_joint=1", "wrist_2_joint=0.5"]) == 0
+    found = json.loads(capsys.readouterr().out)["singularities"]
+    assert not found["limb"][0]["singular"] and abs(found["limb"][0]["margin"]) > 1e-3
+
+
+def test_the_report_names_what_is_singular() -> None:
+    found = analyse_mobility(catalogue.load("ur5"))
+    assert "limb (arm): SINGULAR here" in report.text(found)
+    assert "limb (arm): SINGULAR here" in report.markdown(found)
+
+
+def test_a_coordinate_of_a_joint_that_closes_a_loop_gives_no_margins() -> None:
+    found = analyse_mobility(catalogue.load("four_bar"), at={"C": "0.1"})
+    assert found.singularities.margins is None
+    assert report.values(found)["singularities"]["limb"] is None
+    assert "not known here" in report.text(found)
