@@ -300,12 +300,12 @@ class System:
         q = np.repeat(start, SAMPLES, axis=0)
         q = self.advance(q, 0.15 * scales * random.uniform(-1, 1, (SAMPLES, len(scales))))
         if self.cuts:
-            q = self._closed(q, scales)
+            q = self.closed(q, scales)
         q = np.concatenate([start, q])
         v, a = self._consistent(q, scales, random)
         return q, v, a
 
-    def _closed(self, q: np.ndarray, scales: np.ndarray) -> np.ndarray:
+    def closed(self, q: np.ndarray, scales: np.ndarray) -> np.ndarray:
         """Gauss-Newton onto the closure manifold; states that do not get there are replaced by others."""
         n = len(scales)
         for _ in range(60):
