@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
+from symscrew.articulated import articulated_accelerations
 from symscrew.drives import solve_symmetric
 from symscrew.effects.acting import Acting
 from symscrew.elimination import Guard, magnitude
@@ -21,6 +22,8 @@ from symscrew.loops import Loops
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree_dynamics import generalised_forces, mass_matrix
+
+LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
 
 
 class Admissible:
@@ -62,6 +65,10 @@ class Admissible:
 
     def accelerations(self, acting: Acting) -> tuple[list[Node], list[Node], list[Guard]]:
         """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots."""
+        if not self.system.cuts and len(self.system.tree.v) > LONG:
+            a, guards = articulated_accelerations(self.system, acting)
+            gains = self.system.joint_rates(a)
+            return [gains[k] for k in self.loops.free], a, guards
         start = self.curvature()
         right = [-value for value in self.residual(self.system.tree_rates(start), acting)]
         free, guards = self.solve(right)

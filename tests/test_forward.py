@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from benchmarks.mechanisms import chain
 from model_states import ALL, relative
 from model_states import model as derived
 
-from symscrew.model import Model
+from symscrew.articulated import articulated_accelerations
+from symscrew.builder import MechanismBuilder
+from symscrew.functions.forward import driven
+from symscrew.mechanism import Mechanism
+from symscrew.model import Model, derive
 
 LIMIT = 1e-10
 
@@ -98,8 +103,45 @@ def test_power_balance(model: Model) -> None:
     assert np.abs(best - power).max() < 1e-5 * scale
 
 
+def spatial_tree() -> Mechanism:
+    """A branching tree with every kind of motion."""
+    builder = MechanismBuilder("spatial_tree")
+    places = {"hub": (0, 0, 0), "wrist": (1, 0, 1), "nut": (2, 1, 1), "ball": (1, 2, 0), "cross": (0, 1, 2)}
+    for k, (name, at) in enumerate(places.items()):
+        com = [x + 0.1 * (k + 1) for x in at]
+        builder.body(name, mass=1 + k, com=com, inertia=[0.3, 0.4, 0.5])
+    z, tilted, x = ["0", "0", "1"], ["3/5", "0", "4/5"], [1, 0, 0]
+    builder.joint("space", "free", parent="base", child="hub", point=[0, 0, 0], driven=[0, 1, 2, 3, 4, 5])
+    builder.joint("slide", "P", parent="hub", child="wrist", point=[1, 0, 1], axes=[tilted], driven=True)
+    builder.joint("screw", "H", parent="wrist", child="nut", point=[2, 1, 1], axes=[tilted], pitch=0.05, driven=True)
+    builder.joint("socket", "S", parent="hub", child="ball", point=[1, 2, 0], driven=[0, 1, 2])
+    builder.joint("cardan", "U", parent="ball", child="cross", point=[0, 1, 2], axes=[x, z], driven=[0, 1])
+    return builder.build()
+
+
 def system_rates(model: Model, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Joint rates w (spherical ones in the axes before the rotation) from v."""
     system = model.system
     inputs = (system.inputs.q, q[None]), (system.inputs.v, v[None])
     return system.numeric(system.joint_rates(system.inputs.v), *inputs)[0]
+
+
+@pytest.mark.parametrize("name", ["ur5", "panda", "spatial_tree"])
+def test_articulated_bodies_agree_with_the_mass_matrix(name: str) -> None:
+    """Two ways to the accelerations of a tree: by its mass matrix and by articulated bodies."""
+    found = derive(spatial_tree()) if name == "spatial_tree" else derived(name)
+    system = found.system
+    acting, drives = driven(system, found.effects)
+    a, _ = articulated_accelerations(system, acting)
+    q, v, _ = system.sample_states
+    u = np.random.default_rng(9).uniform(-5, 5, (len(q), len(system.drives)))
+    (expected,), status = found("forward_dynamics", q, v, u)
+    assert not status.any()
+    inputs = [(system.inputs.q, q), (system.inputs.v, v)] + ([(drives[0][1], u)] if drives else [])
+    assert relative(system.numeric(a, *inputs), expected) < LIMIT
+
+
+def test_long_chains_take_operations_in_proportion() -> None:
+    """Beyond ten joints the forward dynamics of a chain grows linearly."""
+    counts = [derive(chain(n)).programs["forward_dynamics"].operations["total"] for n in (12, 16, 20)]
+    assert counts[2] - counts[1] == pytest.approx(counts[1] - counts[0], rel=0.02)

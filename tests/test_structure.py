@@ -22,7 +22,7 @@ STAGES = (
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
     ("elimination", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),
-    ("equilibrium", "drives", "reactions", "tree_dynamics", "admissible"),
+    ("equilibrium", "drives", "reactions", "tree_dynamics", "articulated", "admissible"),
     ("functions", "quantities"),
     ("model", "scene"),
     ("export", "manifest", "compiled", "generation", "verification"),
