@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
+import math
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
 from symscrew.export.listing import decimal
 from symscrew.model import Model
+from symscrew.scene import Scene, Table
+from symscrew.simulation.history import History, Passage
 from symscrew.simulation.programs import Plant
 
 KERNELS = Path(__file__).parent / "kernels"
@@ -87,7 +90,7 @@ def constants(plant: Plant) -> str:
 def adapters(plant: Plant) -> str:
     """C that calls the generated functions by the names that the kernels use."""
     name = plant.model.name
-    commanded = [port for port in plant.inputs.outputs]
+    commanded = list(plant.inputs.outputs)
     lines = [
         "static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
         "                     double *x_dot)",
@@ -196,3 +199,104 @@ class Library:
 
 def _pointer(array: np.ndarray) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
+
+
+ENDINGS = {
+    2: "the step had to become too small",
+    3: "more steps than most_steps allows",
+    4: "the loops could not be closed again",
+    5: "the accelerations are not defined",
+    6: "at rest in a singular configuration, where several motions begin: none of them is singled out",
+}
+PORTION = 20_000  # steps between two looks at the progress
+
+
+def integrate(
+    scene: Scene,
+    plant: Plant,
+    start: tuple[np.ndarray, np.ndarray, np.ndarray],
+    progress: Callable[[float], None] | None = None,
+) -> History:
+    """The run of a scene by the compiled loop."""
+    library = Library(plant, table_code(list(scene.tables.values())))
+    return run(library, scene, start, progress)
+
+
+def run(
+    library: Library,
+    scene: Scene,
+    start: tuple[np.ndarray, np.ndarray, np.ndarray],
+    progress: Callable[[float], None] | None = None,
+) -> History:
+    """The run of a scene by a compiled loop that is there already."""
+    plant, sizes, times = library.plant, library.plant.sizes, scene.times
+    choice, n = scene.integrator, len(scene.times)
+    local = max(1e-3 * choice.tolerance, 3e-15)
+    q, v, x = (np.zeros((n, max(sizes[k], 1))) for k in "qvx")
+    written, met = np.zeros(1, dtype=np.uintp), np.zeros(1, dtype=np.uintp)
+    crossings = np.zeros(10_000, dtype=library.crossing)
+    h = choice.step or 0.0
+    if h:  # outputs fall on ends of steps
+        h = 1.0 / scene.rate / max(1, math.ceil(1.0 / scene.rate / h - 1e-9))
+    outcome = library.start(
+        0.0, *start, method=choice.method, h=h, rtol=local, atol=local,
+        longest=choice.longest_step or scene.duration, budget=choice.most_steps,
+    )  # fmt: skip
+    if outcome == 0:
+        outcome = GOING_ON
+    while outcome == GOING_ON:
+        outcome = library.advance(PORTION, times, written, q, v, x, crossings, met)
+        if progress is not None:
+            progress(float(times[max(int(written[0]) - 1, 0)]) / scene.duration)
+    t, last_q, last_v, last_x, counters = library.report()
+    count = int(written[0])
+    arrays = [times[:count], q[:count, : sizes["q"]], v[:count, : sizes["v"]], x[:count, : sizes["x"]]]
+    if outcome != 0 and (count == 0 or t > times[count - 1]):  # how far it came
+        arrays = [np.append(a, [b], axis=0) for a, b in zip(arrays, (t, last_q, last_v, last_x), strict=True)]
+    text = "completed" if outcome == 0 else f"stopped at t = {t:.9g} s: {ENDINGS.get(outcome, 'unknown')}"
+    if outcome != 0 and plant.closure is not None and counters["pivot"] < 0.25 * plant.pivot:
+        text += (
+            f"; the closure is near-singular there (smallest pivot {counters['pivot'] / plant.pivot:.2g} of regular)"
+        )
+    return History(
+        *arrays, outcome == 0, text, "c", tuple(_passage(plant, c) for c in crossings[: int(met[0])]), (), counters
+    )  # type: ignore[misc]
+
+
+def _passage(plant: Plant, c: np.void) -> Passage:
+    rows = tuple(int(k) for k in np.flatnonzero(c["rows"][: len(plant.rows)] > 0.5))
+    return Passage(float(c["t"]), np.array(c["q"][: plant.sizes["q"]]), float(c["pivot"]), int(c["lost"]), rows)
+
+
+def table_code(tables: Sequence[Table]) -> str:
+    """`tables_at` in C: the polynomial pieces of every table as constant data, found by bisection."""
+    if not tables:
+        return ""
+    lines = []
+    for k, table in enumerate(tables):
+        body = ", ".join(decimal(t) for t in table.times)
+        lines.append(f"static const double TABLE_{k}_TIMES[{len(table.times)}] = {{{body}}};")
+        rows = ", ".join("{" + ", ".join(decimal(float(c)) for c in row) + "}" for row in table.pieces())
+        lines.append(f"static const double TABLE_{k}_PIECES[{len(table.times) - 1}][4] = {{{rows}}};")
+    lines += [
+        "static double table_at(double t, int count, const double *times, const double (*pieces)[4])",
+        "{",
+        "    int low = 0, high = count - 1;",
+        "    t = t < times[0] ? times[0] : t > times[count - 1] ? times[count - 1] : t;",
+        "    while (high - low > 1) {",
+        "        const int middle = (low + high) / 2;",
+        "        if (t >= times[middle]) {",
+        "            low = middle;",
+        "        } else {",
+        "            high = middle;",
+        "        }",
+        "    }",
+        "    const double d = t - times[low], *c = pieces[low];",
+        "    return c[0] + d * (c[1] + d * (c[2] + d * c[3]));",
+        "}",
+        "static void tables_at(double t, double *s)",
+        "{",
+    ]
+    for k, table in enumerate(tables):
+        lines.append(f"    s[{k}] = table_at(t, {len(table.times)}, TABLE_{k}_TIMES, TABLE_{k}_PIECES);")
+    return "\n".join([*lines, "}", ""])

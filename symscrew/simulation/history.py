@@ -1,0 +1,40 @@
+"""What an integrator hands over: samples, what it met, how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A singular configuration on the way: `rows` are indices of the closure rows that lose their independence."""
+
+    t: float
+    q: np.ndarray
+    pivot: float
+    lost: int
+    rows: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class History:
+    """Samples t (n,), q (n, nq), v (n, nv), x (n, nx); u (n, drives) where they came from outside.
+
+    `forces`: inputs of effects that the integrator determined itself (contacts), by port, (n, 1).
+    """
+
+    t: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    x: np.ndarray
+    ok: bool
+    status: str
+    backend: str
+    crossings: tuple[Passage, ...] = ()
+    events: tuple[str, ...] = ()
+    counters: Mapping[str, float] = field(default_factory=dict)
+    u: np.ndarray | None = None
+    forces: Mapping[str, np.ndarray] = field(default_factory=dict)

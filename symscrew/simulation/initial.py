@@ -1,0 +1,178 @@
+"""Where a run begins: the scene's coordinates and rates put in, everything else assembled."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from symscrew.effects import Acting
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.model import Model
+from symscrew.scene import Scene
+
+STRIDES = (8, 32, 128)  # intermediate targets on the way from the reference configuration
+CLOSED = 1e-13  # of the closure, without units
+FOLLOWED = 1e-10  # of the given values, without units
+
+
+def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Configuration and rates (nq,), (nv,) that close all loops and have the scene's values.
+
+    Raises:
+        DescriptionError: an unknown label, loops that cannot be closed with these values, rates that contradict
+            each other.
+    """
+    system, closure = model.system, _Closure(model, parameters)
+    known = {c.label: k for k, c in enumerate(system.tree.q)}
+    target = dict(_labelled(scene.initial.coordinates, known, "initial.coordinates"))
+    target = _unit_quaternions(system, target)
+    q = None
+    for strides in STRIDES:
+        q = _followed(model, closure, target, strides)
+        if q is not None:
+            break
+    if q is None:
+        raise DescriptionError(
+            "initial.coordinates: the loops of "
+            f"{model.name} cannot be closed with {_shown(scene.initial.coordinates)}; check the values, or give only "
+            "independent coordinates: the others are assembled"
+        )
+    known = {c.label: k for k, c in enumerate(system.tree.v)}
+    return q, _rates(closure, q, dict(_labelled(scene.initial.rates, known, "initial.rates")), scene)
+
+
+def initial_states(scene: Scene, model: Model) -> np.ndarray:
+    """Values of the states at the start: those of the effects, then those of the controller."""
+    effects = [state.initial for state in Acting(model.system, model.effects).states]
+    return np.array([*effects, *(value for _, value in scene.states.values())], dtype=float)
+
+
+def _labelled(values, known, where):  # type: ignore[no-untyped-def]
+    for label, value in values.items():
+        if label not in known:
+            raise DescriptionError(f"{where}: there is no {label!r}; {did_you_mean(label, known)}")
+        yield known[label], value
+
+
+def _shown(values: object) -> str:
+    return ", ".join(f"{k} = {v:g}" for k, v in dict(values).items()) or "the reference configuration"  # type: ignore[call-overload]
+
+
+class _Closure:
+    """Residual and Jacobian of the loops without units; columns are rates v divided by their unit."""
+
+    def __init__(self, model: Model, parameters: np.ndarray) -> None:
+        system = model.system
+        self.model, self.system = model, system
+        self.extra = [parameters] if len(parameters) else []
+        self.rows = np.array([1 / system.length if r.unit == "N" else 1.0 for cut in system.cuts for r in cut.rows])
+        self.units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+
+    def at(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        n = len(self.units)
+        if not len(self.rows):
+            return np.zeros(0), np.zeros((0, n))
+        (residual,), _ = self.model("closure", q, *self.extra)
+        (jacobian,), _ = self.model("closure_jacobian", q, *self.extra)
+        matrix = jacobian.reshape(n, len(self.rows)).T
+        return residual * self.rows, matrix * self.rows[:, None] * self.units
+
+
+def _unit_quaternions(system, target):  # type: ignore[no-untyped-def]
+    for link in system.tree.links[1:]:
+        if link.motion.kind != "S":
+            continue
+        given = [k for k in range(link.q.start, link.q.stop) if k in target]
+        if not given:
+            continue
+        values = np.array([target.get(k, 0.0) for k in range(link.q.start, link.q.stop)])
+        label = link.joint
+        if len(given) < 4:
+            raise DescriptionError(f"initial.coordinates: the quaternion of {label} has four entries, got {len(given)}")
+        if abs(np.linalg.norm(values) - 1) > 1e-6:
+            raise DescriptionError(
+                f"initial.coordinates: expected a unit quaternion of {label}, got one of length "
+                f"{np.linalg.norm(values):g}"
+            )
+        target |= dict(zip(range(link.q.start, link.q.stop), values / np.linalg.norm(values), strict=True))
+    return target
+
+
+def _followed(model: Model, closure: _Closure, target: dict[int, float], strides: int) -> np.ndarray | None:
+    """Newton's method from the reference to the target, in strides."""
+    system = model.system
+    q = np.array(system.reference)
+    start = {k: q[k] for k in target}
+    strides = strides if any(abs(target[k] - start[k]) > 1e-14 for k in target) else 1
+    for stride in range(1, strides + 1):
+        part = stride / strides
+        wanted = {k: start[k] + part * (target[k] - start[k]) for k in target}
+        found = _solved(system, closure, q, wanted)
+        if found is None:
+            return None
+        q = found
+    return q
+
+
+def _solved(system, closure: _Closure, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray | None:  # type: ignore[no-untyped-def]
+    moved = _turned(system, q, wanted)
+    plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
+    column = {link.q.start: link.v.start for link in system.tree.links[1:] if link.motion.kind != "S"}
+    held = [k for link in system.tree.links[1:] if link.motion.kind == "S" and link.q.start in wanted
+            for k in range(link.v.start, link.v.stop)]  # fmt: skip
+    pick = np.zeros((len(plain) + len(held), len(closure.units)))
+    for i, k in enumerate(plain):
+        pick[i, column[k]] = 1.0
+    for i, k in enumerate(held):
+        pick[len(plain) + i, k] = 1.0
+    for _ in range(40):
+        residual, jacobian = closure.at(moved)
+        away = [(value - moved[k]) / closure.units[column[k]] for k, value in plain.items()] + [0.0] * len(held)
+        right = np.concatenate([away, -residual])
+        if np.abs(residual).max(initial=0) < CLOSED and np.abs(away).max(initial=0) < CLOSED:
+            return moved
+        step = np.linalg.lstsq(np.concatenate([pick, jacobian]), right, rcond=1e-10)[0]
+        size = np.abs(step).max(initial=0)
+        if size < 1e-15:
+            good = np.abs(residual).max(initial=0) < 1e-12 and np.abs(away).max(initial=0) < FOLLOWED
+            return moved if good else None
+        step *= min(1.0, 0.5 / size) * closure.units
+        moved = system.advance(moved, _turned_rates(system, moved, step))
+    return None
+
+
+def _turned(system, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray:  # type: ignore[no-untyped-def]
+    """q with the wanted quaternions put in."""
+    moved = np.array(q)
+    for link in system.tree.links[1:]:
+        if link.motion.kind == "S" and link.q.start in wanted:
+            value = np.array([wanted[k] for k in range(link.q.start, link.q.stop)])
+            moved[link.q] = value / np.linalg.norm(value)
+    return moved
+
+
+def _turned_rates(system, q: np.ndarray, v: np.ndarray) -> np.ndarray:  # type: ignore[no-untyped-def]
+    """Joint rates from rates v: spherical ones from the child's axes to those before the rotation."""
+    return system.numeric(system.joint_rates(system.inputs.v), (system.inputs.q, q[None]), (system.inputs.v, v[None]))[
+        0
+    ]
+
+
+def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Scene) -> np.ndarray:
+    n = len(closure.units)
+    if not given:
+        return np.zeros(n)
+    _, jacobian = closure.at(q)
+    pick = np.zeros((len(given), n))
+    for i, k in enumerate(given):
+        pick[i, k] = 1.0
+    values = np.array([value / closure.units[k] for k, value in given.items()])
+    matrix = np.concatenate([pick, jacobian])
+    right = np.concatenate([values, np.zeros(len(jacobian))])
+    v = np.linalg.lstsq(matrix, right, rcond=1e-11)[0]
+    v += np.linalg.lstsq(matrix, right - matrix @ v, rcond=1e-11)[0]
+    if np.abs(matrix @ v - right).max(initial=0) > 1e-9 * max(1.0, np.abs(values).max(initial=0)):
+        raise DescriptionError(
+            f"initial.rates: the loops do not allow {_shown(scene.initial.rates)} in this configuration; check the "
+            "values, or give only the rates of independent coordinates"
+        )
+    return v * closure.units
