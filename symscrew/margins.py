@@ -20,6 +20,7 @@ manifold, on the assembly branch of the reference configuration.
 
 from __future__ import annotations
 
+import copy
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -262,17 +263,50 @@ class _Closure:
         tape = system.tape
         self.by_length = tape.constant(1 / system.length)
         self.columns = [tape.constant(system.length) if c.kind == "length" else tape.one for c in system.tree.v]
-        self.rows = [[self._unitless(row, entries) for row, entries in self._entries(cut, cut.rows)]
-                     for cut in system.cuts]  # fmt: skip
+        self.spins: set[int] = set()
+        self.turned = system
         self.cut_drives = system.cut_drives()
+        self.rows = [self._entries(cut, cut.rows) for cut in system.cuts]
         known = [{k for row in rows for k in row} for rows in self.rows]
         uses = Counter(k for columns in known for k in columns)
         self.shared = sorted(k for k, n in uses.items() if n > 1)
         self.private = [sorted(k for k in columns if uses[k] == 1) for columns in known]
+        self._use_own_axes()
         self._left: dict[tuple[int, ...], int] = {}
 
-    def _entries(self, cut: Cut, rows: Sequence[Row]) -> Iterable[tuple[Row, dict[int, Node]]]:
-        return zip(rows, self.system.cut_rows(replace(cut, rows=tuple(rows))), strict=True)
+    def _use_own_axes(self) -> None:
+        """Rates of private spherical joints in the axes of their link instead of those before the rotation.
+
+        There a leg that spins about itself has a constant direction, so that the same two of its rates are always
+        independent.
+        """
+        tree, private = self.system.tree, {k for columns in self.private for k in columns}
+        turning = []
+        for link in tree.links[1:]:
+            below = {k for i in tree.path(link.parent) for k in range(tree.links[i].v.start, tree.links[i].v.stop)}
+            own = set(range(link.v.start, link.v.stop))
+            if link.motion.kind == "S" and own <= private and not below & private:
+                turning.append(link)
+        if not turning:
+            return
+        placed = list(self.system.placed)
+        for link in turning:
+            placed[link.index] = replace(placed[link.index], turn=IDENTITY)
+            self.spins |= set(range(link.v.start, link.v.stop))
+        self.turned = copy.copy(self.system)
+        self.turned.placed = tuple(placed)
+        self.rows = [self._entries(cut, cut.rows) for cut in self.system.cuts]
+
+    def _entries(self, cut: Cut, rows: Sequence[Row]) -> list[dict[int, Node]]:
+        """Rows of a cut joint without units."""
+        given = replace(cut, rows=tuple(rows))
+        entries = self.system.cut_rows(given)
+        if self.spins:
+            others = self.turned.cut_rows(given)
+            entries = [{k: e for k, e in row.items() if k not in self.spins}
+                       | {k: e for k, e in other.items() if k in self.spins}
+                       for row, other in zip(entries, others, strict=True)]  # fmt: skip
+        return [self._unitless(row, e) for row, e in zip(rows, entries, strict=True)]
 
     def _unitless(self, row: Row, entries: dict[int, Node]) -> dict[int, Node]:
         tape = self.system.tape
@@ -286,7 +320,7 @@ class _Closure:
         rows = []
         for c, (cut, own) in enumerate(zip(self.system.cuts, self.rows, strict=True)):
             held = [row for u, row in self.cut_drives.get(c, ()) if u in locked]
-            rows.append([*own, *(self._unitless(row, e) for row, e in self._entries(cut, held))])
+            rows.append([*own, *self._entries(cut, held)])
         return columns, rows
 
     def grid(self, locked: Sequence[int], held: Iterable[int] = ()) -> Grid:

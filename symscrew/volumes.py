@@ -54,9 +54,25 @@ def reciprocal_factors(tape: Tape, block: Grid) -> list[dict[int, Node]]:
     for part_rows, part_columns in _parts(tape, block, rows, columns):
         if not part_columns:
             result += [{i: tape.one} for i in part_rows]
-        elif len(part_rows) > len(part_columns):
-            result += _annihilators(tape, block, part_rows, part_columns)
+            continue
+        chosen = _independent_columns(tape, block, part_rows, part_columns)
+        if len(part_rows) > len(chosen):
+            result += _annihilators(tape, block, part_rows, chosen)
     return result
+
+
+def _independent_columns(tape: Tape, block: Grid, rows: Sequence[int], columns: Sequence[int]) -> list[int]:
+    """As many columns as the part's rank, best conditioned; fewer than all where a freedom is internal (a spin)."""
+    values = sampled(tape, [[block[i][j] for j in columns] for i in rows])
+    rank = max(int(np.linalg.matrix_rank(v, tol=NEGLIGIBLE)) for v in values)
+    if rank == len(columns):
+        return list(columns)
+    sizes = {}
+    for chosen in combinations(range(len(columns)), rank):
+        part = values[:, :, list(chosen)]
+        gram = np.linalg.det(np.swapaxes(part, 1, 2) @ part)
+        sizes[chosen] = round(float(gram.min()), 9)
+    return [columns[j] for j in max(sizes, key=lambda chosen: sizes[chosen])]
 
 
 def _annihilators(tape: Tape, block: Grid, rows: Sequence[int], columns: Sequence[int]) -> list[dict[int, Node]]:
@@ -110,6 +126,9 @@ def _primitive(tape: Tape, factors: dict[int, Node]) -> dict[int, Node]:
         for node in sorted(rest.elements(), key=lambda n: n.index):
             value = value * node
         result[i] = value
+    if all(value.value is not None for value in result.values()):  # a constant direction: unit length
+        size = tape.sqrt(_sum(tape, (value * value for value in result.values())))
+        return {i: value / size for i, value in result.items()}
     return result
 
 

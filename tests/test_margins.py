@@ -13,6 +13,7 @@ from functools import cache
 import mpmath
 import numpy as np
 import pytest
+import reference_mechanisms
 import sympy
 from model_states import model as complete_model
 from model_states import output
@@ -336,17 +337,24 @@ def test_four_bar_with_all_links_in_line_loses_its_closure() -> None:
 # -- actuation --------------------------------------------------------------------------------------------
 
 
-def test_hexapod_is_the_determinant_of_its_leg_lines() -> None:
-    """Pluecker coordinates of the six legs: forces along them at the platform's points."""
-    found = model("stewart_6ups")
+def hexapod_of_free_legs() -> Model:
+    """Six legs S-P-S that can spin about themselves, from the reference data."""
+    return kinematic_model(reference_mechanisms.build(reference_mechanisms.ENTRIES["stewart_6sps"]))
+
+
+@pytest.mark.parametrize("spinning", [False, True])
+def test_hexapod_is_the_determinant_of_its_leg_lines(spinning: bool) -> None:
+    """Pluecker coordinates of the six legs: forces along them at the platform's points; spins do not matter."""
+    found = hexapod_of_free_legs() if spinning else model("stewart_6ups")
     length = found.system.length
     joints = list(found.mechanism.joints)
+    ends = [(limb.joints[0], limb.joints[-1]) for limb in found.mechanism.limbs.values()]
     states = found.system.sample_states[0]
     points = output(found, "joint_points", "points", states).reshape(len(states), -1, 3)
     for state, at, value in zip(states, points, margin(found, "actuation_margins", states), strict=True):
         lines = []
-        for k in range(1, 7):
-            foot, head = at[joints.index(f"leg{k}_U")], at[joints.index(f"leg{k}_S")]
+        for first, last in ends:
+            foot, head = at[joints.index(first)], at[joints.index(last)]
             along = (head - foot) / np.linalg.norm(head - foot)
             lines.append([*along, *np.cross(head, along) / length])
         assert abs(value) == pytest.approx(abs(np.linalg.det(lines)), rel=1e-11)
