@@ -11,6 +11,17 @@ const Stage = (() => {
       this.holder = holder;
       this.wanted = [];
       this.pool = [];
+      this.pen = document.createElement("canvas").getContext("2d");
+      this.widths = new Map();
+    }
+
+    /* Width of a label with its margins [px]. */
+    width(text) {
+      if (!this.widths.has(text)) {
+        this.pen.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+        this.widths.set(text, this.pen.measureText(text).width + 12);
+      }
+      return this.widths.get(text);
     }
 
     begin() {
@@ -29,7 +40,7 @@ const Stage = (() => {
         if (Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1 || seen.z > 1) {
           continue;
         }
-        const wide = 6.6 * label.text.length + 10, high = 18;
+        const wide = this.width(label.text), high = 19;
         const place = [[10, -20], [10, 6], [-10 - wide, -20], [-10 - wide, 6]].map(([dx, dy]) => ({
           x: ((seen.x + 1) / 2) * width + dx, y: ((1 - seen.y) / 2) * height + dy, wide, high,
         })).find((box) => box.x >= 2 && box.y >= 2 && box.x + wide <= width - 2 && box.y + high <= height - 2
