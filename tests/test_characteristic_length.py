@@ -29,7 +29,11 @@ value = 1
 unit = "m"
 run_time = true
 [bodies.rod]
+mass = 1
+com = [{a}, 1, 0]
 [bodies.tip]
+mass = 1
+com = [{b}, 1, 0]
 [joints.first]
 type = "R"
 parent = "base"

@@ -14,7 +14,7 @@ from symscrew.mobility.words import describe_twist, describe_wrench
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility
-    from symscrew.mobility.symbolic import Vector
+    from symscrew.mobility.symbolic import Locus, Vector
 
 
 def values(found: Mobility) -> dict[str, Any]:
@@ -42,6 +42,7 @@ def values(found: Mobility) -> dict[str, Any]:
                 "name": limb.name,
                 "constraints": [[float(c) for c in wrench] for wrench in limb.constraints.basis],
                 "constraints_exact": [[str(c) for c in w] for w in exact[limb.name]] if limb.name in exact else None,
+                "constraints_displaced": _pose(found, limb.name),
             }
             for limb in found.limbs
         ],
@@ -51,6 +52,7 @@ def values(found: Mobility) -> dict[str, Any]:
             for locus in found.loci
         ],
         "singularities": as_values(found.singularities),
+        "motions_exact": _rates(found),
         "overconstraint_joints": list(found.redundant.statically_indeterminate),
         "method": found.method,
         "exact": found.decisions.exact,
@@ -63,6 +65,24 @@ def values(found: Mobility) -> dict[str, Any]:
     }
 
 
+def _pose(found: Mobility, limb: str) -> dict[str, Any] | None:
+    pose = found.limb_poses.get(limb)
+    if pose is None or isinstance(pose, str):
+        return {"reason": pose} if pose else None
+    return {
+        "displacements": {str(symbol): joint for symbol, joint in zip(pose.displacements, pose.of, strict=True)},
+        "constraints": [[str(c) for c in w] for w in pose.constraints],
+        "loci": [{"kind": locus.kind, "zero": str(locus.expression)} for locus in pose.loci],
+    }
+
+
+def _rates(found: Mobility) -> list[dict[str, str]] | None:
+    if found.limbs or not found.network.chords or isinstance(found.loops, str):
+        return None
+    joints = found.loops.joints
+    return [{j: str(r) for j, r in zip(joints, rates, strict=True)} for rates in found.loops.rates]
+
+
 def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     """(heading, lines) of the whole report in words; formulas between dollar signs."""
     result = [("Mobility", _summary(found))]
@@ -72,14 +92,17 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         lines += [describe_wrench(w) for w in limb.constraints.basis]
         if limb.name in symbolic and symbolic[limb.name].constraints:
             lines.append(f"in symbols (f ; m): {_formulas(symbolic[limb.name].constraints)}")
+        lines += _displaced(found, limb.name)
         result.append((f"Limb {limb.name}", lines))
     lines = [f"{found.platform.dof} freedoms, type {found.platform.type}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
     if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
         lines.append(f"in symbols (omega ; v): {_formulas(found.symbolic.freedoms)}")
     result.append((f"Freedoms of {found.platform.body}", lines))
+    if not found.limbs and found.network.chords:
+        result.append(("Motions of the loops in symbols", _motions(found)))
     if found.loci:
-        lines = [f"${sympy.latex(locus.expression)} = 0$ ({locus.where}): {locus.meaning}" for locus in found.loci]
+        lines = [f"{_zero(locus)} ({locus.where}): {locus.meaning}" for locus in found.loci]
         result.append(("Where it degenerates", lines))
     if lines := as_lines(found.singularities):
         result.append(("How far from singularities (0 at one)", lines))
@@ -101,6 +124,11 @@ def _summary(found: Mobility) -> list[str]:
         )
     if found.internal_freedoms:
         lines.append(f"{found.internal_freedoms} freedoms with {found.platform.body} at rest (internal)")
+    if found.dof and not found.platform.dof and finite.dof:
+        lines.append(
+            f"{found.platform.body} is at rest for an instant while the mechanism moves (a dead point for it), "
+            "or it does not move at all; --body shows another body"
+        )
     if finite.smooth:
         lines.append(f"Finite mobility {finite.dof}: a smooth point of the configuration space")
     elif finite.dof is None:
@@ -117,6 +145,32 @@ def _summary(found: Mobility) -> list[str]:
     return lines
 
 
+def _displaced(found: Mobility, limb: str) -> list[str]:
+    """The constraints of a limb with symbols for its own joints, or the sentence why not."""
+    pose = found.limb_poses.get(limb)
+    if pose is None or isinstance(pose, str):
+        return [f"away from the reference configuration: {pose}"] if pose else []
+    names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
+    lines = [f"displaced by {names}, in axes that move with {pose.carried_by} (f ; m): {_formulas(pose.constraints)}"]
+    return lines + [f"{locus.meaning} where ${sympy.latex(locus.expression)} = 0$" for locus in pose.loci]
+
+
+def _motions(found: Mobility) -> list[str]:
+    """Joint rates of a mechanism without limbs, or the sentence why not."""
+    loops = found.loops
+    if isinstance(loops, str):
+        return [loops]
+    lines = []
+    for rates in loops.rates:
+        moving = [(joint, rate) for joint, rate in zip(loops.joints, rates, strict=True) if rate != 0]
+        lines.append("rates " + ", ".join(f"{joint} ${sympy.latex(rate)}$" for joint, rate in moving))
+        if resting := [joint for joint, rate in zip(loops.joints, rates, strict=True) if rate == 0]:
+            lines.append(f"at rest in it: {', '.join(resting)}")
+    if loops.freedoms:
+        lines.append(f"{loops.body} moves by (omega ; v): {_formulas(loops.freedoms)}")
+    return lines
+
+
 def _redundant(found: Mobility) -> list[str]:
     joints = ", ".join(found.redundant.statically_indeterminate)
     return [
@@ -124,6 +178,10 @@ def _redundant(found: Mobility) -> list[str]:
         "One change for each redundant constraint:",
         *found.redundant.cure,
     ]
+
+
+def _zero(locus: Locus) -> str:
+    return f"${sympy.latex(locus.expression)} = 0$" if locus.expression != 0 else "always"
 
 
 def _formulas(vectors: Sequence[Vector]) -> str:
@@ -176,13 +234,24 @@ def _mathml(found: Mobility) -> dict[str, str]:
         return str(mathml(expression, printer="presentation"))
 
     result: dict[str, str] = {}
-    if found.symbolic is None:
-        return result
-    for vector in (*(w for limb in found.symbolic.limbs for w in limb.constraints), *found.symbolic.freedoms):
+    vectors: list[Vector] = []
+    loci = list(found.loci)
+    if found.symbolic is not None:
+        vectors += [*(w for limb in found.symbolic.limbs for w in limb.constraints), *found.symbolic.freedoms]
+    for pose in found.limb_poses.values():
+        if not isinstance(pose, str):
+            vectors += pose.constraints
+            loci += pose.loci
+            result.update({sympy.latex(s): f"<math>{presented(s)}</math>" for s in pose.displacements})
+    if not found.limbs and not isinstance(found.loops, str):
+        vectors += found.loops.freedoms
+        rates = {rate for motion in found.loops.rates for rate in motion}
+        result.update({sympy.latex(rate): f"<math>{presented(rate)}</math>" for rate in rates})
+    for vector in vectors:
         cells = [presented(c) for c in vector]
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
         result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
-    for locus in found.loci:
+    for locus in loci:
         body = f"{presented(locus.expression)}<mo>=</mo><mn>0</mn>"
         result[f"{sympy.latex(locus.expression)} = 0"] = f"<math>{body}</math>"
     return result
