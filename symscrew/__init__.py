@@ -25,6 +25,8 @@ PUBLIC = {
     "Quantities": ("symscrew.quantities", "Quantities"),
     "Gravity": ("symscrew.effects", "Gravity"),
     "ExternalWrench": ("symscrew.effects", "ExternalWrench"),
+    "base_parameters": ("symscrew.inertial_parameters", "base_parameters"),
+    "inertial_parameters": ("symscrew.inertial_parameters", "inertial_parameters"),
     "derive": ("symscrew.model", "derive"),
     "generate": ("symscrew.generation", "generate"),
     "check": ("symscrew.verification", "check"),

@@ -107,6 +107,7 @@ def parser() -> argparse.ArgumentParser:
     generate.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
     generate.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
     generate.add_argument("--derivatives", action="store_true", help="also derivatives and the linearisation")
+    generate.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
 
     check = _command(commands, "check", check_output, "is generated output up to date, clean and right?")
     check.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")
@@ -258,6 +259,7 @@ def _derived(options: argparse.Namespace, progress: object) -> Model:
             independent=options.independent,
             length=options.length,
             derivatives=options.derivatives,
+            regressor=options.regressor,
         )
 
 

@@ -23,6 +23,7 @@ from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
 from symscrew.functions.momentum import momentum_functions
 from symscrew.functions.platform import platform_functions
+from symscrew.functions.regressor import regressor_functions
 from symscrew.limb_solutions import hub_links
 from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
@@ -65,13 +66,15 @@ def derive(
     independent: Sequence[str] | None = None,
     length: Any = None,
     derivatives: bool = False,
+    regressor: bool = False,
 ) -> Model:
     """The model of a mechanism: every function, for every mechanism, by the same path.
 
     `independent` names the independent coordinates y by labels of q (default: the platform's own where it
     hangs on one joint, else the drives). `length` [m] is the characteristic length by which norms of mixed
     quantities divide lengths: a number or text with an expression of the parameters, in place of the description's.
-    `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given.
+    `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given,
+    `regressor` the regressors of the inertial parameters.
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
     if length is not None:
@@ -90,6 +93,8 @@ def derive(
         *platform_functions(system, effects),
         *effect_functions(system, effects),
     ]
+    if regressor:
+        functions += regressor_functions(system, effects, loops)
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}

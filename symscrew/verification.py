@@ -94,11 +94,12 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
     """The model of a directory, with the recorded states as test inputs where they fit."""
     mechanism = description.load(directory / "mechanism.toml")
     effects = tuple(effect_from_json(entry) for entry in content["effects"])
-    derivatives = "linearisation" in content.get("functions", {})
-    model = derive(mechanism, effects, derivatives=derivatives)
+    functions = content.get("functions", {})
+    derivatives, regressor = "linearisation" in functions, "regressor" in functions
+    model = derive(mechanism, effects, derivatives=derivatives, regressor=regressor)
     chosen = content.get("independent") or None
     if chosen and model_hash(model) != content.get("hash"):
-        other = derive(mechanism, effects, independent=chosen, derivatives=derivatives)
+        other = derive(mechanism, effects, independent=chosen, derivatives=derivatives, regressor=regressor)
         model = other if model_hash(other) == content.get("hash") else model
     recorded = read_json(directory / "test_vectors.json")
     inputs = dict(model.test_inputs)

@@ -24,7 +24,7 @@ STAGES = (
     ("elimination", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),
     ("equilibrium", "drives", "reactions", "tree_dynamics", "articulated", "admissible"),
     ("functions", "quantities"),
-    ("model", "scene"),
+    ("model", "scene", "inertial_parameters"),
     ("export", "manifest", "compiled", "generation", "verification"),
     ("simulation",),
     ("motion", "outline", "drawing", "plots", "demo", "console", "view", "cli"),
