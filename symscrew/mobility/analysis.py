@@ -25,11 +25,13 @@ from symscrew.mobility.instantaneous import (
     limb_mobility,
     moved_body,
 )  # fmt: skip
+from symscrew.mobility.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.screw_systems import ScrewSystem
 from symscrew.mobility.singularities import Singularities, singularities
 from symscrew.mobility.symbolic import Locus, SymbolicMobility, symbolic_mobility
+from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
 from symscrew.mobility.words import describe_twist, describe_wrench
 
 
@@ -107,6 +109,20 @@ class Mobility:
         return symbolic_mobility(self.mechanism) if self.in_reference else None
 
     @cached_property
+    def loops(self) -> SymbolicLoops | str:
+        """Joint rates and freedoms in the parameters for a mechanism without limbs, or why they are not given."""
+        if not self.in_reference:
+            return "no symbols away from the reference configuration"
+        if not self.network.chords:
+            return "no loops"
+        return symbolic_loops(self.mechanism, self.platform.body)
+
+    @cached_property
+    def limb_poses(self) -> dict[str, LimbPose | str]:
+        """Limb -> its constraints in symbols for the displacements of its own joints, or why they are not given."""
+        return {limb.name: limb_pose(self.mechanism, limb.name) for limb in self.limbs if limb.constraints.basis}
+
+    @cached_property
     def redundant(self) -> Overconstraints:
         """Self-stresses: joints whose reactions are not unique, and how to remove the redundancy."""
         return overconstraints(self.network, self.first_order)
@@ -119,7 +135,8 @@ class Mobility:
     @property
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
-        return (*(self.symbolic.loci if self.symbolic is not None else ()), *self.singularities.loci)
+        loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
+        return (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
 
     def verify(self) -> tuple[Check, ...]:
         """Every claim checked again by another route; see `symscrew.mobility.checks`."""

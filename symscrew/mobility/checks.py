@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import sympy
 
+from symscrew.mobility.configuration import moved
+from symscrew.mobility.network import network_of
 from symscrew.mobility.screw_systems import ZERO_BELOW, eliminate
 from symscrew.mobility.symbolic import numbers_at
+from symscrew.mobility.variety import DIGITS_60, ClosureVariety
 from symscrew.mobility.witnesses import recheck
+from symscrew.operations import CONTEXT
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility
@@ -40,7 +45,52 @@ def verify(found: Mobility) -> tuple[Check, ...]:
     checks += [Check(*recheck(witness)) for witness in found.finite.witnesses]
     if found.decisions.field is not None:
         checks.append(_over_the_field(found))
-    return (*checks, *_symbols(found))
+    return (*checks, *_symbols(found), *_displaced(found), *_motions(found))
+
+
+def _displaced(found: Mobility) -> list[Check]:
+    """Symbolic constraints of displaced limbs do no work on the screws that exponentials in 60 digits displace."""
+    checks = []
+    for name, pose in found.limb_poses.items():
+        if isinstance(pose, str):
+            continue
+        joints = {j: found.mechanism.joints[j] for j in found.mechanism.limbs[name].joints}
+        network = network_of(replace(found.mechanism, joints=joints))
+        fine = ClosureVariety(network, DIGITS_60)
+        q = np.array([CONTEXT.zero] * fine.columns, dtype=object)
+        values: dict[Any, Any] = {}
+        for k, (symbol, joint) in enumerate(zip(pose.displacements, pose.of, strict=True), start=1):
+            edge, _, index = joint.partition(".")
+            column = network.edges[edge].motions[int(index or 0)][1]
+            size = sympy.Rational(k, 5) * (sympy.Rational(1, 4) if symbol.name.startswith("p") else 1)
+            values[symbol] = size
+            exact = CONTEXT.mpf(int(size.p)) / int(size.q)
+            q[column] = exact / network.length if network.edges[edge].motions[int(index or 0)][0] == "P" else exact
+        screws = moved(network, fine, q).screws
+        worst = 0.0
+        for wrench in pose.constraints:
+            numbers = numbers_at([tuple(c.xreplace(values) for c in wrench)], found.mechanism)[0]
+            scaled = (*numbers[:3], *(c / network.length for c in numbers[3:]))
+            worst = max(worst, *(float(abs(_power(screw, scaled))) for screw in screws))
+        claim = f"{name}: constraints in its displacements"
+        checks.append(Check(claim, worst < 1e-45, f"largest power {worst:.1e} on screws displaced by exponentials"))
+    return checks
+
+
+def _motions(found: Mobility) -> list[Check]:
+    """The symbolic joint rates close the loops in 60 digits."""
+    if found.limbs or not found.network.chords or isinstance(found.loops, str):
+        return []
+    edges = found.network.edges.values()
+    lengths = [kind == "P" for edge in edges for kind, _ in edge.motions for _ in range(3 if kind == "S" else 1)]
+    worst = 0.0
+    for rates in numbers_at(found.loops.rates, found.mechanism):
+        scaled = [r / found.network.length if long else r for r, long in zip(rates, lengths, strict=True)]
+        for row in found.first_order.rows:
+            worst = max(worst, float(abs(sum(a * b for a, b in zip(row, scaled, strict=True)))))
+    found_all = len(found.loops.rates) <= found.dof
+    text = f"{len(found.loops.rates)} motions, largest velocity of closure {worst:.1e}"
+    return [Check("joint rates in symbols keep all loops closed", worst < 1e-40 and found_all, text)]
 
 
 def _over_the_field(found: Mobility) -> Check:

@@ -63,7 +63,7 @@ def _screws(joint: Joint, point: Sequence, axes: Sequence[Sequence], pitch: Exac
     place = (point[0], point[1], point[2])
     triad: Sequence = axes
     if joint.type == "E":
-        triad = _across(axes[0])
+        triad = across(axes[0], [bool(c) for c in axes[0]])
     elif joint.type == "free":
         triad = IDENTITY
     result = []
@@ -81,10 +81,13 @@ def _screws(joint: Joint, point: Sequence, axes: Sequence[Sequence], pitch: Exac
     return tuple(result)
 
 
-def _across(normal: Sequence) -> tuple:
-    """Two directions across the normal and the normal, mutually perpendicular."""
+def across(normal: Sequence, present: Sequence[bool]) -> tuple:
+    """Two directions across the normal and the normal, mutually perpendicular, over any scalars, without roots.
+
+    `present`: which components of the normal are not zero.
+    """
     n = (normal[0], normal[1], normal[2])
-    nearest = IDENTITY[min(range(3), key=lambda k: bool(n[k]))]
+    nearest = IDENTITY[min(range(3), key=lambda k: present[k])]
     first = subtract(scale(dot(n, n), nearest), scale(dot(nearest, n), n))
     return (first, cross(n, first), n)
 

@@ -3,7 +3,8 @@
 Generators are the parameters, sine and cosine of each angle with c^2 + s^2 = 1, and a square root w with
 w^2 = its radicand. In lexicographic order with w before c before s before the parameters, these relations are a
 Groebner basis (their leading terms w^2, c^2 are coprime), so every polynomial has one normal form, and it is
-zero exactly when the normal form is.
+zero exactly when the normal form is. Sines and cosines of rational parts of pi are polynomials in one generator
+2 cos(2 pi / n) with its minimal polynomial.
 """
 
 from __future__ import annotations
@@ -12,10 +13,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 import sympy
+from sympy import QQ
 from sympy.polys.rings import PolyRing
 
 from symscrew.mechanism import Mechanism
+from symscrew.mobility.field import Field, NotDecidableError, Number
 from symscrew.tape import high_precision
 
 Poly = Any
@@ -40,17 +44,23 @@ class Generators:
     def __init__(self, mechanism: Mechanism, expressions: Iterable[sympy.Expr]) -> None:
         self.values = {p.symbol: p.value for p in mechanism.parameters.values()}
         prepared = [sympy.expand_trig(e) for e in expressions]
-        parameters, angles, roots = _atoms(prepared)
-        for angle in angles:
-            if not angle.free_symbols:
-                raise NotPolynomialError(f"sin({angle}) is an algebraic number of high degree")
+        parameters, every, roots = _atoms(prepared)
+        angles = [angle for angle in every if angle.free_symbols]
+        self.constants = _constants([e for e in prepared if len(angles) < len(every)])
         self.parameters = parameters
         atoms = [*roots, *(sympy.cos(a) for a in angles), *(sympy.sin(a) for a in angles), *parameters]
+        if self.constants.generators:
+            atoms.append(self.constants.generators[0].name)
         names = [f"g{k}" for k in range(len(atoms))] or ["unused"]
         self.ring = PolyRing(names, sympy.QQ, sympy.lex)
         self.atoms: dict[sympy.Expr, Poly] = dict(zip(atoms, self.ring.gens, strict=False))
         self._back = dict(zip(self.ring.symbols, atoms, strict=False))
         self._relations = [self.atoms[sympy.cos(a)] ** 2 + self.atoms[sympy.sin(a)] ** 2 - 1 for a in angles]
+        if self.constants.generators:
+            theta = self.ring.gens[len(atoms) - 1]
+            modulus = self.constants.generators[0].modulus
+            low = (theta**k * QQ(c.numerator, c.denominator) for k, c in enumerate(modulus) if c)
+            self._relations.append(theta ** len(modulus) + sum(low, self.ring.zero))
         self._replaced: dict[sympy.Expr, Fraction] = {}
         self._radicands: list[Poly] = [self.ring.one]
         self._roots: list[tuple[Poly, Poly]] = []
@@ -69,9 +79,30 @@ class Generators:
         """Normal form of a product."""
         return self.normal(a * b) if a and b else self.ring.zero
 
+    def cancelled(self, top: Poly, bottom: Poly) -> Fraction:
+        """top / bottom without their common factor."""
+        if not top:
+            return Fraction(top, self.ring.one)
+        if bottom.is_ground:
+            return Fraction(top.quo_ground(bottom.coeff(1)), self.ring.one)
+        common = top.gcd(bottom)
+        return Fraction(top, bottom) if common == 1 else Fraction(top.exquo(common), bottom.exquo(common))
+
     def expression(self, poly: Poly) -> sympy.Expr:
         """The polynomial in the description's own words."""
-        return poly.as_expr().xreplace(self._back) if poly else sympy.S.Zero
+        if not poly:
+            return sympy.S.Zero
+        result = poly.as_expr()
+        if self.constants.generators:
+            theta = self.ring.symbols[len(self.atoms) - 1]
+            result = sympy.expand(result.replace(lambda e: e == theta or (e.is_Pow and e.base == theta), self._cosines))
+        return result.xreplace(self._back)
+
+    def _cosines(self, power: sympy.Expr) -> sympy.Expr:
+        """theta^k as a sum of cosines of multiples, (z + 1/z)^k."""
+        k = int(power.exp) if power.is_Pow else 1
+        turn = 2 * sympy.pi / self.constants.unit
+        return sympy.Add(*(sympy.binomial(k, j) * sympy.cos((k - 2 * j) * turn) for j in range(k + 1)))
 
     def determinant(self, rows: Sequence[Sequence[Poly]]) -> Poly:
         """Determinant without divisions, by expansion along the sparsest row."""
@@ -96,6 +127,29 @@ class Generators:
                 break
         return result or self.ring.one
 
+    def without_roots_in(self, polys: Sequence[Poly]) -> list[Poly]:
+        """The polynomials without common factors that have a square root in them, such as p + sqrt(H^2 + L^2).
+
+        c / f = c f' / (f f') with f' the conjugate of f, whose product is free of the root; factors are looked for
+        in the shortest of the polynomials.
+        """
+        result = list(polys)
+        present = [c for c in polys if c]
+        if not self._roots or not present:
+            return result
+        shortest = min(present, key=lambda c: len(c.terms()))
+        for factor, _ in shortest.factor_list()[1]:
+            for _, root in self._roots:
+                conjugate = factor.compose(root, -root)
+                if conjugate == factor:
+                    continue
+                norm = self.product(factor, conjugate)
+                divided = [divmod(self.product(c, conjugate), norm) if c else (c, c) for c in result]
+                if norm and not any(rest for _, rest in divided):
+                    result = [self.normal(c) for c, _ in divided]
+                    break
+        return result
+
     def factors(self, poly: Poly) -> list[Poly]:
         """Irreducible factors that can vanish for real values of the generators, each once."""
         if not poly or poly.is_ground:
@@ -110,6 +164,8 @@ class Generators:
         """A constant, or a sum of even powers: it vanishes nowhere or where several generators do at once."""
         if poly.is_ground:
             return True
+        if _definite(poly):
+            return True
         signs = {coefficient > 0 for _, coefficient in poly.terms()}
         even = all(exponent % 2 == 0 for monomial, _ in poly.terms() for exponent in monomial)
         return len(signs) == 1 and even
@@ -118,6 +174,9 @@ class Generators:
         """w^2 = radicand, squares taken out: sqrt(L^2 (s^2 + c^2)) is |L|, its sign that of the values."""
         inner = self._read(root.base)
         square = self.product(inner.numerator, inner.denominator)  # sqrt(n/d) = sqrt(n d) / d, up to the sign of d
+        if square.is_ground and (known := self._root_among_constants(square)) is not None:
+            self._replaced[root] = Fraction(known, inner.denominator)
+            return
         coefficient, factors = square.factor_list()
         outside, rest = self.ring.one, self.ring.one
         for factor, power in factors:
@@ -133,6 +192,25 @@ class Generators:
             here = self.product(outside, self._root_of(rest, root))
         sign = 1 if self.number(here) * self.number(inner.denominator) >= 0 else -1
         self._replaced[root] = Fraction(sign * here, inner.denominator)
+
+    def _root_among_constants(self, square: Poly) -> Poly | None:
+        """The root of a rational number, where it is a polynomial in the cosine of the constants' field."""
+        if not self.constants.generators or not square:
+            return None
+        coefficient = square.coeff(1)
+        number = sympy.Rational(int(coefficient.numerator), int(coefficient.denominator))
+        if number < 0:
+            return None
+        degree = self.constants.degree
+        found = self.constants.read(sympy.sqrt(number))
+        return self._constant(found) if self.constants.degree == degree else None
+
+    def _constant(self, x: Any) -> Poly:
+        """A number of the constants' field as a polynomial in its cosine."""
+        theta = self.atoms[self.constants.generators[0].name]
+        coefficients = x.coefficients if isinstance(x, Number) else (x,)
+        terms = (theta**k * QQ(c.numerator, c.denominator) for k, c in enumerate(coefficients) if c)
+        return sum(terms, self.ring.zero)
 
     def _root_of(self, radicand: Poly, root: sympy.Expr) -> Poly:
         """The generator w with w^2 = radicand; one that is there already when the radicand is."""
@@ -164,6 +242,8 @@ class Generators:
             return self._replaced[e]
         if e in self.atoms:
             return Fraction(self.atoms[e], one)
+        if isinstance(e, (sympy.sin, sympy.cos)) and not e.free_symbols:
+            return Fraction(self._constant(self.constants.read(e)), one)
         if e.is_Add:
             parts = [self._read(a) for a in e.args]
             total = parts[0]
@@ -185,6 +265,29 @@ class Generators:
             top, bottom = self.normal(base.numerator**power), self.normal(base.denominator**power)
             return Fraction(top, bottom) if e.exp > 0 else Fraction(bottom, top)
         raise NotPolynomialError(f"{e} is neither rational in the parameters nor a sine, cosine or square root")
+
+
+def _definite(poly: Poly) -> bool:
+    """A quadratic form in the generators that is a sum of two squares or more, such as H^2 + (R - r)^2."""
+    if any(sum(monomial) != 2 for monomial, _ in poly.terms()):
+        return False
+    size = poly.ring.ngens
+    form = np.zeros((size, size))
+    for monomial, coefficient in poly.terms():
+        places = [k for k, exponent in enumerate(monomial) for _ in range(exponent)]
+        form[places[0], places[1]] += float(coefficient) / 2
+        form[places[1], places[0]] += float(coefficient) / 2
+    values = np.linalg.eigvalsh(form)
+    tiny = 1e-12 * np.abs(values).max()
+    return bool((values > -tiny).all() or (values < tiny).all()) and int((np.abs(values) > tiny).sum()) >= 2
+
+
+def _constants(expressions: Iterable[sympy.Expr]) -> Field:
+    """The field of the sines and cosines of rational parts of pi among the expressions."""
+    try:
+        return Field([atom for e in expressions for atom in e.atoms(sympy.sin, sympy.cos) if not atom.free_symbols])
+    except NotDecidableError as error:
+        raise NotPolynomialError(str(error)) from error
 
 
 def _atoms(expressions: Iterable[sympy.Expr]) -> tuple[list, list, list]:

@@ -17,10 +17,11 @@ import numpy as np
 import sympy
 
 from symscrew.mechanism import Joint, Mechanism
+from symscrew.mobility.exact import across
 from symscrew.mobility.generators import Fraction, Generators, NotPolynomialError, Poly
-from symscrew.mobility.network import motion_screws, screw_axes
+from symscrew.mobility.network import motion_screws
 from symscrew.mobility.screw_systems import eliminate
-from symscrew.screws import as_vector
+from symscrew.screws import IDENTITY, as_vector
 from symscrew.tape import high_precision
 
 Vector = tuple[sympy.Expr, ...]
@@ -69,12 +70,14 @@ def symbolic_mobility(mechanism: Mechanism) -> SymbolicMobility | None:
 
 
 def symbolic_screws(mechanism: Mechanism) -> SymbolicScrews:
-    """The ring of the limbs' geometry; raises NotPolynomialError where there is none."""
+    """The ring of the limbs' geometry, without limbs of all joints; raises NotPolynomialError where there is none."""
     joints = [mechanism.joints[j] for limb in mechanism.limbs.values() for j in limb.joints]
-    return SymbolicScrews(mechanism, Generators(mechanism, [e for joint in joints for e in _expressions(joint)]))
+    given = [e for joint in joints or mechanism.joints.values() for e in expressions_of(joint)]
+    return SymbolicScrews(mechanism, Generators(mechanism, given))
 
 
-def _expressions(joint: Joint) -> list[sympy.Expr]:
+def expressions_of(joint: Joint) -> list[sympy.Expr]:
+    """The expressions that a joint's screws are made of."""
     pitch = [] if joint.pitch is None else [joint.pitch]
     return [*joint.point, *(c for axis in joint.axes for c in axis), *pitch]
 
@@ -113,19 +116,28 @@ class SymbolicScrews:
 
     def screws(self, joint: Joint) -> list[list[Poly]]:
         """Screws of a joint as polynomials: each times its common denominator."""
-        read = self.ring.read
-        point = tuple(read(c) for c in joint.point)
-        given = [tuple(read(c) for c in axis) for axis in joint.axes]
-        if joint.type in ("E", "free"):
-            raise NotPolynomialError(f"joint {joint.name}: the triad of a joint of type {joint.type} needs a root")
-        scalars = _Scalars(self.ring)
-        wrapped = tuple(scalars.wrap(c) for c in point)
-        axes = screw_axes(
-            joint, [as_vector([scalars.wrap(c) for c in axis]) for axis in given], lambda c: c, lambda c: 0
-        )
-        pitch = scalars.wrap(read(joint.pitch)) if joint.pitch is not None else None
-        made = motion_screws(joint, wrapped, axes, pitch)  # type: ignore[arg-type]
-        return [scalars.cleared(twist.components) for _, twists in made for twist in twists]
+        return [screw for screw, _ in self.scaled_screws(joint)]
+
+    def scaled_screws(self, joint: Joint) -> list[tuple[list[Poly], Fraction]]:
+        """(screw as polynomials, what the unit screw was multiplied by) for each freedom of the joint."""
+        return [self.scalars().cleared(screw) for screw in self.unit_screws(joint)]
+
+    def scalars(self) -> Scalars:
+        """Fractions over the ring, with arithmetic."""
+        return Scalars(self.ring)
+
+    def unit_screws(self, joint: Joint) -> list[tuple[Any, ...]]:
+        """Screws of the joint as fractions, as long as its axes are (a planar joint's are completed without roots)."""
+        scalars = self.scalars()
+        point = tuple(scalars.read(c) for c in joint.point)
+        axes = tuple(as_vector([scalars.read(c) for c in axis]) for axis in joint.axes)
+        if joint.type == "E":
+            axes = across(axes[0], [self.mechanism.number(c) != 0 for c in joint.axes[0]])
+        elif joint.type == "free":
+            axes = IDENTITY
+        pitch = scalars.read(joint.pitch) if joint.pitch is not None else None
+        made = motion_screws(joint, point, axes, pitch)  # type: ignore[arg-type]
+        return [twist.components for _, twists in made for twist in twists]
 
     def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:
         """(null vectors of the reciprocal product, common factor of all maximal minors of the screws)."""
@@ -143,6 +155,10 @@ class SymbolicScrews:
         )
         vectors = [self._cramer(minors, used, free) for free in range(6) if free not in used]
         return [self._primitive(vector) for vector in vectors], common
+
+    def independent_rows(self, rows: Sequence[Sequence[Poly]], columns: int) -> list[int]:
+        """Indices of the first rows that are linearly independent for generic values of the parameters."""
+        return _independent([[self.ring.number(c, self.somewhere) if c else 0 for c in row] for row in rows], columns)
 
     def independent(self, screws: Sequence[Sequence[Poly]]) -> list[int]:
         """Indices of the first screws that are linearly independent for generic values of the parameters."""
@@ -185,17 +201,18 @@ class SymbolicScrews:
         return tuple(tuple(self.ring.expression(c) for c in screw) for screw in screws)
 
 
-class _Scalars:
+class Scalars:
     """Fractions with + - *, for the generic screw functions."""
 
     def __init__(self, ring: Generators) -> None:
         self.ring = ring
 
-    def wrap(self, value: Fraction) -> _Scalar:
-        return _Scalar(self.ring, value)
+    def read(self, expression: sympy.Expr) -> Any:
+        """The expression as a fraction with arithmetic."""
+        return _Scalar(self.ring, self.ring.read(expression))
 
-    def cleared(self, components: Sequence[Any]) -> list[Poly]:
-        """The components times their common denominator, without common factors of numbers."""
+    def cleared(self, components: Sequence[Any]) -> tuple[list[Poly], Fraction]:
+        """(the components times their common denominator, without common factors; what they were multiplied by)."""
         ring = self.ring
         one = ring.ring.one
         given = [c.value if isinstance(c, _Scalar) else Fraction(one * c, one) for c in components]
@@ -210,7 +227,7 @@ class _Scalars:
             ring.product(f.numerator, multiple.exquo(f.denominator)) if f.numerator else ring.ring.zero for f in given
         ]
         common = ring.common_factor(c for c in cleared if c)
-        return [c.exquo(common) if c else c for c in cleared]
+        return [c.exquo(common) if c else c for c in cleared], Fraction(multiple, common)
 
 
 class _Scalar:
@@ -224,16 +241,16 @@ class _Scalar:
     def __add__(self, other: Any) -> _Scalar:
         a, b = self.value, self._other(other)
         if a.denominator == b.denominator:
-            return _Scalar(self.ring, Fraction(self.ring.normal(a.numerator + b.numerator), a.denominator))
+            return _Scalar(self.ring, self.ring.cancelled(self.ring.normal(a.numerator + b.numerator), a.denominator))
         top = self.ring.product(a.numerator, b.denominator) + self.ring.product(b.numerator, a.denominator)
-        return _Scalar(self.ring, Fraction(top, self.ring.product(a.denominator, b.denominator)))
+        return _Scalar(self.ring, self.ring.cancelled(top, self.ring.product(a.denominator, b.denominator)))
 
     __radd__ = __add__
 
     def __mul__(self, other: Any) -> _Scalar:
         a, b = self.value, self._other(other)
         top = self.ring.product(a.numerator, b.numerator)
-        return _Scalar(self.ring, Fraction(top, self.ring.product(a.denominator, b.denominator)))
+        return _Scalar(self.ring, self.ring.cancelled(top, self.ring.product(a.denominator, b.denominator)))
 
     __rmul__ = __mul__
 
@@ -244,11 +261,11 @@ class _Scalar:
         return self * -1 + other
 
 
-def _independent(rows: Sequence[Sequence[Any]]) -> list[int]:
+def _independent(rows: Sequence[Sequence[Any]], columns: int = 6) -> list[int]:
     """Indices of the first rows that are linearly independent."""
     chosen: list[int] = []
     for i in range(len(rows)):
-        if eliminate([rows[k] for k in (*chosen, i)], 6).rank == len(chosen) + 1:
+        if eliminate([rows[k] for k in (*chosen, i)], columns).rank == len(chosen) + 1:
             chosen.append(i)
     return chosen
 
