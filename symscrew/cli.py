@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from symscrew.model import Model
 
 FAILED, BAD_INPUT, INTERRUPTED = 1, 2, 130
-TARGETS = ("c", "casadi", "numpy")
+TARGETS = ("c", "casadi", "numpy", "external", "markdown")
+USUAL = ("c", "casadi", "numpy")
 
 
 class UsageError(ValueError):
@@ -102,7 +103,8 @@ def parser() -> argparse.ArgumentParser:
     generate = _command(commands, "generate", generate_code, "C, CasADi and NumPy functions of a mechanism")
     _mechanism(generate)
     generate.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
-    generate.add_argument("--target", nargs="+", choices=TARGETS, default=TARGETS, help="default: all three")
+    text = "default: c casadi numpy; external: C for casadi.external, with derivatives; markdown: formulas to read"
+    generate.add_argument("--target", nargs="+", choices=TARGETS, default=USUAL, help=text)
     _effects(generate)
     generate.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
     generate.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")

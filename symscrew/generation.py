@@ -1,9 +1,11 @@
 """A model as files: C, CasADi, NumPy, and what a user or `check` needs beside them.
 
-    <name>.h  <name>.c  example.c  CMakeLists.txt         target "c"
-    <function>.casadi                                     target "casadi"
-    <name>_numpy.py                                       target "numpy"
-    manifest.json  ops.json  test_vectors.json  mechanism.toml
+    <name>.h  <name>.c  <name>.hpp  example.c  CMakeLists.txt       target "c"
+    <function>.casadi                                               target "casadi"
+    <name>_numpy.py                                                 target "numpy"
+    <name>_external.c  <name>_jacobians.h  <name>_jacobians.c       target "external", with those of "c"
+    model.md                                                        target "markdown"
+    README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
 
 Equal input gives equal bytes. Everything is written beside the directory first and moved into place at the
 end, and no file is replaced that the tool did not write.
@@ -26,22 +28,27 @@ import numpy as np
 
 from symscrew import description
 from symscrew.export.c import print_c
+from symscrew.export.casadi_external import print_external
+from symscrew.export.cpp import print_cpp
 from symscrew.export.example import print_cmake, print_example
+from symscrew.export.markdown import print_markdown
 from symscrew.export.numpy import print_numpy
+from symscrew.export.readme import print_readme
 from symscrew.manifest import OutputError, manifest, read_manifest
 from symscrew.model import Model
 
-TARGETS = ("c", "casadi", "numpy")
+TARGETS = ("c", "casadi", "numpy", "external", "markdown")
+USUAL = ("c", "casadi", "numpy")
 _PLAIN_FILE = re.compile(r"[A-Za-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", re.ASCII)
 
 
-def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = TARGETS) -> tuple[Path, ...]:
+def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = USUAL) -> tuple[Path, ...]:
     """Write the files of a model into `out_dir` and return their paths, sorted.
 
     Args:
         model: what to print.
         out_dir: a directory that does not exist, is empty, or holds earlier output of this tool.
-        targets: any of "c", "casadi", "numpy".
+        targets: any of TARGETS; "external" brings "c" with it.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.
@@ -56,25 +63,31 @@ def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = TARGETS
     return tuple(directory / file for file in sorted(files))
 
 
-def render(model: Model, targets: Sequence[str] = TARGETS) -> dict[str, bytes]:
+def render(model: Model, targets: Sequence[str] = USUAL) -> dict[str, bytes]:
     """File name to content of everything that `generate` writes."""
     unknown = [target for target in targets if target not in TARGETS]
     if unknown:
         raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {unknown[0]!r}")
+    targets = [*targets, "c"] if "external" in targets else targets
+    chosen = [target for target in TARGETS if target in targets]
     texts: dict[str, str] = {}
     files: dict[str, bytes] = {}
     if "c" in targets:
-        texts |= print_c(model)
+        texts |= print_c(model) | print_cpp(model)
         texts |= {"example.c": print_example(model), "CMakeLists.txt": print_cmake(model)}
     if "numpy" in targets:
         texts |= print_numpy(model)
     if "casadi" in targets:
         files |= _casadi_files(model)
+    if "external" in targets:
+        texts |= print_external(model)
+    if "markdown" in targets:
+        texts |= print_markdown(model)
+    texts["README.md"] = print_readme(model, chosen)
     texts["ops.json"] = _table_text({name: p.operations for name, p in model.programs.items()})
     texts["test_vectors.json"] = _vectors_text(model)
     texts["mechanism.toml"] = description.dumps(model.mechanism)
     files |= {name: text.encode("utf-8") for name, text in texts.items()}
-    chosen = [target for target in TARGETS if target in targets]
     content = manifest(model, targets=chosen, files=[*files, "manifest.json"])
     files["manifest.json"] = (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")
     return files

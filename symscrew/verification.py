@@ -21,10 +21,12 @@ from typing import Any
 import numpy as np
 
 from symscrew import description
-from symscrew.compiled import casadi_evaluator, find_compiler, load
+from symscrew.compiled import casadi_evaluator, compile_c, find_compiler, load
+from symscrew.export.casadi_external import jacobians_model
 from symscrew.generation import TARGETS, render
 from symscrew.manifest import OutputError, effect_from_json, model_hash, read_json, read_manifest
 from symscrew.model import Model, derive
+from symscrew.program import Port
 
 TOLERANCE = 1e-12
 FLOOR = 1e-3
@@ -83,6 +85,8 @@ def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
             yield from _compile(fresh, model.name)
             if find_compiler():
                 yield _compare_values("C", model, expected, _c_results(fresh))
+            if find_compiler() and "external" in targets:
+                yield from _external(fresh, model, expected)
         if "casadi" in targets:
             yield _compare_values("CasADi", model, expected, _casadi_results(directory, fresh, model))
         if "numpy" in targets:
@@ -223,12 +227,15 @@ def _compile(directory: Path, name: str) -> Iterator[tuple[bool, str]]:
     if not compilers:
         yield True, "no C compiler here: C neither compiled nor run"
     for compiler in compilers:
-        sources = [f"{name}.c", "example.c"]
+        sources = [f"{name}.c", "example.c", *(p.name for p in directory.glob("*_external.c"))]
+        sources += [p.name for p in directory.glob("*_jacobians.c")]
         yield _run([compiler, *STRICT, "-O1", "-c", *sources], directory, "compiles without warnings")
     plus = next((path for path in map(shutil.which, ("g++", "clang++")) if path), None)
     if plus:
         flags = ["-std=c++11", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++"]
         yield _run([plus, *flags, f"{name}.h"], directory, "accepts the header as C++")
+        flags[0] = "-std=c++17"
+        yield _run([plus, *flags, "-Wconversion", f"{name}.hpp"], directory, "accepts the C++17 header")
 
 
 def _run(command: Sequence[str], directory: Path, what: str) -> tuple[bool, str]:
@@ -259,6 +266,58 @@ def _casadi_results(directory: Path, fresh: Path, model: Model) -> Callable[[str
         return _evaluated(casadi_evaluator(function), [p.size for p in model.programs[name].outputs], inputs)
 
     return evaluate
+
+
+def _external(directory: Path, model: Model, expected: Mapping[str, Results]) -> Iterator[tuple[bool, str]]:
+    """Values and Jacobians of the functions in CasADi's ABI; a state that must fail has to fail."""
+    library = directory / f"lib{model.name}_external.so"
+    others = [str(directory / f"{model.name}{part}.c") for part in ("_jacobians", "_external")]
+    compile_c(directory / f"{model.name}.c", library, flags=("-ffp-contract=off", *others))
+
+    def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
+        ports = (model.programs[name].inputs, model.programs[name].outputs)
+        function = load_external(library, f"{model.name}_casadi_{name}")
+        rows = [_external_row(function, *ports, state) for state in zip(*inputs, strict=True)]
+        # the ABI only says that a state failed, not why
+        wanted = np.ravel(expected[name][1])
+        status = np.where([(row is None) == (code > 0) for row, code in zip(rows, wanted, strict=True)], wanted, -9)
+        failed = tuple(np.full(port.size, np.nan) for port in ports[1])
+        columns = zip(*(failed if row is None else row for row in rows), strict=True)
+        return tuple(np.array(column) for column in columns), status
+
+    yield _compare_values("CasADi external", model, expected, evaluate)
+    derived, jacobians = jacobians_model(model)
+    worst = 0.0
+    for name, made in jacobians.items():
+        function = load_external(library, f"jac_{model.name}_casadi_{name}")
+        values, status = derived(made.program.name, *derived.test_inputs[made.program.name])
+        for k in np.flatnonzero(np.asarray(status) == 0):
+            given = [array[k] for array in model.test_inputs[name]]
+            found = function.call([*given, *(array[k] for array in expected[name][0])])
+            for port, value in zip(made.program.outputs, values, strict=True):
+                output, place, *_ = made.blocks[port.name]
+                block = found[output * len(made.source.inputs) + place]
+                worst = max(worst, relative_difference(value[k], np.array(block.nonzeros())))
+    yield worst <= TOLERANCE, f"{len(jacobians)} Jacobians of CasADi externals agree with the evaluator to {worst:.1e}"
+
+
+def _external_row(
+    function: Any, inputs: Sequence[Port], outputs: Sequence[Port], state: Sequence[np.ndarray]
+) -> tuple[np.ndarray, ...] | None:
+    """The outputs (size) of an external function at one state, None where it fails."""
+    shaped = [x.reshape(p.shape, order="F") if len(p.shape) == 2 else x for p, x in zip(inputs, state, strict=True)]
+    try:
+        found = function.call(shaped)
+    except RuntimeError:
+        return None
+    return tuple(np.array(x).T.reshape(port.size) for port, x in zip(outputs, found, strict=True))
+
+
+def load_external(library: Path, symbol: str) -> Any:
+    """A function of a shared library in CasADi's ABI."""
+    import casadi
+
+    return casadi.external(symbol, str(library))
 
 
 def _evaluated(evaluator: Callable[..., None], sizes: Sequence[int], inputs: Sequence[np.ndarray]) -> Results:

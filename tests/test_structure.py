@@ -18,7 +18,7 @@ STAGES = (
     ("errors", "joints", "mechanism", "screws"),
     ("expressions", "names", "reader", "limbs", "validation", "builder", "description"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
-    ("operations", "tape", "differentiation", "program", "rank_revealing"),
+    ("operations", "tape", "differentiation", "program", "rank_revealing", "jacobians"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
     ("elimination", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),

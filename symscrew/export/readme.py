@@ -1,0 +1,165 @@
+"""README.md of a generated directory: what is in it, and an example of about ten lines per target that runs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from symscrew.export.listing import banner, plain
+from symscrew.model import Model
+from symscrew.program import Iteration, Port, Program
+
+SHOWN = ("inverse_dynamics_platform", "inverse_dynamics", "inverse_dynamics_independent")
+FILES = {
+    "c": "`{0}.h`, `{0}.c`: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from",
+    "casadi": "`*.casadi`: CasADi functions, one per file",
+    "numpy": "`{0}_numpy.py`: NumPy functions on batches of states, without this tool",
+    "external": "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi",
+    "markdown": "`model.md`: screws, momentum screws, equations and symbols to read",
+}
+ALWAYS = (
+    "`manifest.json`: functions, arguments, units and labels; `ops.json`: operation counts",
+    "`test_vectors.json`: inputs and results of every function; `mechanism.toml`: the description",
+)
+
+
+def print_readme(model: Model, targets: Sequence[str]) -> str:
+    """The text; deterministic, its examples use the first test state of one function."""
+    name = _shown(model)
+    program = model.programs[name]
+    lines = [f"# {model.name}", "", *(f"{line}  " for line in banner(model)[:3]), "", "## Files"]
+    lines += [f"- {FILES[target].format(model.name)}" for target in targets]
+    lines += [f"- {text}" for text in ALWAYS]
+    lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
+    lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
+    lines += ["", *_about(program, name)]
+    examples = {"c": [_c, _cpp], "casadi": [_casadi], "numpy": [_numpy], "external": [_external]}
+    for target in targets:
+        for example in examples.get(target, ()):
+            lines += ["", *example(model, name, program)]
+    return "\n".join([*lines, ""])
+
+
+def _shown(model: Model) -> str:
+    """The function of the examples: inverse dynamics with the fewest numbers to type."""
+    known = [name for name in SHOWN if name in model.programs] or list(model.programs)
+    return min(known, key=lambda name: sum(port.size for port in model.programs[name].inputs))
+
+
+def _ports(ports: Sequence[Port]) -> str:
+    return ", ".join(f"{port.name}[{port.size}]" for port in ports)
+
+
+def _about(program: Program | Iteration, name: str) -> list[str]:
+    lines = ["## Examples", "", f"`{name}`: {plain(program.description)}"]
+    for port in (*program.inputs, *program.outputs):
+        labels = ", ".join(port.labels[:12]) + (", ..." if len(port.labels) > 12 else "")
+        lines.append(f"- `{port.name}`: {plain(port.description)}" + (f" ({plain(labels)})" if labels else ""))
+    return lines
+
+
+def _states(model: Model, name: str, opening: str, closing: str) -> dict[str, str]:
+    """Input name -> the numbers of the first test state, in the brackets of a language."""
+    arrays = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
+    ports = model.programs[name].inputs
+    texts = [", ".join(repr(float(x)) for x in array) for array in arrays]
+    return {port.name: f"{opening}{text}{closing}" for port, text in zip(ports, texts, strict=True)}
+
+
+def _first(program: Program | Iteration) -> Port:
+    return next(port for port in program.outputs if port.size)
+
+
+def _c(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    sizes = [f"double {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
+    inputs = [f"    const double {k}_[] = {v};" for k, v in _states(model, name, "{", "}").items() if v != "{}"]
+    passed = [f"{p.name}_" if p.size else "NULL" for p in (*program.inputs, *program.outputs)]
+    main = [
+        f'#include "{model.name}.h"',
+        "#include <stdio.h>",
+        "",
+        "int main(void)",
+        "{",
+        *inputs,
+        *(f"    {size};" for size in sizes),
+        f"    const int outcome = {model.name}_{name}({', '.join(passed)});",
+        f'    printf("%s: %.12g\\n", {model.name}_status_text(outcome), {_first(program).name}_[0]);',
+        "    return outcome > 0;",
+        "}",
+    ]
+    command = f"`cc -std=c99 -O2 -fno-math-errno main.c {model.name}.c -lm -o main && ./main`"
+    return ["### C", "", "```c", *main, "```", "", command]
+
+
+def _cpp(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    states = _states(model, name, "{", "}").items()
+    sizes = {port.name: port.size for port in program.inputs}
+    main = [
+        f'#include "{model.name}.hpp"',
+        "#include <cstdio>",
+        "",
+        "int main()",
+        "{",
+        *(f"    const std::array<double, {sizes[k]}> {k}_{v};" for k, v in states),
+        f"    const auto result = {model.name}::{name}({', '.join(f'{k}_' for k, _ in states)});",
+        f'    std::printf("%s: %.12g\\n", {model.name}::text(result.status), result.{_member(program)}[0]);',
+        "    return result.ok() ? 0 : 1;",
+        "}",
+    ]
+    command = (
+        f"`cc -std=c99 -O2 -fno-math-errno -c {model.name}.c && c++ -std=c++17 -O2 main.cpp {model.name}.o -o main`"
+    )
+    return ["### C++", "", "```cpp", *main, "```", "", command]
+
+
+def _member(program: Program | Iteration) -> str:
+    from symscrew.export.c import argument_names
+
+    names = argument_names((*program.inputs, *program.outputs))[len(program.inputs) :]
+    return next(name for name, port in zip(names, program.outputs, strict=True) if port.size)
+
+
+def _numpy(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    inputs = [f"{k}_ = np.array([{v}])" for k, v in _states(model, name, "[", "]").items()]
+    main = [
+        "import numpy as np",
+        f"import {model.name}_numpy as model",
+        "",
+        *inputs,
+        f"results, status = model.{name}({', '.join(f'{p.name}_' for p in program.inputs)})",
+        f'print(f"{{status[0]}}: {{results[{program.outputs.index(_first(program))}].ravel()[0]:.12g}}")',
+    ]
+    return ["### NumPy", "", "```python", *main, "```"]
+
+
+def _casadi(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, "[", "]").items()]
+    given = ", ".join(f"{p.name}={p.name}_" for p in program.inputs)
+    main = [
+        "import casadi",
+        "",
+        *inputs,
+        f'function = casadi.Function.load("{name}.casadi")',
+        f"result = function({given})",
+        f'print(f"{{int(result["status"])}}: {{float(result["{_first(program).name}"][0]):.12g}}")'.replace(
+            '["', "['"
+        ).replace('"]', "']"),
+    ]
+    return ["### CasADi", "", "```python", *main, "```"]
+
+
+def _external(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, "[", "]").items()]
+    library = f"lib{model.name}_external.so"
+    main = [
+        "import casadi",
+        "",
+        *inputs,
+        f'function = casadi.external("{model.name}_casadi_{name}", "./{library}")',
+        f"result = function({', '.join(f'{p.name}={p.name}_' for p in program.inputs)})",
+        f"print(f\"{{float(result['{_first(program).name}'][0]):.12g}}\")",
+    ]
+    sources = f"{model.name}.c {model.name}_jacobians.c {model.name}_external.c"
+    command = f"`cc -std=c99 -O2 -fno-math-errno -shared -fPIC {sources} -lm -o {library}`"
+    return ["### CasADi external functions", "", command, "", "```python", *main, "```"]
