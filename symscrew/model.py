@@ -91,7 +91,7 @@ def derive(
         *dynamic_functions(system, effects, loops),
         *forward_functions(system, effects, loops),
         *platform_functions(system, effects),
-        *effect_functions(system, effects),
+        *effect_functions(system, effects, loops),
     ]
     if regressor:
         functions += regressor_functions(system, effects, loops)

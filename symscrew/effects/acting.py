@@ -55,6 +55,7 @@ class Acting(Quantities):
         self.simplifications: set[str] = set()
         self.transmissions: dict[int, Transmission] = {}
         self.needs_reactions = False
+        self.passes = 1
         self._reactions = reactions
         for effect in effects:
             effect.prepare(self)
@@ -208,9 +209,13 @@ class Acting(Quantities):
 
     # -- forces ------------------------------------------------------------------------------------------------
 
-    def reaction(self, joint: str) -> tuple[Vector, Vector] | None:
-        """The joint's reaction (f ; m_O) for a load-dependent effect; None while it is not known yet."""
+    def reaction(self, joint: str, passes: int) -> tuple[Vector, Vector] | None:
+        """The joint's reaction (f ; m_O) for a load-dependent effect; None while it is not known yet.
+
+        `passes` says how many times reactions and what depends on them are to be computed in turn.
+        """
         self.needs_reactions = True
+        self.passes = max(self.passes, passes)
         return None if self._reactions is None else self._reactions[joint]
 
     def push(self, point: Point, force: Vector, moment: Vector = ZERO) -> None:

@@ -25,8 +25,9 @@ class DryFriction(Effect):
     with L/v0 below: it creeps, and does not stick. `mode` "event": the force is the input `friction_<name>` for a
     simulation with stick and slip; `contacts` says its law. Dissipates: power -|F s_dot| [W]; no energy.
 
-    The reaction depends on the friction in turn; the one taken is that of the same state and accelerations (inverse
-    dynamics) or drives (forward dynamics) without the load-dependent friction: exact to first order in mu.
+    The reaction depends on the friction in turn. Both are computed in turn `passes` times, beginning with the reactions
+    of the same state and accelerations (inverse dynamics) or drives (forward dynamics) without load-dependent
+    friction: exact to order `passes` in mu, each pass at the cost of all reactions.
 
         [[effects]]
         type = "dry_friction"
@@ -43,6 +44,7 @@ class DryFriction(Effect):
     stribeck_velocity: Number | None = None
     velocity: Number | None = None
     load: Number = 0
+    passes: int = 1
     mode: str = "smooth"
     freedom: int | None = None
     name: str = ""
@@ -99,7 +101,10 @@ class DryFriction(Effect):
                 slow = rate * (1 / wide)
                 level = level + rise * (1 / (1 + slow * slow))
             if load is not tape.zero:
-                reaction = acting.reaction(self.joint)
+                passes = acting.value(self.passes, f"{what}: passes")
+                if passes not in range(1, 9):
+                    raise DescriptionError(f"{what}: expected 1 to 8 passes, got {shorten(self.passes)}")
+                reaction = acting.reaction(self.joint, int(passes))
                 if reaction is None:
                     return
                 level = level + load * tape.sqrt(dot(reaction[0], reaction[0]))

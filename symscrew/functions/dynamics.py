@@ -49,8 +49,10 @@ class Equations:
         self.system = system
         self.forces = Acting(system, effects, loads)
         if self.forces.needs_reactions and loads is None and not unloaded:
-            first = Equations(system, effects, unloaded=True)
-            self.forces = Acting(system, effects, first.reactions(first.solution.u).wrenches)
+            before = Equations(system, effects, unloaded=True)
+            for _ in range(self.forces.passes - 1):
+                before = Equations(system, effects, before.reactions(before.solution.u).wrenches)
+            self.forces = Acting(system, effects, before.reactions(before.solution.u).wrenches)
         self.setting = Setting(
             system.tape,
             system.tree,

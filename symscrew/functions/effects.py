@@ -6,19 +6,20 @@ from collections.abc import Sequence
 
 from symscrew.effects import Acting, Effect
 from symscrew.functions.dynamics import Equations
-from symscrew.functions.forward import driven
-from symscrew.functions.ports import a_port, function, q_port, u_port, v_port
+from symscrew.functions.forward import driven, solved
+from symscrew.functions.ports import function, q_port, u_port, v_port
+from symscrew.loops import Loops
 from symscrew.program import Function, Port
 from symscrew.system import System
 from symscrew.tape import Node
 
 
-def effect_functions(system: System, effects: Sequence[Effect]) -> list[Function]:
+def effect_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """`effect_power`, `effect_state_rates` and `drive_rates` of motors behind transmissions; each where it applies."""
     acting = Acting(system, effects)
     functions = []
     if acting.powers or acting.transmissions or acting.needs_reactions:
-        functions.append(_power(system, effects, acting))
+        functions.append(_power(system, effects, acting, loops))
     if acting.states:
         functions.append(_state_rates(system, acting))
     if acting.transmissions:
@@ -26,16 +27,18 @@ def effect_functions(system: System, effects: Sequence[Effect]) -> list[Function
     return functions
 
 
-def _power(system: System, effects: Sequence[Effect], acting: Acting) -> Function:
-    """Power per effect; with load-dependent effects also of a, with transmissions also of u."""
+def _power(system: System, effects: Sequence[Effect], acting: Acting, loops: Loops) -> Function:
+    """Power per effect; with load-dependent effects and with transmissions also from u."""
     inputs: list[tuple[Port, Sequence[Node]]] = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
-    if acting.needs_reactions:
+    _, drives = driven(system, effects)
+    if acting.needs_reactions and "quasi_static" in acting.simplifications:
         acting = Equations(system, effects).forces
-        inputs.append((a_port(system), system.inputs.a))
+    elif acting.needs_reactions:
+        acting = solved(system, effects, loops).acting
+    if acting.needs_reactions or acting.transmissions:
+        inputs += drives
     powers = dict(acting.powers)
     if acting.transmissions:
-        _, drives = driven(system, effects)
-        inputs += drives
         for k, transmission in acting.transmissions.items():
             joint, freedom = system.drives[k]
             given = drives[0][1][k]

@@ -90,17 +90,22 @@ class Solved:
         return tuple(self.acting.drive_force(k, node) for k, node in enumerate(nodes))
 
 
-def solved(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads | None = None) -> Solved:
-    """Accelerations from the drives; twice where effects depend on the reactions, which the first time gives."""
+def solved(system: System, effects: Sequence[Effect], loops: Loops) -> Solved:
+    """Accelerations from the drives; again where effects depend on the reactions, which the time before gives."""
+    result = _once(system, effects, loops, None)
+    for _ in range(result.acting.passes if result.acting.needs_reactions else 0):
+        at = system.at(system.inputs.q, {}, system.inputs.v, result.a)
+        before = Equations(at, effects, result.loads, unloaded=result.loads is None)
+        found = before.reactions(result.forces)
+        again = _once(system, effects, loops, found.wrenches)
+        result = replace(again, guards=(*again.guards, *result.guards, *before.balance.guards, *found.guards))
+    return result
+
+
+def _once(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads | None) -> Solved:
     acting, drives = driven(system, effects, loads)
     free, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
-    result = Solved(acting, drives, free, a, tuple(guards), loads)
-    if not acting.needs_reactions or loads is not None:
-        return result
-    first = Equations(system.at(system.inputs.q, {}, system.inputs.v, a), effects, unloaded=True)
-    found = first.reactions(result.forces)
-    again = solved(system, effects, loops, found.wrenches)
-    return replace(again, guards=(*again.guards, *guards, *first.balance.guards, *found.guards))
+    return Solved(acting, drives, free, a, tuple(guards), loads)
 
 
 def second_paths(system: System, effects: Sequence[Effect], loops: Loops) -> dict[str, SecondPath]:
