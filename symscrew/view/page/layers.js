@@ -87,6 +87,15 @@ const Layers = (() => {
       this.largest = largest;
     }
 
+    /* Joints and named points in all frames of a motion. */
+    passed(motion) {
+      return motion.frames.flatMap((state) => {
+        const poses = this.posesOf(state);
+        const named = this.data.points.map(({ body, at }) => this.carried(at, body, poses));
+        return [...this.model.columns(this.model.call("joint_points", state).points, 3), ...named];
+      });
+    }
+
     slides(drive) {
       return this.data.joints[drive.joint].kinds[drive.freedom] === "slide";
     }

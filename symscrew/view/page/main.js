@@ -91,7 +91,7 @@
     }
     layers.measure(motion);
     motion.frames.forEach(({ q }) => model.raise(q));
-    stage.frame(motion.frames.flatMap(({ q }) => model.columns(model.call("joint_points", { q }).points, 3)));
+    stage.frame(layers.passed(motion));
     Panel.scales(layers.largest);
     Object.assign(find("#time"), { min: begin(), max: end() });
     Panel.notes(notes());

@@ -124,12 +124,11 @@ const Panel = (() => {
 
   /* What the longest arrow of each layer stands for. */
   function scales(largest) {
-    const texts = {
-      momentum: `max ${digits(largest.p)} kg m/s`,
-      reactions: `max ${digits(largest.force)} N`,
-      drives: largest.drive > 0 ? `max ${digits(largest.drive)} N` : `max ${digits(largest.torque)} N m`,
-    };
-    Object.entries(texts).forEach(([id, text]) => { find(`#scale-${id}`).textContent = text; });
+    const drive = largest.drive > 0 ? [largest.drive, "N"] : [largest.torque, "N m"];
+    const texts = { momentum: [largest.p, "kg m/s"], reactions: [largest.force, "N"], drives: drive };
+    Object.entries(texts).forEach(([id, [value, unit]]) => {
+      find(`#scale-${id}`).textContent = value > 0 ? `max ${digits(value)} ${unit}` : "";
+    });
   }
 
   function values(rows) {

@@ -130,7 +130,7 @@ const Shapes = (() => {
     } else if (data.type === "fixed") {
       put(parent, new L.Mesh(new L.BoxGeometry(1.6 * r, 1.6 * r, 1.6 * r), paint.link));
     }
-    return { parent, child, slide: ["P", "C", "H"].includes(data.type) };
+    return { parent, child, slide: ["P", "C", "H", "E"].includes(data.type) };
   }
 
   function turned(mesh) {

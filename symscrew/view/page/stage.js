@@ -33,7 +33,11 @@ const Stage = (() => {
     }
 
     end(camera, width, height) {
-      const taken = [];
+      const frame = this.holder.getBoundingClientRect();
+      const taken = Array.from(this.holder.parentElement.querySelectorAll(".views, .chip:not([hidden])"), (item) => {
+        const box = item.getBoundingClientRect();
+        return { x: box.left - frame.left, y: box.top - frame.top, wide: box.width, high: box.height };
+      });
       let used = 0;
       for (const label of this.wanted.sort((a, b) => b.priority - a.priority)) {
         const seen = Shapes.vector(label.at).project(camera);
