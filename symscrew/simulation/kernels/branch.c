@@ -12,6 +12,7 @@
 typedef struct {
     double base[NQ1];           /* the anchor */
     double tangent[FREE][NV1];  /* orthonormal, without units */
+    double slope;               /* of the pivot along the way: pivot by slope is the distance to the zone's middle */
 } Chart;
 
 static int tangent_space(const Rows *f, double (*tangent)[NV1])
@@ -78,7 +79,7 @@ static int corrected(const Chart *c, const double *y, double *q, Opening *o, Row
         if (opening(q, o) != 0) {
             return FAILED;
         }
-        row_space(o, (const double (*)[NV1])c->tangent, FREE, f);
+        row_space(o, (const double (*)[NV1])c->tangent, FREE, RANK_FLOOR, f);
         if (f->smallest < ZONE) {
             return IN_ZONE;
         }
@@ -200,7 +201,7 @@ static int stride(const Chart *c, const double *start, const double *direction, 
     unscaled(z);
     retract(c->base, z, q);
     const int outcome = corrected(c, y, q, &o, &f, &moved);
-    if (outcome == 0 && moved > 0.3 * f.smallest) {
+    if (outcome == 0 && moved > 0.3 * f.smallest / c->slope) {
         return FAILED; /* the other branch may be as near */
     }
     if (outcome == 0) {
@@ -274,7 +275,7 @@ static int state_on_branch(const Chart *c, double t, const double *q, const doub
     if (opening(q, &o) != 0) {
         return FAILED;
     }
-    row_space(&o, (const double (*)[NV1])c->tangent, FREE, &f);
+    row_space(&o, (const double (*)[NV1])c->tangent, FREE, RANK_FLOOR, &f);
     rates_on_branch(c, &o, &f, w, v);
     return a == NULL ? 0 : valid(forces_at(t, q, v, x, u, a, x_dot));
 }
@@ -371,7 +372,7 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
     tangential(c, v, w);
     retract(c->base, z, q);
     int outcome = corrected(c, y, q, &o, &f, &moved);
-    if (outcome != 0 || moved > 0.1 * f.smallest) {
+    if (outcome != 0 || moved > 0.1 * f.smallest / c->slope) {
         Walk way;
         double length;
         outcome = reach(c, y, &way, &length, q);
@@ -380,7 +381,7 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
         if (opening(q, &o) != 0) {
             return FAILED;
         }
-        row_space(&o, (const double (*)[NV1])c->tangent, FREE, &f);
+        row_space(&o, (const double (*)[NV1])c->tangent, FREE, RANK_FLOOR, &f);
         *smallest = f.smallest;
         rates_on_branch(c, &o, &f, w, v_out);
         memcpy(q_out, q, sizeof(double) * NQ);
@@ -389,7 +390,8 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
     if (outcome != IN_ZONE) {
         return FAILED;
     }
-    for (double spacing = SPACING; spacing < 12.0 * SPACING; spacing *= 1.5) {
+    const double first = fmin(fmax(SPACING, 2.1 * ZONE / c->slope), 8.0 * SPACING);
+    for (double spacing = first; spacing < 16.0 * SPACING; spacing *= 1.4) {
         outcome = interpolated_state(c, t, y, w, x, spacing, q_out, v_out, a, x_dot, u);
         if (outcome != IN_ZONE) {
             break;
@@ -398,29 +400,56 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
     if (outcome != 0 || opening(q_out, &o) != 0) {
         return outcome == AT_REST ? AT_REST : FAILED;
     }
-    row_space(&o, (const double (*)[NV1])c->tangent, FREE, &f);
+    /* What the interpolation left open in the rows that are regular here too. */
+    for (int step = 0; step < 3; ++step) {
+        double d[NV1];
+        row_space(&o, (const double (*)[NV1])c->tangent, FREE, ZONE, &f);
+        if (step == 2) {
+            break;
+        }
+        shortest(&f, o.residual, d);
+        for (int k = 0; k < NV; ++k) {
+            d[k] *= -UNIT[k];
+        }
+        retract(q_out, d, q);
+        memcpy(q_out, q, sizeof(double) * NQ);
+        if (opening(q_out, &o) != 0) {
+            return FAILED;
+        }
+    }
+    double rates[NR], change[NV1];
+    closure_rates(&o, v_out, rates);
+    shortest(&f, rates, change);
+    for (int k = 0; k < NV; ++k) {
+        v_out[k] -= change[k] * UNIT[k];
+    }
+    row_space(&o, NULL, 0, RANK_FLOOR, &f);
     *smallest = f.smallest;
     return 0;
 }
 
-/* A regular configuration near (q, v): q itself, or one on the way behind it. */
+/* A regular configuration near (q, v): q itself, or one a little before or behind on the way. */
 static int anchored(const double *q, const double *v, Chart *c)
 {
     Opening o;
     Rows f;
-    double size = 0.0, z[NV1], at[NQ1], still[NV1] = {0.0}, smallest;
+    double size = 0.0, at[NQ1], z[NV1], still[NV1] = {0.0}, here = 0.0, smallest;
     for (int k = 0; k < NV; ++k) {
         size += (v[k] / UNIT[k]) * (v[k] / UNIT[k]);
     }
     size = sqrt(size);
-    for (int step = 0; step < 8; ++step) {
+    double sign = -1.0, rate = 0.0;
+    c->slope = 0.3;
+    for (int step = 0; step < 17; ++step) {
+        const double distance = sign * (step % 2 == 0 ? -1.0 : 1.0) * ((step + 1) / 2);
         memcpy(at, q, sizeof(double) * NQ);
         if (step > 0) {
             if (!(size > 0.0)) {
                 return AT_REST;
             }
+            const double length = fmax(2.0 * ZONE, fmin(0.2, rate > 0.0 ? 1.6 * ZONE / rate : 0.0));
             for (int k = 0; k < NV; ++k) {
-                z[k] = -v[k] / size * (2.0 * ZONE * step);
+                z[k] = v[k] / size * length * distance;
             }
             retract(q, z, at);
             if (settle(at, still, &smallest) != 0) {
@@ -430,10 +459,29 @@ static int anchored(const double *q, const double *v, Chart *c)
         if (opening(at, &o) != 0) {
             return FAILED;
         }
-        row_space(&o, NULL, 0, &f);
-        if (f.smallest > 1.5 * ZONE) {
+        row_space(&o, NULL, 0, RANK_FLOOR, &f);
+        const int regular = f.smallest > 1.5 * ZONE;
+        int outcome = 0;
+        if (regular) {
             memcpy(c->base, at, sizeof(double) * NQ);
-            return tangent_space(&f, c->tangent);
+            outcome = tangent_space(&f, c->tangent);
+        }
+        if (step == 0 && size > 0.0) { /* away from the singular configuration first */
+            here = f.smallest;
+            for (int k = 0; k < NV; ++k) {
+                z[k] = v[k] / size * 1e-6;
+            }
+            retract(q, z, at);
+            if (opening(at, &o) != 0) {
+                return FAILED;
+            }
+            row_space(&o, NULL, 0, RANK_FLOOR, &f);
+            rate = fabs(f.smallest - here) / 1e-6;
+            sign = f.smallest > here ? 1.0 : -1.0;
+            c->slope = fmin(fmax(rate, 0.02), 3.0);
+        }
+        if (regular) {
+            return outcome;
         }
     }
     return FAILED;

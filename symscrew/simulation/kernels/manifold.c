@@ -90,7 +90,7 @@ static void local_rates(const double *z, const double *v, double *z_dot)
 #if NR
 /* Rows of the closure without units (rows by ROW_SCALE, columns by UNIT), made orthonormal one after the other,
  * the longest remaining row first: row[k] = sum_j lower[k][j] basis[j]. `smallest` is the last pivot that a regular
- * configuration has: it tends to zero with the smallest singular value. */
+ * configuration has: it tends to zero with the smallest singular value. Rows shorter than `floor` do not count. */
 typedef struct {
     double basis[RANK1][NV1];
     double lower[NR][RANK1];
@@ -117,7 +117,7 @@ static int opening(const double *q, Opening *o)
     return outcome;
 }
 
-static void row_space(const Opening *o, const double (*against)[NV1], int count, Rows *f)
+static void row_space(const Opening *o, const double (*against)[NV1], int count, double floor, Rows *f)
 {
     double rows[NR][NV1], square[NR];
     memcpy(rows, o->jacobian, sizeof rows);
@@ -163,7 +163,7 @@ static void row_space(const Opening *o, const double (*against)[NV1], int count,
         }
         norm = sqrt(norm);
         f->smallest = norm < f->smallest ? norm : f->smallest;
-        if (norm < RANK_FLOOR) {
+        if (norm < floor) {
             break;
         }
         for (int k = 0; k < NV; ++k) {
@@ -240,7 +240,7 @@ static int settle(double *q, double *v, double *smallest)
     if (opening(q, &o) != 0) {
         return FAILED;
     }
-    row_space(&o, NULL, 0, &f);
+    row_space(&o, NULL, 0, RANK_FLOOR, &f);
     *smallest = f.smallest;
     for (int step = 0; step < MOST_CORRECTIONS; ++step) {
         const double open = largest(o.residual, NR);
@@ -251,7 +251,7 @@ static int settle(double *q, double *v, double *smallest)
             return FAILED;
         }
         if (open > 0.1 * before) {
-            row_space(&o, NULL, 0, &f);
+            row_space(&o, NULL, 0, RANK_FLOOR, &f);
         }
         before = open;
         shortest(&f, o.residual, d);

@@ -47,7 +47,7 @@ static double pivot_rate(const double *q, const double *v, double pivot)
     if (opening(at, &o) != 0) {
         return 0.0;
     }
-    row_space(&o, NULL, 0, &f);
+    row_space(&o, NULL, 0, RANK_FLOOR, &f);
     return (f.smallest - pivot) / step;
 #else
     (void)q;
@@ -168,7 +168,7 @@ static int crossing_within(Simulation *s, Crossing *found, double rate_at_end)
         found->t = guess;
         found->pivot = pivot;
         const double rate = pivot_rate(found->q, found->v, pivot);
-        if (pivot < 1e-9 * PIVOT || width < 1e-12 * fmax(1.0, fabs(guess))) {
+        if (pivot < 1e-8 * PIVOT || width < 1e-12 * fmax(1.0, fabs(guess))) {
             break;
         }
         if (rate < 0.0) {
@@ -189,7 +189,7 @@ static int crossing_within(Simulation *s, Crossing *found, double rate_at_end)
     if (opening(found->q, &o) != 0) {
         return 0;
     }
-    row_space(&o, NULL, 0, &f);
+    row_space(&o, NULL, 0, RANK_FLOOR, &f);
     found->lost = 0.0;
     for (int i = 0; i < NR; ++i) {
         const int row = f.order[i];
@@ -250,7 +250,12 @@ static int advance(Simulation *s, double target)
             return STEP_TOO_SMALL;
         }
         int outcome = take(step, s->method);
-        step->error = outcome == 0 && adaptive ? dop853_error(step, s->rtol, s->atol) : 0.0;
+        if (outcome == 0 && adaptive) { /* near the zone accelerations are noise below CAREFUL_TOLERANCE */
+            const double floor = careful ? CAREFUL_TOLERANCE : 0.0;
+            step->error = dop853_error(step, fmax(s->rtol, floor), fmax(s->atol, floor));
+        } else {
+            step->error = 0.0;
+        }
         if (outcome == 0 && step->error < 1.0) {
             outcome = last_slope(step);
             if (outcome == 0) {
