@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy
@@ -194,10 +194,11 @@ def _screw(vector: Vector) -> str:
 
 
 def text(found: Mobility) -> str:
-    """Plain text, one line a fact."""
+    """Plain text, one line a fact; formulas as they are typed."""
+    formulas = _typed(found)
     lines = []
     for heading, facts in sections(found):
-        lines += [heading, *(f"    {fact.replace('$', '')}" for fact in facts)]
+        lines += [heading, *(f"    {_with(fact, formulas, str)}" for fact in facts)]
     return "\n".join(lines)
 
 
@@ -221,9 +222,40 @@ def page(found: Mobility) -> str:
     formulas = _mathml(found)
     for heading, facts in sections(found):
         parts.append(f"<h2>{html.escape(heading)}</h2>\n<ul>")
-        parts += [f"<li>{_with_mathml(fact, formulas)}</li>" for fact in facts]
+        parts += [f"<li>{_with(fact, formulas, html.escape)}</li>" for fact in facts]
         parts.append("</ul>")
     return "\n".join([*parts, "</body></html>\n"])
+
+
+def _expressions(found: Mobility) -> tuple[list[Vector], list[sympy.Expr], list[sympy.Expr]]:
+    """(screws, loci, single expressions) that the report shows."""
+    vectors: list[Vector] = []
+    loci = [locus.expression for locus in found.loci]
+    single: list[sympy.Expr] = []
+    if found.symbolic is not None:
+        vectors += [*(w for limb in found.symbolic.limbs for w in limb.constraints), *found.symbolic.freedoms]
+    for pose in found.limb_poses.values():
+        if not isinstance(pose, str):
+            vectors += pose.constraints
+            loci += [locus.expression for locus in pose.loci]
+            single += pose.displacements
+    if not found.limbs and not isinstance(found.loops, str):
+        vectors += found.loops.freedoms
+        single += [rate for motion in found.loops.rates for rate in motion]
+    return vectors, loci, single
+
+
+def _typed(found: Mobility) -> dict[str, str]:
+    """LaTeX of every formula of the report -> as it is typed."""
+    vectors, loci, single = _expressions(found)
+
+    def typed(expression: sympy.Expr) -> str:
+        return str(expression).replace("**", "^")
+
+    result = {_screw(v): f"({', '.join(map(typed, v[:3]))}; {', '.join(map(typed, v[3:]))})" for v in vectors}
+    result.update({f"{sympy.latex(e)} = 0": f"{typed(e)} = 0" for e in loci})
+    result.update({sympy.latex(e): typed(e) for e in single})
+    return result
 
 
 def _mathml(found: Mobility) -> dict[str, str]:
@@ -233,33 +265,22 @@ def _mathml(found: Mobility) -> dict[str, str]:
     def presented(expression: sympy.Expr) -> str:
         return str(mathml(expression, printer="presentation"))
 
+    vectors, loci, single = _expressions(found)
     result: dict[str, str] = {}
-    vectors: list[Vector] = []
-    loci = list(found.loci)
-    if found.symbolic is not None:
-        vectors += [*(w for limb in found.symbolic.limbs for w in limb.constraints), *found.symbolic.freedoms]
-    for pose in found.limb_poses.values():
-        if not isinstance(pose, str):
-            vectors += pose.constraints
-            loci += pose.loci
-            result.update({sympy.latex(s): f"<math>{presented(s)}</math>" for s in pose.displacements})
-    if not found.limbs and not isinstance(found.loops, str):
-        vectors += found.loops.freedoms
-        rates = {rate for motion in found.loops.rates for rate in motion}
-        result.update({sympy.latex(rate): f"<math>{presented(rate)}</math>" for rate in rates})
     for vector in vectors:
         cells = [presented(c) for c in vector]
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
         result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
-    for locus in loci:
-        body = f"{presented(locus.expression)}<mo>=</mo><mn>0</mn>"
-        result[f"{sympy.latex(locus.expression)} = 0"] = f"<math>{body}</math>"
+    for expression in loci:
+        result[f"{sympy.latex(expression)} = 0"] = f"<math>{presented(expression)}<mo>=</mo><mn>0</mn></math>"
+    result.update({sympy.latex(e): f"<math>{presented(e)}</math>" for e in single})
     return result
 
 
-def _with_mathml(fact: str, formulas: dict[str, str]) -> str:
+def _with(fact: str, formulas: dict[str, str], words: Callable[[str], str]) -> str:
+    """A line with its formulas replaced and its words written in their way."""
     pieces = re.split(r"\$(.*?)\$", fact)
-    return "".join(formulas.get(p, html.escape(p)) if k % 2 else html.escape(p) for k, p in enumerate(pieces))
+    return "".join(formulas.get(p, words(p)) if k % 2 else words(p) for k, p in enumerate(pieces))
 
 
 def latex(found: Mobility) -> str:

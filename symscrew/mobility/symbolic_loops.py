@@ -21,12 +21,28 @@ from symscrew.mobility.network import network_of
 from symscrew.mobility.screw_systems import eliminate
 from symscrew.mobility.symbolic import Locus, SymbolicScrews, Vector, symbolic_screws
 
-MOST_TERMS = 4000
+MOST_TERMS = 1500
 """Terms of an intermediate polynomial; beyond it the closed form is not of reasonable size."""
+MOST_WORK = 12_000
+"""Products of terms in one elimination."""
 LARGEST_SHOWN = 60
 MOST_MINORS = 200
 
 Row = list[Poly]
+
+
+class Budget:
+    """Products over the ring, until too much work has been done."""
+
+    def __init__(self, work: SymbolicScrews) -> None:
+        self.ring, self.left = work.ring, MOST_WORK
+
+    def product(self, a: Poly, b: Poly) -> Poly:
+        """a b, not in normal form."""
+        self.left -= len(a.terms()) * len(b.terms())
+        if self.left < 0:
+            raise TooLargeError(f"more than {MOST_WORK} products of terms")
+        return a * b
 
 
 class TooLargeError(ArithmeticError):
@@ -127,24 +143,28 @@ def _rows(network: Any, screws: dict[str, list[Row]], steps: Sequence[tuple[str,
 def null_vectors(work: SymbolicScrews, rows: Sequence[Row], columns: int) -> tuple[list[Row], Poly]:
     """(null space of the rows without poles, factor of the determinants whose zeros lose rank)."""
     ring = work.ring
-    left, solved = _constants_solved(work, [row for row in rows if any(row)], columns)
+    budget = Budget(work)
+    left, solved = _constants_solved(work, [row for row in rows if any(row)], columns, budget)
     open_columns = [j for j in range(columns) if j not in dict(solved)]
     independent = work.independent_rows([[row[j] for j in open_columns] for row in left], len(open_columns))
     left = [left[i] for i in independent]
-    small, common = _cramer(work, left, open_columns)
+    small, common = _cramer(work, left, open_columns, budget)
     vectors = []
     for vector in small:
         full = [ring.ring.zero] * columns
         for j, c in zip(open_columns, vector, strict=True):
             full[j] = c
         for j, row in reversed(solved):
-            total = sum((row[k] * full[k] for k in range(columns) if k != j and row[k] and full[k]), ring.ring.zero)
+            parts = (budget.product(row[k], full[k]) for k in range(columns) if k != j and row[k] and full[k])
+            total = sum(parts, ring.ring.zero)
             full[j] = -_limited(ring.normal(total)).mul_ground(1 / row[j].coeff(1))
         vectors.append(primitive(work, full))
     return vectors, common
 
 
-def _constants_solved(work: SymbolicScrews, rows: list[Row], columns: int) -> tuple[list[Row], list[tuple[int, Row]]]:
+def _constants_solved(
+    work: SymbolicScrews, rows: list[Row], columns: int, budget: Budget
+) -> tuple[list[Row], list[tuple[int, Row]]]:
     """(equations left, (column, equation) solved for it): pivots that are numbers, sparsest rows first."""
     ring = work.ring
     solved: list[tuple[int, Row]] = []
@@ -161,12 +181,12 @@ def _constants_solved(work: SymbolicScrews, rows: list[Row], columns: int) -> tu
             if factor := row[j]:
                 for k in range(columns):
                     if pivot[k]:
-                        row[k] = _limited(ring.normal(row[k] - factor * pivot[k].mul_ground(lead)))
+                        row[k] = _limited(ring.normal(row[k] - budget.product(factor, pivot[k].mul_ground(lead))))
         left = [row for row in left if any(row)]
         solved.append((j, pivot))
 
 
-def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int]) -> tuple[list[Row], Poly]:
+def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int], budget: Budget) -> tuple[list[Row], Poly]:
     """Null vectors over `columns` by determinants, and the common factor of the determinants of full size."""
     ring = work.ring
     rank, count = len(rows), len(columns)
@@ -187,7 +207,7 @@ def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int]) -> tu
                 if matrix[depth][j]:
                     part = minor(chosen[:place] + chosen[place + 1 :], depth + 1)
                     if part:
-                        term = matrix[depth][j] * part
+                        term = budget.product(matrix[depth][j], part)
                         total = total + term if place % 2 == 0 else total - term
             minors[chosen, depth] = _limited(ring.normal(total))
         return minors[chosen, depth]
