@@ -307,15 +307,17 @@ class Field:
         return (Fraction(0), Fraction(1)) + (Fraction(0),) * (self.generators[0].degree - 2)
 
     def _begin_with_cosine(self) -> None:
-        x = sympy.Symbol("x")
         n = self.unit
-        poly = sympy.Poly(sympy.minimal_polynomial(2 * sympy.cos(2 * sympy.pi / n), x), x)
-        degree = poly.degree()
-        if not 2 <= degree <= HIGHEST_DEGREE:
-            raise NotDecidableError(f"2 cos(2 pi/{n}) has degree {degree}")
-        low = tuple(Fraction(int(c)) for c in reversed(poly.all_coeffs()[1:]))
         turns = [j for j in range(1, n // 2 + 1) if gcd(j, n) == 1]
+        if not 2 <= len(turns) <= HIGHEST_DEGREE:
+            raise NotDecidableError(f"2 cos(2 pi/{n}) has degree {len(turns)}")
         conjugates = tuple(2 * CONTEXT.cos(2 * CONTEXT.pi * j / n) for j in turns)
+        # the minimal polynomial has integer coefficients and these roots
+        product_so_far = [CONTEXT.one]
+        for root in conjugates:
+            shifted = [CONTEXT.zero, *product_so_far]
+            product_so_far = [a - root * b for a, b in zip(shifted, [*product_so_far, CONTEXT.zero], strict=True)]
+        low = tuple(Fraction(int(CONTEXT.nint(c))) for c in product_so_far[:-1])
         self.generators.append(Generator(0, low, conjugates[0], 2 * sympy.cos(2 * sympy.pi / n), conjugates))
 
     def _root(self, x: Exact, level: int) -> Exact | None:

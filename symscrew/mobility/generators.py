@@ -20,10 +20,15 @@ from sympy.polys.rings import PolyRing
 
 from symscrew.mechanism import Mechanism
 from symscrew.mobility.field import Field, NotDecidableError, Number
+from symscrew.operations import CONTEXT
 from symscrew.tape import high_precision
 
 Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
+
+
+MOST_PRODUCTS = 60_000
+"""Products of terms that one ring makes."""
 
 
 class NotPolynomialError(ValueError):
@@ -61,6 +66,8 @@ class Generators:
             modulus = self.constants.generators[0].modulus
             low = (theta**k * QQ(c.numerator, c.denominator) for k, c in enumerate(modulus) if c)
             self._relations.append(theta ** len(modulus) + sum(low, self.ring.zero))
+        self._spent = 0
+        self._places: dict[frozenset, list] = {}
         self._replaced: dict[sympy.Expr, Fraction] = {}
         self._radicands: list[Poly] = [self.ring.one]
         self._roots: list[tuple[Poly, Poly]] = []
@@ -73,10 +80,16 @@ class Generators:
 
     def normal(self, poly: Poly) -> Poly:
         """The normal form."""
-        return poly.rem(self._relations) if self._relations else poly
+        leading = [_leading(relation) for relation in self._relations]
+        if all(monomial[k] < power for monomial in poly.itermonoms() for k, power in leading):
+            return poly
+        return poly.rem(self._relations)
 
     def product(self, a: Poly, b: Poly) -> Poly:
-        """Normal form of a product."""
+        """Normal form of a product; raises NotPolynomialError when too many have been made."""
+        self._spent += len(a) * len(b)
+        if self._spent > MOST_PRODUCTS:
+            raise NotPolynomialError("the closed forms are not of reasonable size")
         return self.normal(a * b) if a and b else self.ring.zero
 
     def cancelled(self, top: Poly, bottom: Poly) -> Fraction:
@@ -158,13 +171,31 @@ class Generators:
 
     def number(self, poly: Poly, values: Mapping[sympy.Symbol, sympy.Expr] | None = None) -> Any:
         """Value in 60 digits at the parameters' values, or at others."""
-        return high_precision(self.expression(poly).xreplace(dict(values if values is not None else self.values)))
+        given = values if values is not None else self.values
+        key = frozenset(given.items())
+        if key not in self._places:
+            place = [high_precision(self._back[g].xreplace(dict(given))) for g in self.ring.symbols if g in self._back]
+            self._places[key] = place
+        place = self._places[key]
+        total = CONTEXT.zero
+        for monomial, coefficient in poly.terms():
+            term = CONTEXT.mpf(int(coefficient.numerator)) / int(coefficient.denominator)
+            for k, exponent in enumerate(monomial):
+                if exponent:
+                    term *= place[k] ** exponent
+            total += term
+        return total
+
+    def _constant_only(self, poly: Poly) -> bool:
+        """A number: a polynomial in the constants' cosine alone, in normal form and so not zero."""
+        last = len(self.atoms) - 1
+        return all(k == last for monomial in poly.itermonoms() for k, exponent in enumerate(monomial) if exponent)
 
     def _never_zero(self, poly: Poly) -> bool:
         """A constant, or a sum of even powers: it vanishes nowhere or where several generators do at once."""
         if poly.is_ground:
             return True
-        if _definite(poly):
+        if _definite(poly) or (self.constants.generators and self._constant_only(poly)):
             return True
         signs = {coefficient > 0 for _, coefficient in poly.terms()}
         even = all(exponent % 2 == 0 for monomial, _ in poly.terms() for exponent in monomial)
@@ -222,6 +253,7 @@ class Generators:
         self._roots.append((radicand, generator))
         self._relations.insert(0, generator**2 - radicand)
         self._back[self.ring.symbols[list(self.atoms).index(root)]] = sympy.sqrt(self.expression(radicand))
+        self._places.clear()
         return generator
 
     def _check_independent(self, radicand: Poly) -> None:
@@ -265,6 +297,13 @@ class Generators:
             top, bottom = self.normal(base.numerator**power), self.normal(base.denominator**power)
             return Fraction(top, bottom) if e.exp > 0 else Fraction(bottom, top)
         raise NotPolynomialError(f"{e} is neither rational in the parameters nor a sine, cosine or square root")
+
+
+def _leading(relation: Poly) -> tuple[int, int]:
+    """(generator, power) of the leading term of a relation."""
+    exponents = relation.leading_expv()
+    power = max(exponents)
+    return exponents.index(power), power
 
 
 def _definite(poly: Poly) -> bool:
