@@ -1,4 +1,4 @@
-"""The command line: `symscrew list | demo | generate | check | mobility | convert | doctor`.
+"""The command line: `symscrew list | demo | generate | check | mobility | convert | view | doctor`.
 
 Results go to stdout, progress and errors to stderr. Exit code 0: done; 1: a check failed or a function
 reported an error; 2: the input cannot be used, said in one line, and nothing has been written.
