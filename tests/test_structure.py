@@ -27,7 +27,7 @@ STAGES = (
     ("model", "scene", "inertial_parameters"),
     ("export", "manifest", "compiled", "generation", "verification"),
     ("simulation",),
-    ("motion", "outline", "drawing", "plots", "demo", "console", "view", "cli"),
+    ("motion", "outline", "drawing", "plots", "cost", "demo", "console", "view", "cli"),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 

@@ -45,6 +45,11 @@ class BaseMotion(Effect):
     pose: tuple[Number, ...] = ()
     attitude: bool = False
 
+    @property
+    def depends_on(self) -> frozenset[str]:  # type: ignore[override]
+        """Gravity, where the attitude is known: the field turns in the axes of the ground."""
+        return frozenset({"gravity"}) if self.pose or self.attitude else frozenset()
+
     def prepare(self, acting: Acting) -> None:
         """Move the ground, before gravity looks at its attitude."""
         what = "base motion"
