@@ -210,6 +210,13 @@ def test_page_must_end_in_html(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "ends in .html" in capsys.readouterr().err and not list(tmp_path.iterdir())
 
 
+def test_place_that_is_a_directory(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "four_bar.html").mkdir()
+    assert main(["view", "four_bar", "--out", str(tmp_path / "four_bar.html")]) == 2
+    assert "four_bar.html: Is a directory" in capsys.readouterr().err
+    assert [p.name for p in tmp_path.rglob("*")] == ["four_bar.html"]
+
+
 def test_without_out_the_page_is_opened(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
     opened: list[str] = []
     monkeypatch.setattr("webbrowser.open", opened.append)

@@ -5,6 +5,7 @@ The page asks the network for nothing; its content security policy forbids it.
 
 from __future__ import annotations
 
+import errno
 import html
 import json
 import os
@@ -43,8 +44,10 @@ def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
 
 
 def write_page(model: Model, path: str | Path, motion: RecordedMotion | None = None) -> Path:
-    """Write the page of a model; the file is there whole or not at all."""
+    """Write the page of a model; the file is there whole or not at all. Raises OSError where it cannot be written."""
     file = Path(path)
+    if file.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(file))
     text = make_page(model, motion)
     handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.")
     try:
