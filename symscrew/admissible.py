@@ -14,6 +14,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
+import numpy as np
+
 from symscrew.articulated import articulated_accelerations
 from symscrew.drives import solve_symmetric
 from symscrew.effects.acting import Acting
@@ -24,6 +26,7 @@ from symscrew.tape import Node
 from symscrew.tree_dynamics import generalised_forces, mass_matrix
 
 LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
+MASSLESS = 1e-13  # least eigenvalue, without units, of an inertia that counts
 
 
 class Admissible:
@@ -97,6 +100,17 @@ class Admissible:
         scales = [1.0 / max(1e-300, magnitude(self.system.tape, full[i][i], 1.0)[1]) for i in range(n)]
         solution, guards = solve_symmetric(self.system.tape, full, [right[i] for i in order], scales)
         return solution[::-1], list(guards)
+
+    def moves_mass(self) -> bool:
+        """Whether every admissible motion moves mass, at some sample state at least."""
+        lower, tape = self.inertia(), self.system.tape
+        n = len(lower)
+        entries = [tape.sample(lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
+        if not entries:
+            return True
+        inertia = np.stack(np.broadcast_arrays(*entries), axis=-1).reshape(-1, n, n)
+        scale = np.sqrt(np.abs(np.einsum("kii->ki", inertia)).max(axis=0))
+        return bool(scale.all() and np.linalg.eigvalsh(inertia / np.outer(scale, scale))[:, 0].max() > MASSLESS)
 
     def nearest(self, w: Sequence[Node], scales: Sequence[float]) -> tuple[list[Node], list[Guard]]:
         """N c with the c that brings it closest to w; `scales` divide the entries of w before they are squared."""

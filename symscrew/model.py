@@ -18,7 +18,7 @@ from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
 from symscrew.functions.effects import effect_functions
-from symscrew.functions.forward import forward_functions, second_paths
+from symscrew.functions.forward import MASSLESS_NOTE, forward_functions, moves_mass, second_paths
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
 from symscrew.functions.momentum import momentum_functions
@@ -104,7 +104,8 @@ def derive(
             programs[name] = second.behind(programs[name])
     programs |= {f.name: lower(f) for f in margin_functions(system)}
     inputs = {name: _test_inputs(system, loops, program) for name, program in programs.items()}
-    notes = (*mechanism.warnings, *dict.fromkeys(n for p in programs.values() for n in p.notes))
+    massless = () if moves_mass(system, effects, loops) else (MASSLESS_NOTE,)
+    notes = (*mechanism.warnings, *massless, *dict.fromkeys(n for p in programs.values() for n in p.notes))
     return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes)
 
 

@@ -145,3 +145,18 @@ def test_long_chains_take_operations_in_proportion() -> None:
     """Beyond ten joints the forward dynamics of a chain grows linearly."""
     counts = [derive(chain(n)).programs["forward_dynamics"].operations["total"] for n in (12, 16, 20)]
     assert counts[2] - counts[1] == pytest.approx(counts[1] - counts[0], rel=0.02)
+
+
+def test_without_mass_there_is_no_forward_dynamics_but_everything_else() -> None:
+    """A motion that moves no mass has no acceleration: the functions are left out, and the notes say why."""
+    builder = MechanismBuilder("massless")
+    builder.body("crank")
+    builder.body("rod", mass=1, com=[0, 0, 2], inertia=[0.1, 0.1, 0])
+    builder.joint("A", "R", parent="base", child="crank", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    builder.joint("B", "P", parent="crank", child="rod", point=[0, 0, 1], axes=[[0, 1, 0]], driven=True)
+    assert "forward_dynamics" in derive(builder.build()).programs
+    bare = MechanismBuilder("bare").body("crank")
+    bare.joint("A", "R", parent="base", child="crank", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    found = derive(bare.build())
+    assert "forward_dynamics" not in found.programs and "velocity" in found.programs
+    assert any("moves no mass" in note for note in found.notes)

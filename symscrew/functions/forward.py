@@ -39,23 +39,32 @@ class SecondPath:
                              rows=self.rows, regular=self.regular)  # fmt: skip
 
 
+MASSLESS_NOTE = "a motion that the loops allow moves no mass: forward dynamics is left out; give its bodies inertia"
 State = list[tuple[Port, Sequence[Node]]]
 
 
 def forward_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Forward dynamics from the tree and from the independent coordinates, and projections onto the closure."""
-    functions = (
-        []
-        if "quasi_static" in Acting(system, effects).simplifications
-        else [
+    functions: list[Function] = []
+    if accelerates(system, effects, loops):
+        functions += [
             _forward_dynamics(system, effects, loops),
             _from_independent(system, effects, loops),
             _with_reactions(system, effects, loops),
         ]
-    )
     if system.cuts:
         functions += [_close_position(system, loops), _close_velocity(system, loops)]
     return functions
+
+
+def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
+    """Whether accelerations follow from forces: not without mass, not in a quasi-static scene."""
+    return "quasi_static" not in Acting(system, effects).simplifications and moves_mass(system, effects, loops)
+
+
+def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
+    """Whether every motion that the loops allow moves mass."""
+    return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
 
 
 def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:
@@ -110,8 +119,7 @@ def _once(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads 
 
 def second_paths(system: System, effects: Sequence[Effect], loops: Loops) -> dict[str, SecondPath]:
     """The dense quantities that solve forward dynamics again where a pivot of its straight-line code is small."""
-    acting = Acting(system, effects)
-    if not system.cuts or acting.needs_reactions or "quasi_static" in acting.simplifications:
+    if not system.cuts or Acting(system, effects).needs_reactions or not accelerates(system, effects, loops):
         return {}
     regular = len(loops.elimination.steps)
     rows = tuple(1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows)
