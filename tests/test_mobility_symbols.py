@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
+from pathlib import Path
+
 import pytest
 import sympy
 from further_mechanisms import CASES
@@ -10,7 +14,7 @@ from test_mobility import inclined
 from symscrew import catalogue
 from symscrew.builder import MechanismBuilder
 from symscrew.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility
+from symscrew.mobility import analyse_mobility, report
 from symscrew.mobility.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
 
@@ -143,3 +147,25 @@ def test_rates_of_loops_are_exact(name: str) -> None:
     loops = symbolic_loops(mechanism, analyse_mobility(mechanism).platform.body)
     assert isinstance(loops, SymbolicLoops) and len(loops.rates) == 1
     assert all(check.holds for check in analyse_mobility(mechanism).verify())
+
+
+def test_report_begins_with_its_figures() -> None:
+    found = analyse_mobility(catalogue.load("three_ups_upu_s"))
+    assert dict(report.key_figures(found))["freedoms of platform"] == "2 (2R)"
+    assert "## Limbs limb2, limb3, limb4" in report.markdown(found)
+    plain = report.text(found)
+    assert "H*sin(theta_2) + (R - r)*cos(theta_2) = 0" in plain and "\\" not in plain
+    assert "<mtable>" in report.page(found) and "$" not in report.page(found)
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "andrews", "bennett"])
+def test_latex_compiles(name: str, tmp_path: Path) -> None:
+    compiler = shutil.which("pdflatex")
+    if compiler is None:
+        pytest.skip("pdflatex is not installed (texlive-latex-base, texlive-latex-recommended)")
+    (tmp_path / "report.tex").write_text(report.latex(analyse_mobility(catalogue.load(name))))
+    command = [compiler, "-interaction=nonstopmode", "-halt-on-error", "report.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", timeout=120)
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert (tmp_path / "report.pdf").stat().st_size > 10_000

@@ -34,8 +34,20 @@ def run(options: argparse.Namespace) -> int:
         print(report.text(found))
         print(verdict)
     if writer is not None:
-        Path(options.out).write_text(writer(found), encoding="utf-8")
+        _write(Path(options.out), writer(found))
     return 1 if failed or (options.expect is not None and found.finite.dof != options.expect) else 0
+
+
+def _write(path: Path, content: str) -> None:
+    """The whole file or none: written beside its place, then renamed."""
+    beside = path.with_name(f".{path.name}.part")
+    try:
+        beside.write_text(content, encoding="utf-8")
+        beside.replace(path)
+    except OSError as error:
+        if beside.parent.is_dir():
+            beside.unlink(missing_ok=True)
+        raise DescriptionError(f"--out {shorten(str(path))}: cannot be written ({error.strerror})") from error
 
 
 def _setting(text: str) -> tuple[str, str]:

@@ -114,7 +114,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
     wrenches, dependent = null_vectors(work, [[*screw[3:], *screw[:3]] for screw in screws], 6)
     _check_size(wrenches)
     loci = [
-        Locus("limb", name, work.ring.expression(part), "the screws of the limb become dependent")
+        Locus("limb", name, _collected(work.ring.expression(part), symbols), "the screws of the limb become dependent")
         for part in work.ring.factors(dependent)
         if len(part.terms()) <= LARGEST_SHOWN
     ]
@@ -125,7 +125,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
         ):
             if any(half) and any(other):
                 parts = work.ring.factors(work.ring.common_factor(c for c in half if c))
-                loci += [Locus(kind, name, work.ring.expression(part), meaning) for part in parts]
+                loci += [Locus(kind, name, _collected(work.ring.expression(part), symbols), meaning) for part in parts]
     first = chain[0]
     return LimbPose(
         name,
@@ -133,9 +133,15 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
         tuple(f"{f.joint.name}.{f.index}" if len(JOINT_TYPES[f.joint.type].motions) > 1 else f.joint.name
               for f in displaced),
         first.joint.name,
-        tuple(tuple(work.ring.expression(c) for c in wrench) for wrench in wrenches),
+        tuple(tuple(_collected(work.ring.expression(c), symbols) for c in wrench) for wrench in wrenches),
         tuple(loci),
     )  # fmt: skip
+
+
+def _collected(expression: sympy.Expr, symbols: Sequence[sympy.Symbol]) -> sympy.Expr:
+    """The expression ordered by the displacements, their coefficients factored."""
+    generators = [g for s in symbols for g in (s, sympy.sin(s), sympy.cos(s))]
+    return sympy.collect(sympy.expand(expression), generators, sympy.factor)
 
 
 def _check_size(wrenches: list[list[Poly]]) -> None:

@@ -17,6 +17,16 @@ if TYPE_CHECKING:
     from symscrew.mobility.symbolic import Locus, Vector
 
 
+STYLE = (
+    "body{font:17px/1.45 'Latin Modern Roman','STIX Two Text',Georgia,serif;max-width:46em;margin:2.5em auto}"
+    "h1{font-size:1.5em;font-weight:normal}h2{font-size:1.1em;margin:1.3em 0 .3em}ul{margin:.2em 0;padding-left:1.3em}"
+    "table{border-collapse:collapse;border-top:1.5px solid;border-bottom:1.5px solid}td{padding:.1em .8em}"
+    "td+td{text-align:right}math{font-size:1.05em}"
+)
+LONG = 100
+"""Letters of LaTeX; a longer screw is written as a column."""
+
+
 def values(found: Mobility) -> dict[str, Any]:
     """The result as JSON values; exact forms as strings beside the numbers."""
     finite, platform, symbolic = found.finite, found.platform, found.symbolic
@@ -87,14 +97,16 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     """(heading, lines) of the whole report in words; formulas between dollar signs."""
     result = [("Mobility", _summary(found))]
     symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
+    limbs: dict[tuple[str, ...], list[str]] = {}
     for limb in found.limbs:
-        lines = [f"{len(limb.screws)} joint freedoms, {len(limb.constraints.basis)} constraints"]
+        lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
         lines += [describe_wrench(w) for w in limb.constraints.basis]
         if limb.name in symbolic and symbolic[limb.name].constraints:
             lines.append(f"in symbols (f ; m): {_formulas(symbolic[limb.name].constraints)}")
-        lines += _displaced(found, limb.name)
-        result.append((f"Limb {limb.name}", lines))
-    lines = [f"{found.platform.dof} freedoms, type {found.platform.type}"]
+        limbs.setdefault((*lines, *_displaced(found, limb.name)), []).append(limb.name)
+    for facts, names in limbs.items():
+        result.append((f"{'Limbs' if len(names) > 1 else 'Limb'} {', '.join(names)}", list(facts)))
+    lines = [f"{_count(found.platform.dof, 'freedom')}, type {found.platform.type}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
     if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
         lines.append(f"in symbols (omega ; v): {_formulas(found.symbolic.freedoms)}")
@@ -112,6 +124,28 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         result.append(("Almost parallel", list(found.nearly_parallel)))
     result.append(("How it was decided", [found.method, *found.finite.evidence]))
     return result
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number or 'no'} {what}{'' if number == 1 else 's'}"
+
+
+def key_figures(found: Mobility) -> list[tuple[str, str]]:
+    """(what, value) for the table at the head of a report."""
+    finite = found.finite
+    branches = "smooth" if finite.branches is None else ", ".join(map(str, finite.branches)) or "isolated"
+    figures = [
+        ("instantaneous mobility", str(found.dof)),
+        ("finite mobility", "not decided" if finite.dof is None else str(finite.dof)),
+        ("branches", branches),
+        ("Kutzbach-Gruebler", str(found.kutzbach)),
+        ("redundant constraints", str(found.overconstraints)),
+        (f"freedoms of {found.platform.body}", f"{found.platform.dof} ({found.platform.type})"),
+        ("internal freedoms", str(found.internal_freedoms)),
+    ]
+    if found.dof_drives_locked is not None:
+        figures.append(("with drives locked", str(found.dof_drives_locked)))
+    return [*figures, ("ranks", "exact" if found.decisions.exact else "certified numeric")]
 
 
 def _summary(found: Mobility) -> list[str]:
@@ -190,6 +224,8 @@ def _formulas(vectors: Sequence[Vector]) -> str:
 
 def _screw(vector: Vector) -> str:
     texts = [sympy.latex(c) for c in vector]
+    if sum(map(len, texts)) > LONG:
+        return r"\begin{pmatrix}" + r" \\ ".join(texts) + r"\end{pmatrix}"
     return r"\left(" + ", ".join(texts[:3]) + r";\; " + ", ".join(texts[3:]) + r"\right)"
 
 
@@ -207,6 +243,7 @@ def markdown(found: Mobility) -> str:
     lines = [f"# Mobility of {found.mechanism.name}", ""]
     if found.mechanism.source:
         lines += [found.mechanism.source, ""]
+    lines += ["| | |", "|---|---|", *(f"| {what} | {value} |" for what, value in key_figures(found)), ""]
     for heading, facts in sections(found):
         lines += [f"## {heading}", "", *(f"- {fact}" for fact in facts), ""]
     return "\n".join(lines)
@@ -217,8 +254,13 @@ def page(found: Mobility) -> str:
     name = html.escape(found.mechanism.name)
     source = html.escape(found.mechanism.source)
     parts = [f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mobility of {name}</title>',
-             "<style>body{font:16px/1.5 serif;max-width:50em;margin:2em auto}h2{font-size:1.1em}</style>",
-             f"</head><body>\n<h1>Mobility of {name}</h1>", f"<p>{source}</p>"]  # fmt: skip
+             f"<style>{STYLE}</style>",
+             f"</head><body>\n<h1>Mobility of {name}</h1>",
+             f"<p>{html.escape(found.mechanism.description)}<br><i>{source}</i></p>", "<table>"]  # fmt: skip
+    parts += [
+        f"<tr><td>{html.escape(what)}</td><td>{html.escape(value)}</td></tr>" for what, value in key_figures(found)
+    ]
+    parts.append("</table>")
     formulas = _mathml(found)
     for heading, facts in sections(found):
         parts.append(f"<h2>{html.escape(heading)}</h2>\n<ul>")
@@ -263,12 +305,19 @@ def _mathml(found: Mobility) -> dict[str, str]:
     from sympy.printing.mathml import mathml
 
     def presented(expression: sympy.Expr) -> str:
-        return str(mathml(expression, printer="presentation"))
+        text = str(mathml(expression, printer="presentation")).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
+        for function in ("sin", "cos"):
+            text = text.replace(f"<mi>{function}</mi>", f'<mspace width="0.15em"/><mi>{function}</mi>')
+        return text
 
     vectors, loci, single = _expressions(found)
     result: dict[str, str] = {}
     for vector in vectors:
         cells = [presented(c) for c in vector]
+        if sum(len(sympy.latex(c)) for c in vector) > LONG:
+            rows = "".join(f"<mtr><mtd>{cell}</mtd></mtr>" for cell in cells)
+            result[_screw(vector)] = f"<math><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></math>"
+            continue
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
         result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
     for expression in loci:
@@ -285,8 +334,12 @@ def _with(fact: str, formulas: dict[str, str], words: Callable[[str], str]) -> s
 
 def latex(found: Mobility) -> str:
     """A LaTeX document of the report."""
-    lines = [r"\documentclass{article}", r"\usepackage{amsmath}", r"\begin{document}",
+    lines = [r"\documentclass{article}", r"\usepackage[T1]{fontenc}", r"\usepackage{amsmath}",
+             r"\usepackage[margin=28mm]{geometry}", r"\setlength{\emergencystretch}{3em}", r"\begin{document}",
              rf"\section*{{Mobility of {_escaped(found.mechanism.name)}}}"]  # fmt: skip
+    lines += [r"\begin{center}\begin{tabular}{lr}\hline"]
+    lines += [rf"{_escaped(what)} & {_escaped(value)} \\" for what, value in key_figures(found)]
+    lines += [r"\hline\end{tabular}\end{center}"]
     for heading, facts in sections(found):
         lines += [rf"\subsection*{{{_escaped(heading)}}}", r"\begin{itemize}"]
         for fact in facts:
