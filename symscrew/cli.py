@@ -1,4 +1,4 @@
-"""The command line: `symscrew list | demo | generate | check | mobility | convert | view | doctor`.
+"""The command line: `symscrew list | demo | generate | check | mobility | convert | simulate | view | doctor`.
 
 Results go to stdout, progress and errors to stderr. Exit code 0: done; 1: a check failed or a function
 reported an error; 2: the input cannot be used, said in one line, and nothing has been written.
@@ -129,6 +129,13 @@ def parser() -> argparse.ArgumentParser:
     convert = _command(commands, "convert", convert_description, "a mechanism as TOML, URDF or MJCF")
     _mechanism(convert)
     convert.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
+
+    run = _command(commands, "simulate", simulate_scene, "the motion of a scene: loops closed, energy balanced")
+    run.add_argument("scene", metavar="SCENE", help="a TOML file with mechanism, effects, start, drives, integrator")
+    run.add_argument("--out", metavar="FILE", help="the run: .npz (everything) or .csv")
+    run.add_argument("--plot", metavar="FILE.png", help="a picture of the run")
+    run.add_argument("--emit-c", metavar="DIR", help="write the loop for real time: one step of fixed size in C99")
+    run.add_argument("--json", action="store_true", help="numbers of the run as JSON")
 
     picture = _command(commands, "draw", draw_mechanism, "a picture of a mechanism in its reference configuration")
     _mechanism(picture)
@@ -323,6 +330,13 @@ def convert_description(options: argparse.Namespace) -> int:
     for note in mechanism.source.split("; ")[1:] if mechanism.source.startswith("imported from") else ():
         print(f"note: {note}", file=sys.stderr)
     return 0
+
+
+def simulate_scene(options: argparse.Namespace) -> int:
+    """`symscrew simulate`."""
+    from symscrew.simulation.command import run
+
+    return run(options)
 
 
 def draw_mechanism(options: argparse.Namespace) -> int:

@@ -23,7 +23,7 @@ class Passage:
 class History:
     """Samples t (n,), q (n, nq), v (n, nv), x (n, nx); u (n, drives) where they came from outside.
 
-    `forces`: inputs of effects that the integrator determined itself (contacts), by port, (n, 1).
+    `contact_forces` (n, contacts): inputs of effects that the integrator determined itself.
     """
 
     t: np.ndarray
@@ -37,4 +37,9 @@ class History:
     events: tuple[str, ...] = ()
     counters: Mapping[str, float] = field(default_factory=dict)
     u: np.ndarray | None = None
-    forces: Mapping[str, np.ndarray] = field(default_factory=dict)
+    contact_forces: np.ndarray | None = None
+
+    @property
+    def forces(self) -> np.ndarray:
+        """Contact forces (n, contacts), of no columns where there are none."""
+        return np.zeros((len(self.t), 0)) if self.contact_forces is None else self.contact_forces

@@ -24,6 +24,7 @@ KERNELS = Path(__file__).parent / "kernels"
 FLAGS = ("-O3", "-fno-trapping-math")
 METHODS = {"euler": 0, "semi_implicit_euler": 1, "rk4": 2, "rk8": 3, "dop853": 4}
 GOING_ON = 1
+NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
 
 
 def generated(plant: Plant) -> dict[str, str]:
@@ -72,7 +73,8 @@ def constants(plant: Plant) -> str:
     }  # fmt: skip
     reals = {
         "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-4 * plant.pivot,
-        "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.1, "SPACING": 0.03, "REACH": 0.6, "CAREFUL_TOLERANCE": 3e-11,
+        "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.1, "SPACING": 0.03,
+        "REACH": 0.6, "CAREFUL_TOLERANCE": 3e-11,
     }  # fmt: skip
     lines = [f"#define {name} {value}" for name, value in numbers.items()]
     lines += [f"#define {name} {decimal(float(value))}" for name, value in reals.items()]
@@ -82,7 +84,6 @@ def constants(plant: Plant) -> str:
         _vector("UNIT", plant.units),
         _vector("ROW_SCALE", plant.rows),
         _vector("PARAMETERS", plant.parameters),
-        "static long evaluations;",
     ]
     return "\n".join([*lines, ""])
 
@@ -132,10 +133,10 @@ def source(plant: Plant, tables: str = "") -> str:
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
-    no_tables = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
-    kernels = [kernel_text(file) for file in ("manifold.c", "branch.c", "steps.c", "simulation.c")]
+    kernels = [kernel_text(file) for file in ("manifold.c", "branch.c", "steps.c", "adaptive.c", "simulation.c")]
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
-    return "\n".join([*head, kernel_text("dop853_error.h"), tables or no_tables, adapters(plant), *kernels])
+    head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations"]
+    return "\n".join([*head, kernel_text("dop853_error.h"), tables or NO_TABLES, adapters(plant), *kernels])
 
 
 class Library:

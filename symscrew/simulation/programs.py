@@ -47,6 +47,7 @@ class Plant:
     works: bool
     parameters: np.ndarray
     tables: int
+    outside: tuple[str, ...] = ()
 
     @property
     def system(self) -> System:
@@ -66,6 +67,7 @@ def plant(
     held: bool = False,
     parameters: np.ndarray | None = None,
     work: bool | None = None,
+    outside: Sequence[str] = (),
 ) -> Plant:
     """The programs of a model under a controller.
 
@@ -76,6 +78,7 @@ def plant(
         held: the drives are given from outside and held during a step; the controller must not have an output u.
         parameters: values of the run-time parameters; default: those of the description.
         work: whether to integrate the work of drives and effects; default: where there is any.
+        outside: inputs of effects that the integrator determines; their entries follow the tables in s.
     """
     system, forward = model.system, model.programs["forward_dynamics"]
     assert isinstance(forward, Program)
@@ -88,11 +91,13 @@ def plant(
         work = bool(system.drives and (held or "u" in given)) or bool(powers)
     labels = (*effect_states, *controller_states, *((WORK,) if work else ()))
     tables = next((p.size for p in controller.inputs if p.name == "s"), 0) if controller else 0
-    ports = _ports(system, labels, tables, held)
+    ports = _ports(system, labels, tables + sum(own[name].size for name in outside), held)
     linker = Linker(ports)
-    link = _Link(linker, forward, controller, len(effect_states), len(controller_states))
+    counts = _Counts(len(effect_states), len(controller_states), tables)
+    link = _Link(linker, forward, controller, counts, outside)
     outputs = link.run(forward)
-    rates = [*outputs.get("x_dot", ()), *link.commands.get("c_dot", ())]
+    own_rates = model.programs.get("effect_state_rates")
+    rates = [*(link.run(own_rates)["x_dot"] if own_rates else ()), *link.commands.get("c_dot", ())]
     if work:
         rates.append(_power(link, model, powers))
     x_dot = Port("x_dot", (len(rates),), ("1/s",) * len(rates), labels, "rates of the states")
@@ -105,8 +110,20 @@ def plant(
     closure, rank, pivot = _closure(model), 0, 1.0
     if closure is not None:
         rank, pivot = _regular(model, units, rows)
-    return Plant(model, slopes, _inputs(ports, forward, controller, len(effect_states), len(controller_states)),
-                 forward, closure, labels, units, rows, rank, pivot, bool(work), values, tables)  # fmt: skip
+    inputs = _inputs(ports, forward, controller, counts, outside)
+    return Plant(
+        model, slopes, inputs, forward, closure, labels, units, rows, rank, pivot, bool(work), values, tables,
+        tuple(outside),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Counts:
+    """Entries of x that belong to effects and to the controller, and of s that belong to tables."""
+
+    effects: int
+    states: int
+    tables: int
 
 
 def _ports(system: System, labels: Sequence[str], tables: int, held: bool) -> list[Port]:
@@ -126,14 +143,25 @@ def _ports(system: System, labels: Sequence[str], tables: int, held: bool) -> li
 class _Link:
     """Forward dynamics behind a controller in one linker."""
 
-    def __init__(self, linker: Linker, forward: Program, controller: Program | None, effects: int, states: int) -> None:
+    def __init__(
+        self, linker: Linker, forward: Program, controller: Program | None, counts: _Counts, outside: Sequence[str]
+    ) -> None:
         self.linker = linker
-        x = linker.entries["x"]
+        x, s, at = linker.entries["x"], linker.entries["s"], counts.tables
+        effects = counts.effects
         self.arguments: dict[str, Sequence[Operand]] = {"x": x[:effects]}
         self.commands: dict[str, tuple[Operand, ...]] = {}
         if controller is not None:
-            self.commands = linker.call(controller, {"x": x[:effects], "c": x[effects : effects + states]})
+            self.commands = linker.call(
+                controller, {"x": x[:effects], "c": x[effects : effects + counts.states], "s": s[:at]}
+            )
+        sizes = {port.name: port.size for port in forward.inputs}
+        for name in outside:
+            self.arguments[name] = s[at : at + sizes[name]]
+            at += sizes[name]
         for port in forward.inputs:
+            if port.name in outside:
+                continue
             if port.name == "u" and len(linker.entries["u"]) == port.size and port.size:
                 self.arguments["u"] = linker.entries["u"]
             elif port.name not in STANDARD or port.name == "u":
@@ -157,10 +185,12 @@ def _power(link: _Link, model: Model, powers: object) -> Operand:
     return total
 
 
-def _inputs(ports: Sequence[Port], forward: Program, controller: Program | None, effects: int, states: int) -> Program:
+def _inputs(
+    ports: Sequence[Port], forward: Program, controller: Program | None, counts: _Counts, outside: Sequence[str]
+) -> Program:
     """The controller alone: what it commands, as the inputs of forward dynamics that are not the state."""
     linker = Linker(ports)
-    link = _Link(linker, forward, controller, effects, states)
+    link = _Link(linker, forward, controller, counts, outside)
     outputs = [
         (_renamed(port), link.arguments[port.name])
         for port in forward.inputs

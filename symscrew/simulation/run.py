@@ -27,8 +27,7 @@ class Run:
 
     t (n,), q (n, nq), v (n, nv), u (n, drives), x (n, states; the last is the work of drives and effects where there
     are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
-    energy_balance (n,) energy - energy at the start - work [J], reactions (n, 6 joints) or None, momentum_balance
-    (n,) largest entry of (rate of the total momentum - wrenches of base, gravity and loads), relative, or None.
+    energy_balance (n,) energy - energy at the start - work [J], reactions (n, 6 joints) or None.
     """
 
     scene: Scene
@@ -49,6 +48,7 @@ class Run:
     counters: Mapping[str, float] = field(default_factory=dict)
     x_labels: tuple[str, ...] = ()
     backend: str = "c"
+    inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def energy_error(self) -> float:
@@ -71,11 +71,14 @@ class Crossing:
 def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     """The model of a scene and its programs."""
     model = derive(scene.mechanism, scene.effects)
-    for contact in (c for e in scene.effects for c in e.contacts()):
+    contacts = [c for e in scene.effects for c in e.contacts()]
+    for contact in contacts:
         if contact.port in scene.inputs:
             raise DescriptionError(f"inputs.{contact.port}: this force follows from its law of contact; leave it out")
     values = np.array(list(parameter_values(scene, model).values()), dtype=float)
-    return model, plant(model, controller_of(scene, model, held=held), held=held, parameters=values)
+    outside = [contact.port for contact in contacts]
+    made = controller_of(scene, model, held=held)
+    return model, plant(model, made, held=held, parameters=values, outside=outside)
 
 
 def simulate(
@@ -144,8 +147,8 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     }  # fmt: skip
     tables = np.stack([table(history.t) for table in scene.tables.values()], 1) if scene.tables else np.zeros((n, 0))
     held = history.u if history.u is not None else np.zeros((n, 0))
+    tables = np.concatenate([tables, history.forces], 1)
     found = commands(programs, {**known, "x": history.x, "u": held, "s": tables})
-    found |= history.forces
     known |= found
     u = found.get("u", np.zeros((n, 0)))
     energy = evaluated(model, "energy", known)["energy"]
@@ -163,4 +166,5 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
         history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
+        {name: array for name, array in found.items() if name != "u"},
     )  # fmt: skip

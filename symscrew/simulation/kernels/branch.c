@@ -73,7 +73,7 @@ static void tangential(const Chart *c, const double *z, double *y)
 /* Newton from q to the point of the branch with tangential coordinates y. `moved`: size of the first correction. */
 static int corrected(const Chart *c, const double *y, double *q, Opening *o, Rows *f, double *moved)
 {
-    double z[NV1], here[FREE], right[NR], d[NV1], next[NQ1], before = INFINITY;
+    double z[NV1], here[FREE], right[NR], d[NV1], next[NQ1], before = 1e300;
     *moved = -1.0;
     for (int step = 0; step < 12; ++step) {
         if (opening(q, o) != 0) {

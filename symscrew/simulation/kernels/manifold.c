@@ -215,7 +215,7 @@ static double largest(const double *values, int count)
     double most = 0.0;
     for (int i = 0; i < count; ++i) {
         most = fmax(most, fabs(values[i]));
-        most = isfinite(values[i]) ? most : INFINITY;
+        most = isfinite(values[i]) ? most : 1e300;
     }
     return most;
 }
@@ -236,7 +236,7 @@ static int settle(double *q, double *v, double *smallest)
 {
     Opening o;
     Rows f;
-    double d[NV1], rates[NR], before = INFINITY;
+    double d[NV1], rates[NR], before = 1e300;
     if (opening(q, &o) != 0) {
         return FAILED;
     }

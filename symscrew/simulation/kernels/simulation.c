@@ -194,7 +194,7 @@ static int crossing_within(Simulation *s, Crossing *found, double rate_at_end)
     for (int i = 0; i < NR; ++i) {
         const int row = f.order[i];
         const int short_row = i < RANK && (i >= f.rank || f.lower[row][i] < LOOK);
-        found->rows[row] = short_row || i >= RANK ? 1.0 : 0.0;
+        found->rows[row] = short_row ? 1.0 : 0.0;
         found->lost += short_row;
     }
     return 1;

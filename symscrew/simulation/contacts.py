@@ -1,0 +1,208 @@
+"""Stick and slip, and impacts at rigid stops: forces that obey a law with cases.
+
+Every contact is in one of a few modes; in a mode its force is given, or it is what keeps the contact's rate at zero.
+Accelerations are affine in the forces, so the latter follow from a linear system. A mode ends where its law does:
+the rate of a slipping joint changes its sign, a stuck one needs more than the static force, a stop is reached, or
+would have to pull.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from symscrew.effects import Contact
+from symscrew.errors import DescriptionError
+from symscrew.expressions import exact, numeric
+from symscrew.model import Model
+
+Accelerations = Callable[[np.ndarray], np.ndarray]
+STILL = 1e-9  # a rate below this, without units, counts as zero when modes are chosen
+SOFT = 1e-6  # a rebound slower than this part of the largest rate ends the bouncing
+
+
+@dataclass(frozen=True)
+class Law:
+    """A contact with numbers: index into v and q of its freedom, and its law."""
+
+    contact: Contact
+    v: int
+    q: int
+    coulomb: float
+    static: float
+    stribeck: float
+    lower: float
+    upper: float
+    restitution: float
+
+    def level(self, rate: float) -> float:
+        """Size of the friction at a rate."""
+        if self.static <= self.coulomb or not np.isfinite(self.stribeck):
+            return self.coulomb
+        return self.coulomb + (self.static - self.coulomb) / (1 + (rate / self.stribeck) ** 2)
+
+
+def laws(model: Model, contacts: Sequence[Contact]) -> tuple[Law, ...]:
+    """The contacts with numbers.
+
+    Raises:
+        DescriptionError: a contact in a cut joint, or friction that depends on the load.
+    """
+    names = {p.name: p.value for p in model.mechanism.parameters.values()}
+    tree = model.system.tree
+
+    def number(value: object, default: float) -> float:
+        return default if value is None else float(numeric(exact(value, names)))
+
+    result = []
+    for contact in contacts:
+        where = f"contact in joint {contact.joint!r}"
+        if contact.joint not in tree.joints:
+            known = ", ".join(j for j in tree.joints if j in model.mechanism.joints)
+            raise DescriptionError(
+                f"{where}: stick-slip and impacts need a joint of the spanning tree ({known}); use the smooth or "
+                "compliant mode here"
+            )
+        if number(contact.load, 0.0) != 0.0:
+            raise DescriptionError(f"{where}: friction with events takes no 'load'; use the smooth mode for it")
+        v = tree.velocity_indices(contact.joint)[contact.freedom]
+        q = next(li.q.start for li in tree.links[1:] if li.v.start <= v < li.v.stop)
+        coulomb = number(contact.coulomb, 0.0)
+        result.append(
+            Law(
+                contact, v, q, coulomb, number(contact.static, coulomb), number(contact.stribeck_velocity, np.inf),
+                number(contact.lower, -np.inf), number(contact.upper, np.inf), number(contact.restitution, 0.0),
+            )
+        )  # fmt: skip
+    return tuple(result)
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Friction: -1, 0, +1 for slipping down, stuck, slipping up. Stops: -1, 0, +1 for at the lower end, free, upper."""
+
+    values: tuple[int, ...]
+
+    def with_mode(self, k: int, mode: int) -> Modes:
+        """The same with another mode of contact k."""
+        return replace(self, values=(*self.values[:k], mode, *self.values[k + 1 :]))
+
+
+def forces(rules: Sequence[Law], modes: Modes, v: np.ndarray, accelerations: Accelerations) -> np.ndarray:
+    """Contact forces (n,) at a state; `accelerations` gives a for contact forces."""
+    given = np.zeros(len(rules))
+    unknown = []
+    for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
+        if rule.contact.kind == "friction":
+            if mode == 0:
+                unknown.append(k)
+            else:
+                given[k] = -mode * rule.level(float(v[rule.v]))
+        elif mode != 0:
+            unknown.append(k)
+    if not unknown:
+        return given
+    rows = [rules[k].v for k in unknown]
+    a = accelerations(given)[rows]
+    columns = []
+    for k in unknown:
+        unit = np.array(given)
+        unit[k] += 1.0
+        columns.append(accelerations(unit)[rows] - a)
+    given[unknown] = np.linalg.lstsq(np.stack(columns, 1), -a, rcond=1e-12)[0]
+    return given
+
+
+def margins(rules: Sequence[Law], modes: Modes, q: np.ndarray, v: np.ndarray, force: np.ndarray) -> np.ndarray:
+    """Per contact what is positive while its mode lasts."""
+    result = np.empty(len(rules))
+    for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
+        if rule.contact.kind == "friction":
+            result[k] = mode * v[rule.v] if mode else rule.static - abs(force[k])
+        elif mode == 0:
+            result[k] = min(rule.upper - q[rule.q], q[rule.q] - rule.lower)
+        else:
+            result[k] = -mode * force[k]  # an upper stop pushes downwards
+    return result
+
+
+def start_modes(
+    rules: Sequence[Law], q: np.ndarray, v: np.ndarray, units: np.ndarray, accelerations: Accelerations
+) -> Modes:
+    """Modes at the start: slipping with the rate, stuck where it is zero and the static force suffices."""
+    modes = []
+    for rule in rules:
+        rate = v[rule.v] / units[rule.v]
+        if rule.contact.kind == "friction":
+            modes.append(0 if abs(rate) < STILL else int(np.sign(rate)))
+            continue
+        for end, place in ((1, rule.upper), (-1, rule.lower)):
+            if end * (q[rule.q] - place) > 1e-9 * units[rule.v]:
+                raise DescriptionError(
+                    f"initial.coordinates: {rule.contact.joint} = {q[rule.q]:g} lies beyond its stop at {place:g}"
+                )
+        at = 1 if rule.upper - q[rule.q] < 1e-12 else -1 if q[rule.q] - rule.lower < 1e-12 else 0
+        modes.append(at if at * rate > -STILL else 0)
+    return released(rules, Modes(tuple(modes)), v, accelerations)
+
+
+def released(rules: Sequence[Law], modes: Modes, v: np.ndarray, accelerations: Accelerations) -> Modes:
+    """Modes after those whose forces break their law have ended, one after the other."""
+    for _ in range(2 * len(rules) + 1):
+        force = forces(rules, modes, v, accelerations)
+        worst, which = 0.0, -1
+        for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
+            if rule.contact.kind == "friction" and mode == 0:
+                excess = abs(force[k]) - rule.static
+            elif rule.contact.kind == "stop" and mode != 0:
+                excess = mode * force[k]
+            else:
+                continue
+            if excess > worst:
+                worst, which = excess, k
+        if which < 0:
+            return modes
+        friction = rules[which].contact.kind == "friction"
+        modes = modes.with_mode(which, -int(np.sign(force[which])) if friction else 0)
+    return modes
+
+
+def impact(
+    rules: Sequence[Law], hit: int, end: int, modes: Modes, v: np.ndarray, units: np.ndarray,
+    accelerations: Accelerations,
+) -> tuple[np.ndarray, Modes]:  # fmt: skip
+    """Rates and modes after contact `hit` has met its stop `end`: Newton's law of impact.
+
+    Other stops that are in contact take their part by impulses that only push (complementarity, by active sets).
+    """
+    base = accelerations(np.zeros(len(rules)))
+    active = [hit, *(k for k, m in enumerate(modes.values) if k != hit and m and rules[k].contact.kind == "stop")]
+    ends = {k: end if k == hit else modes.values[k] for k in active}
+    columns = {}
+    for k in active:
+        unit = np.zeros(len(rules))
+        unit[k] = 1.0
+        columns[k] = accelerations(unit) - base
+    while True:
+        rows = [rules[k].v for k in active]
+        matrix = np.stack([columns[k][rows] for k in active], 1)
+        wanted = np.array([-rules[k].restitution * v[rules[k].v] if k == hit else 0.0 for k in active])
+        impulse = np.linalg.lstsq(matrix, wanted - v[rows], rcond=1e-12)[0]
+        pulling = [k for k, p in zip(active, impulse, strict=True) if ends[k] * p > 0 and k != hit]
+        if not pulling:
+            break
+        active = [k for k in active if k not in pulling]
+    after = v + sum((columns[k] * p for k, p in zip(active, impulse, strict=True)), start=np.zeros_like(v))
+    for k in ends:
+        if k not in active:
+            modes = modes.with_mode(k, 0)
+    slow = abs(after[rules[hit].v] / units[rules[hit].v]) <= SOFT * max(1.0, float(np.abs(v / units).max()))
+    if slow:
+        after = after - columns[hit] * (after[rules[hit].v] / columns[hit][rules[hit].v])
+    modes = modes.with_mode(hit, end if slow else 0)
+    for k, rule in enumerate(rules):
+        if rule.contact.kind == "friction" and abs(after[rule.v] / units[rule.v]) > STILL:
+            modes = modes.with_mode(k, int(np.sign(after[rule.v])))
+    return after, modes

@@ -1,0 +1,145 @@
+"""A run as files: NumPy archive, table of comma-separated values, picture."""
+
+from __future__ import annotations
+
+import os
+import secrets
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from symscrew import description
+from symscrew.errors import DescriptionError
+from symscrew.simulation.run import Run
+
+FORMATS = (".npz", ".csv")
+
+
+def write(run: Run, path: Path) -> Path:
+    """Write a run into a .npz or .csv file; a file that is not finished never has its name."""
+    if path.suffix not in FORMATS:
+        raise DescriptionError(f"expected a file name that ends in .npz or .csv, got {path.name!r}")
+    return replaced(path, lambda target: _archive(run, target) if path.suffix == ".npz" else _table(run, target))
+
+
+def replaced(path: Path, make: Callable[[Path], None]) -> Path:
+    """Make a file beside its place and move it there."""
+    temporary = path.with_name(f".{path.stem}.{secrets.token_hex(6)}{path.suffix}")
+    try:
+        make(temporary)
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+    return path
+
+
+def labels(run: Run) -> dict[str, list[str]]:
+    """Labels of the columns of q, v and u."""
+    tree = run.model.system.tree
+    u = next((p.labels for p in run.model.programs["forward_dynamics"].inputs if p.name == "u"), ())
+    return {
+        "q": [c.label for c in tree.q],
+        "v": [c.label for c in tree.v],
+        "u": list(u) if run.u.shape[1] else [],
+    }
+
+
+def arrays(run: Run) -> dict[str, np.ndarray]:
+    """Everything that the archive holds, by name."""
+    names = labels(run)
+    text = {
+        "mechanism": description.dumps(run.scene.mechanism),
+        "scene": run.scene.text,
+        "status": run.status,
+        "backend": run.backend,
+    }
+    result = {
+        "t": run.t, "q": run.q, "v": run.v, "u": run.u, "x": run.x, "energy": run.energy,
+        "closure_error": run.closure_error, "energy_balance": run.energy_balance, "ok": np.array(run.ok),
+        "crossing_times": np.array([c.t for c in run.crossings]),
+        "crossing_configurations": np.array([c.q for c in run.crossings]).reshape(len(run.crossings), -1),
+        "crossing_rows": np.array([" ".join(c.rows) for c in run.crossings], dtype=str),
+        "events": np.array(list(run.events), dtype=str),
+        **{f"{key}_labels": np.array(value, dtype=str) for key, value in names.items()},
+        "x_labels": np.array(list(run.x_labels), dtype=str),
+        "joint_names": np.array(list(run.model.mechanism.joints), dtype=str),
+        **{key: np.array(value) for key, value in text.items()},
+    }  # fmt: skip
+    if run.reactions is not None:
+        result["reactions"] = run.reactions
+    return result
+
+
+def _archive(run: Run, path: Path) -> None:
+    np.savez_compressed(path, **arrays(run))  # type: ignore[arg-type]
+
+
+def _table(run: Run, path: Path) -> None:
+    names = labels(run)
+    columns = [("t", run.t)]
+    for key in ("q", "v", "u"):
+        columns += [(f"{key}.{label}", run.__dict__[key][:, k]) for k, label in enumerate(names[key])]
+    columns += [(f"x.{label}", run.x[:, k]) for k, label in enumerate(run.x_labels)]
+    columns += [("energy.kinetic", run.energy[:, 0]), ("energy.potential", run.energy[:, 1])]
+    columns += [("closure_error", run.closure_error), ("energy_balance", run.energy_balance)]
+    header = ",".join(name for name, _ in columns)
+    np.savetxt(path, np.stack([c for _, c in columns], 1), delimiter=",", header=header, comments="", fmt="%.17g")
+
+
+def plot(run: Run, path: Path) -> Path:
+    """A picture of coordinates, rates, energy and errors over time."""
+    from matplotlib.figure import Figure
+
+    names, t = labels(run), run.t
+    figure = Figure(figsize=(10, 9), layout="constrained")
+    axes = figure.subplots(4, 1, sharex=True)
+    for axis, key, title in ((axes[0], "q", "coordinates [rad, m]"), (axes[1], "v", "rates [rad/s, m/s]")):
+        values = run.__dict__[key]
+        for k, label in enumerate(names[key]):
+            axis.plot(t, values[:, k], linewidth=1, label=label)
+        axis.set_ylabel(title)
+        if len(names[key]) <= 12:
+            axis.legend(fontsize="x-small", loc="upper right", ncols=2)
+    for k, label in enumerate(("kinetic", "potential")):
+        axes[2].plot(t, run.energy[:, k], linewidth=1, label=label)
+    axes[2].plot(t, run.energy.sum(axis=1), "k--", linewidth=1, label="sum")
+    axes[2].set_ylabel("energy [J]")
+    axes[2].legend(fontsize="x-small")
+    floor = 1e-18
+    axes[3].semilogy(t, np.maximum(run.closure_error, floor), linewidth=1, label="opening of the loops [1]")
+    axes[3].semilogy(t, np.maximum(np.abs(run.energy_balance), floor), linewidth=1, label="energy balance [J]")
+    axes[3].set_ylabel("errors")
+    axes[3].legend(fontsize="x-small")
+    axes[3].set_xlabel("time [s]")
+    for axis in axes:
+        for crossing in run.crossings:
+            axis.axvline(crossing.t, color="0.6", linewidth=0.8, linestyle=":")
+        axis.grid(alpha=0.3)
+    axes[0].set_title(f"{run.scene.name}: {run.status}")
+    return replaced(path, lambda target: figure.savefig(target, dpi=150, metadata={"Software": None}))
+
+
+def summary(run: Run) -> list[str]:
+    """What a person wants to know about a run, line by line."""
+    kinetic = float(run.energy[:, 0].max(initial=0.0))
+    lines = [
+        f"{run.scene.name}: {run.status}",
+        f"{len(run.t)} outputs to t = {run.t[-1]:.9g} s; " + ", ".join(
+            f"{int(n)} {key} steps" if key == "careful" else f"{int(n)} {key}"
+            for key, n in run.counters.items()
+            if key in ("steps", "rejected", "careful", "evaluations") and (n or key == "steps")
+        ),
+        f"loops open by at most {run.closure_error.max(initial=0.0):.2e} (lengths by the characteristic length)",
+        f"energy balance: at most {np.abs(run.energy_balance).max(initial=0.0):.2e} J, largest kinetic energy "
+        f"{kinetic:.4g} J",
+    ]  # fmt: skip
+    names = labels(run)["q"]
+    for c in run.crossings:
+        place = ", ".join(f"{n} = {value:.6g}" for n, value in list(zip(names, c.q, strict=True))[:8])
+        lines.append(
+            f"singular configuration passed at t = {c.t:.9g} s: {c.lost} row{'s' * (c.lost != 1)} of the closure lost, "
+            f"among {', '.join(c.rows)}; at {place}{', ...' if len(names) > 8 else ''}"
+        )
+    lines += list(run.events[:40]) + ([f"... {len(run.events)} events"] if len(run.events) > 40 else [])
+    return lines

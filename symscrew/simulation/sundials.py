@@ -1,0 +1,82 @@
+"""Stiff runs by CVODES of SUNDIALS, through CasADi: exact Jacobians from the programs."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+
+import casadi as ca
+import numpy as np
+
+from symscrew.export.casadi import program_function
+from symscrew.scene import Scene, Table
+from symscrew.simulation.functions import Functions, RunError
+from symscrew.simulation.history import History
+from symscrew.simulation.programs import Plant
+
+
+def integrate(
+    scene: Scene,
+    plant: Plant,
+    start: tuple[np.ndarray, np.ndarray, np.ndarray],
+    progress: Callable[[float], None] | None = None,
+) -> History:
+    """The run of a scene, from output to output; projected and started again at each."""
+    functions = Functions(plant, list(scene.tables.values()), compiled=False)
+    nq, nv, nx = functions.nq, functions.nv, functions.nx
+    local = max(1e-3 * scene.integrator.tolerance, 1e-13)
+    options = {"abstol": local, "reltol": local, "max_num_steps": scene.integrator.most_steps}
+    t, y, span = ca.SX.sym("t"), ca.SX.sym("y", nq + nv + nx), ca.SX.sym("span", 2)
+    at = span[0] + t * span[1]
+    rates = span[1] * _slopes(scene, plant, functions, at, y)
+    ode = {"x": y, "t": t, "p": span, "ode": rates}
+    solver = ca.integrator("run", "cvodes", ode, 0.0, 1.0, options)
+    times = scene.times
+    q, v, _ = functions.settle(start[0], start[1])
+    states = [np.concatenate([q, v, start[2]])]
+    status, ok = "completed", True
+    for left, right in itertools.pairwise(times):
+        try:
+            found = np.asarray(solver(x0=states[-1], p=[left, right - left])["xf"], dtype=float).ravel()
+            if not np.isfinite(found).all():
+                raise RunError("the state is not finite")
+            q, v, _ = functions.settle(found[:nq], found[nq : nq + nv])
+        except (RuntimeError, RunError) as error:
+            reason = str(error).splitlines()[-1][:200]
+            status, ok = f"stopped at t = {left:.9g} s: {reason}", False
+            break
+        states.append(np.concatenate([q, v, found[nq + nv :]]))
+        if progress is not None:
+            progress(right / scene.duration)
+    y_all = np.array(states)
+    parts = y_all[:, :nq], y_all[:, nq : nq + nv], y_all[:, nq + nv :]
+    return History(times[: len(states)], *parts, ok, status, "cvodes")
+
+
+def _slopes(scene: Scene, plant: Plant, functions: Functions, t: ca.SX, y: ca.SX) -> ca.SX:
+    nq, nv = functions.nq, functions.nv
+    q, v, x = y[:nq], y[nq : nq + nv], y[nq + nv :]
+    s = ca.vertcat(ca.SX(0, 1), *[_table(table, t) for table in scene.tables.values()])
+    a, x_dot, _ = program_function(plant.slopes)(t, q, v, x, ca.SX(0, 1), s, ca.SX(plant.parameters))
+    rates = ca.SX.zeros(nq)
+    for i, k in functions.plain:
+        rates[int(i)] = v[int(k)]
+    for i, k in functions.spheres:
+        w, r, omega = q[i], q[i + 1 : i + 4], v[k : k + 3]
+        rates[i] = -ca.dot(r, omega) / 2
+        rates[i + 1 : i + 4] = (w * omega + ca.cross(r, omega)) / 2
+    return ca.vertcat(rates, a, x_dot)
+
+
+def _table(table: Table, t: ca.SX) -> ca.SX:
+    """A table as a piecewise polynomial."""
+    at = ca.fmin(ca.fmax(t, table.times[0]), table.times[-1])
+    breaks = ca.DM(list(table.times[1:-1]))
+
+    def piecewise(values: np.ndarray) -> ca.SX:
+        return ca.pw_const(at, breaks, ca.DM(values)) if len(values) > 1 else ca.SX(float(values[0]))
+
+    pieces = table.pieces()
+    d = at - piecewise(np.array(table.times[:-1]))
+    c = [piecewise(pieces[:, k]) for k in range(4)]
+    return c[0] + d * (c[1] + d * (c[2] + d * c[3]))
