@@ -126,6 +126,12 @@ def parser() -> argparse.ArgumentParser:
     mobility.add_argument("--json", action="store_true", help="as JSON")
     mobility.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
 
+    cost = _command(commands, "cost", bill_of_effects, "what each effect of a scene costs, and what it changes")
+    cost.add_argument("scene", metavar="SCENE", help="a scene file")
+    cost.add_argument("--json", action="store_true", help="as JSON")
+    cost.add_argument("--plot", metavar="FILE.png", help="the bill as a picture")
+    cost.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
+
     convert = _command(commands, "convert", convert_description, "a mechanism as TOML, URDF or MJCF")
     _mechanism(convert)
     convert.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
@@ -307,6 +313,15 @@ def check_output(options: argparse.Namespace) -> int:
         print("\n".join(result.lines))
         print("all checks passed" if result.ok else "FAILED")
     return 0 if result.ok else FAILED
+
+
+def bill_of_effects(options: argparse.Namespace) -> int:
+    """`symscrew cost`."""
+    if options.plot:
+        _need_matplotlib()
+    from symscrew.cost import run
+
+    return run(options)
 
 
 def report_mobility(options: argparse.Namespace) -> int:
