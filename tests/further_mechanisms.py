@@ -284,6 +284,33 @@ def four_parallel_circle_translation() -> Mechanism:
     return three_bars([], feet, [[x + 1, y + 2] for x, y in feet])
 
 
+def two_rhombi() -> Mechanism:
+    """A flat rhombus on the coupler of another."""
+    return graph(
+        ("R", "base", "a", [0, 0, 0], Z), ("R", "a", "b", [1, 0, 0], Z), ("R", "b", "c", [2, 0, 0], Z),
+        ("R", "c", "base", [1, 0, 0], Z), ("R", "b", "d", [1, 0, 0], Z), ("R", "d", "e", [2, 0, 0], Z),
+        ("R", "e", "f", [3, 0, 0], Z), ("R", "f", "b", [2, 0, 0], Z),
+    )  # fmt: skip
+
+
+def trammel(*point: Any) -> Mechanism:
+    """A bar on two perpendicular slides, with a crank about O at one of its points."""
+    return graph(
+        ("P", "base", "s1", [0, 0, 0], X), ("R", "s1", "bar", [6, 0, 0], Z), ("R", "bar", "s2", [0, 8, 0], Z),
+        ("P", "s2", "base", [0, 0, 0], Y), ("R", "bar", "crank", [*point, 0], Z), ("R", "crank", "base", [0, 0, 0], Z),
+    )  # fmt: skip
+
+
+def universal_legs() -> Mechanism:
+    """Three equal parallel legs with universal joints: circular translations of a plate, two freedoms."""
+    builder = MechanismBuilder("legs", platform="plate").body("plate")
+    for k, (x, y) in enumerate([(0, 0), (1, 0), (0, 1)]):
+        builder.body(f"leg{k}")
+        builder.joint(f"a{k}", "U", parent="base", child=f"leg{k}", point=[x, y, 0], axes=[X, Y])
+        builder.joint(f"b{k}", "U", parent=f"leg{k}", child="plate", point=[x, y, 2], axes=[Y, X])
+    return builder.build()
+
+
 HALF = Rational(1, 2)
 CASES: dict[str, Case] = {
     "bricard line-symmetric": Case(line_symmetric, (1, 1, None, 1), "Bricard 1927; Baker 1997, MMT 32"),
@@ -329,5 +356,41 @@ CASES: dict[str, Case] = {
     "rhombus, folded": Case(
         lambda: loop(("R", [0, 0, 0], Z), ("R", [1, 0, 0], Z), ("R", [0, 0, 0], Z), ("R", [1, 0, 0], Z)),
         (2, 1, (1,), 4), "B on D, or C on A",
+    ),
+    "kite, collinear": Case(
+        lambda: loop(("R", [0, 0, 0], Z), ("R", [2, 0, 0], Z), ("R", [3, 0, 0], Z), ("R", [2, 0, 0], Z)),
+        (2, 1, (1,), 4), "kite, or B on D",
+    ),
+    "five-bar, collinear": Case(
+        lambda: loop(*(("R", [x, 0, 0], Z) for x in (0, 1, 3, 4, 2))), (3, 2, (2,), 4), "a cone over a quadric"
+    ),
+    "five-bar, stretched": Case(
+        lambda: loop(*(("R", [x, 0, 0], Z) for x in range(5))), (3, 0, (), 4), "one bar is the sum of the others"
+    ),
+    "spherical four-bar, stretched": Case(
+        lambda: origami([1, 0], [3, 4], [0, 1], [-4, 3]), (2, 0, (), 4), "the longest arc is as long as the others"
+    ),
+    "two rhombi": Case(two_rhombi, (4, 2, (2,), 8), "the product of two crossings"),
+    "cardan circles": Case(lambda: trammel(3, 4), (1, 1, None, 7), "the middle of the bar moves on a circle"),
+    "no cardan circle": Case(
+        lambda: trammel(Rational(9, 2), 2), (0, 0, None, 6), "other points move on ellipses, not about O"
+    ),
+    "universal legs": Case(universal_legs, (2, 2, None, 2), "circular translations"),
+    "RCCC": Case(
+        lambda: loop(
+            ("R", [0, 0, 0], Z), ("C", [1, 0, 0], [1, 2, 2]), ("C", [3, 2, 1], [2, -1, 2]), ("C", [0, 4, 2], [3, 0, 4])
+        ),
+        (1, 1, None, 0), "Hunt 1978",
+    ),
+    "3S, collinear": Case(
+        lambda: loop(("S", [0, 0, 0], None), ("S", [1, 0, 0], None), ("S", [3, 0, 0], None)),
+        (4, 2, (2,), 1), "a flat triangle: spins only",
+    ),
+    "4S": Case(
+        lambda: loop(*(("S", p, None) for p in ([0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 1, 1]))),
+        (6, 6, None, 0), "three spins, three motions of a spatial quadrilateral",
+    ),
+    "miura flat, four columns": Case(
+        lambda: miura(0, 4, 3), (5, 3, (1, 3), 24), "the zigzag, or three straight lines"
     ),
 }  # fmt: skip

@@ -16,7 +16,7 @@ from symscrew.mobility.variety import DIGITS_60, ClosureVariety
 from symscrew.mobility.witnesses import Witness, recheck
 from symscrew.operations import CONTEXT
 
-SLOW = {"six legs on a circle", "six legs, no circle", "miura flat"}
+SLOW = {"six legs on a circle", "six legs, no circle", "miura flat", "miura flat, four columns", "five-bar, collinear"}
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in CASES])
