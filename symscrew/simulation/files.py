@@ -58,7 +58,7 @@ def arrays(run: Run) -> dict[str, np.ndarray]:
         "t": run.t, "q": run.q, "v": run.v, "u": run.u, "x": run.x, "energy": run.energy,
         "closure_error": run.closure_error, "energy_balance": run.energy_balance, "ok": np.array(run.ok),
         "crossing_times": np.array([c.t for c in run.crossings]),
-        "crossing_configurations": np.array([c.q for c in run.crossings]).reshape(len(run.crossings), -1),
+        "crossing_configurations": np.array([c.q for c in run.crossings]).reshape(len(run.crossings), run.q.shape[1]),
         "crossing_rows": np.array([" ".join(c.rows) for c in run.crossings], dtype=str),
         "events": np.array(list(run.events), dtype=str),
         **{f"{key}_labels": np.array(value, dtype=str) for key, value in names.items()},
