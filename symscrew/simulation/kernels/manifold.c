@@ -247,7 +247,7 @@ static int settle(double *q, double *v, double *smallest)
         if (open < CLOSED || (open < NEARLY_CLOSED && open >= 0.5 * before)) {
             break;
         }
-        if (!isfinite(open) || step == MOST_CORRECTIONS - 1) {
+        if (!(open < 1e299) || step == MOST_CORRECTIONS - 1) {
             return FAILED;
         }
         if (open > 0.1 * before) {
