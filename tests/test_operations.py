@@ -99,17 +99,16 @@ def count_c(source: str, symbol: str) -> int:
     One for each, as executed when nothing fails: stores of the failure branch do not count. A comparison with
     its choice is one operation; the choice of the status is not one. A negative constant is no operation.
     """
-    text = re.search(rf"^int {symbol}\(.*?\n\{{\n(.*?)^\}}", source, re.M | re.S)
-    assert text, f"no function {symbol}"
-    count = 0
-    for statement in re.sub(r"\(void\)\w+;", "", text[1]).split(";"):
-        gathered = re.match(r"\s*\w+_sincos\((\d+), ", statement)
-        count += 2 * int(gathered[1]) if gathered else 0
-        if re.match(r"\s*(if|return|\})|.*set_nan", statement) or "=" not in statement:
+    bodies = re.findall(rf"^[\w ]+ {symbol}(?:_angles|_lane)?\([^;{{]*\n\{{\n(.*?)^\}}", source, re.M | re.S)
+    assert bodies, f"no function {symbol}"
+    count, seen = 0, set()
+    for statement in ";".join(bodies).split(";"):
+        statement = re.sub(r"\breturn (?=[(x])", "total = ", re.sub(r"\[[^]]*\]", "", statement))
+        if "=" not in statement or re.match(r"\s*if", statement) or "_lane(" in statement or statement in seen:
             continue
+        seen.add(statement)
         right = statement.split("=", 1)[1].replace("<=", "<")
-        if re.match(r"\s*const double (angle|x\d+ = (sine|cosine))\d+", statement):
-            continue
+        count += right.strip() in ("sine", "cosine")  # what was gathered
         tokens = [m for m in TOKEN.finditer(right) if not m[0].isspace()]
         is_status = "const int outcome" in statement
         before = "="

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from symscrew.export.listing import decimal
+from symscrew.export.c_precision import Precision
 from symscrew.program import Program
 from symscrew.rank_revealing import RANK, RankRevealing
 
@@ -16,15 +16,15 @@ Define = Callable[[str, Program], list[str]]
 
 ROUTINES = """\
 /* Makes the columns of a (rows x columns) orthogonal by rotations from the right, collected in v. */
-static void MODEL_orthogonalise(int rows, int columns, double *a, double *v)
+static void MODEL_orthogonalise(int rows, int columns, REAL *a, REAL *v)
 {
-    double total = 0.0;
+    REAL total = 0.0@;
     for (int k = 0; k < rows * columns; ++k) {
         total += a[k] * a[k];
     }
     for (int j = 0; j < columns; ++j) {
         for (int i = 0; i < columns; ++i) {
-            v[i + j * columns] = i == j ? 1.0 : 0.0;
+            v[i + j * columns] = i == j ? 1.0@ : 0.0@;
         }
     }
     int turned = 1;
@@ -32,30 +32,30 @@ static void MODEL_orthogonalise(int rows, int columns, double *a, double *v)
         turned = 0;
         for (int i = 0; i + 1 < columns; ++i) {
             for (int j = i + 1; j < columns; ++j) {
-                double *x = a + i * rows, *y = a + j * rows;
-                double xx = 0.0, yy = 0.0, xy = 0.0;
+                REAL *x = a + i * rows, *y = a + j * rows;
+                REAL xx = 0.0@, yy = 0.0@, xy = 0.0@;
                 for (int k = 0; k < rows; ++k) {
                     xx += x[k] * x[k];
                     yy += y[k] * y[k];
                     xy += x[k] * y[k];
                 }
-                const double least = xx < yy ? xx : yy;
-                if (least <= 1e-30 * total || fabs(xy) <= 1e-15 * sqrt(xx * yy)) {
+                const REAL least = xx < yy ? xx : yy;
+                if (least <= LEAST * total || fabs@(xy) <= EQUAL * sqrt@(xx * yy)) {
                     continue;
                 }
                 turned = 1;
-                const double ratio = (yy - xx) / (2.0 * xy);
-                const double tangent = (ratio < 0.0 ? -1.0 : 1.0) / (fabs(ratio) + sqrt(1.0 + ratio * ratio));
-                const double cosine = 1.0 / sqrt(1.0 + tangent * tangent), sine = cosine * tangent;
+                const REAL ratio = (yy - xx) / (2.0@ * xy);
+                const REAL tangent = (ratio < 0.0@ ? -1.0@ : 1.0@) / (fabs@(ratio) + sqrt@(1.0@ + ratio * ratio));
+                const REAL cosine = 1.0@ / sqrt@(1.0@ + tangent * tangent), sine = cosine * tangent;
                 for (int k = 0; k < rows; ++k) {
-                    const double old = x[k];
+                    const REAL old = x[k];
                     x[k] = cosine * old - sine * y[k];
                     y[k] = sine * old + cosine * y[k];
                 }
                 x = v + i * columns;
                 y = v + j * columns;
                 for (int k = 0; k < columns; ++k) {
-                    const double old = x[k];
+                    const REAL old = x[k];
                     x[k] = cosine * old - sine * y[k];
                     y[k] = sine * old + cosine * y[k];
                 }
@@ -64,9 +64,9 @@ static void MODEL_orthogonalise(int rows, int columns, double *a, double *v)
     }
 }
 
-static double MODEL_dot(int size, const double *x, const double *y)
+static REAL MODEL_dot(int size, const REAL *x, const REAL *y)
 {
-    double sum = 0.0;
+    REAL sum = 0.0@;
     for (int k = 0; k < size; ++k) {
         sum += x[k] * y[k];
     }
@@ -74,22 +74,22 @@ static double MODEL_dot(int size, const double *x, const double *y)
 }
 
 /* Solves a positive definite system in place; 1 if a pivot is lost. */
-static int MODEL_cholesky(int size, double *matrix, double *right)
+static int MODEL_cholesky(int size, REAL *matrix, REAL *right)
 {
-    double largest = 0.0;
+    REAL largest = 0.0@;
     for (int j = 0; j < size; ++j) {
         largest = matrix[j + j * size] > largest ? matrix[j + j * size] : largest;
     }
     for (int j = 0; j < size; ++j) {
         for (int i = j; i < size; ++i) {
-            double sum = matrix[i + j * size];
+            REAL sum = matrix[i + j * size];
             for (int k = 0; k < j; ++k) {
                 sum -= matrix[i + k * size] * matrix[j + k * size];
             }
-            if (i == j && !(sum > 1e-14 * largest)) {
+            if (i == j && !(sum > LOST * largest)) {
                 return 1;
             }
-            matrix[i + j * size] = i == j ? sqrt(sum) : sum / matrix[j + j * size];
+            matrix[i + j * size] = i == j ? sqrt@(sum) : sum / matrix[j + j * size];
         }
         for (int k = 0; k < j; ++k) {
             right[j] -= matrix[j + k * size] * right[k];
@@ -107,27 +107,27 @@ static int MODEL_cholesky(int size, double *matrix, double *right)
 
 /* Accelerations a and multipliers from mass a = force + jacobian^T multipliers, jacobian a + bias = 0, all
    without units; v takes the null space. Returns the rank of the jacobian, or -1 if no acceleration is unique. */
-static int MODEL_constrained(int n, int m, const double *mass, const double *force, double *jacobian,
-                             const double *bias, double *v, double *work, double *a, double *multipliers)
+static int MODEL_constrained(int n, int m, const REAL *mass, const REAL *force, REAL *jacobian,
+                             const REAL *bias, REAL *v, REAL *work, REAL *a, REAL *multipliers)
 {
-    double *sizes = work, *reduced = work + n, *right = reduced + n * n, *moved = right + n;
-    double largest = 0.0;
+    REAL *sizes = work, *reduced = work + n, *right = reduced + n * n, *moved = right + n;
+    REAL largest = 0.0@;
     int rank = 0, free_count = 0;
     MODEL_orthogonalise(m, n, jacobian, v);
     for (int j = 0; j < n; ++j) {
         sizes[j] = MODEL_dot(m, jacobian + j * m, jacobian + j * m);
         largest = sizes[j] > largest ? sizes[j] : largest;
-        a[j] = 0.0;
+        a[j] = 0.0@;
     }
     for (int j = 0; j < n; ++j) {
         if (sizes[j] > RANK * RANK * largest) {
-            const double part = MODEL_dot(m, jacobian + j * m, bias) / sizes[j];
+            const REAL part = MODEL_dot(m, jacobian + j * m, bias) / sizes[j];
             for (int k = 0; k < n; ++k) {
                 a[k] -= part * v[k + j * n];
             }
             ++rank;
         } else {
-            sizes[j] = 0.0;
+            sizes[j] = 0.0@;
         }
     }
     const int count = n - rank;
@@ -135,15 +135,15 @@ static int MODEL_constrained(int n, int m, const double *mass, const double *for
         moved[k] = force[k] - MODEL_dot(n, mass + k * n, a);
     }
     for (int j = 0; j < n; ++j) {
-        if (sizes[j] > 0.0) {
+        if (sizes[j] > 0.0@) {
             continue;
         }
         int other = 0;
         for (int i = 0; i < n; ++i) {
-            if (sizes[i] > 0.0) {
+            if (sizes[i] > 0.0@) {
                 continue;
             }
-            double sum = 0.0;
+            REAL sum = 0.0@;
             for (int k = 0; k < n; ++k) {
                 sum += v[k + i * n] * MODEL_dot(n, mass + k * n, v + j * n);
             }
@@ -158,7 +158,7 @@ static int MODEL_constrained(int n, int m, const double *mass, const double *for
     }
     free_count = 0;
     for (int j = 0; j < n; ++j) {
-        if (sizes[j] > 0.0) {
+        if (sizes[j] > 0.0@) {
             continue;
         }
         for (int k = 0; k < n; ++k) {
@@ -170,11 +170,11 @@ static int MODEL_constrained(int n, int m, const double *mass, const double *for
         moved[k] = MODEL_dot(n, mass + k * n, a) - force[k];
     }
     for (int i = 0; i < m; ++i) {
-        multipliers[i] = 0.0;
+        multipliers[i] = 0.0@;
     }
     for (int j = 0; j < n; ++j) {
-        if (sizes[j] > 0.0) {
-            const double part = MODEL_dot(n, v + j * n, moved) / sizes[j];
+        if (sizes[j] > 0.0@) {
+            const REAL part = MODEL_dot(n, v + j * n, moved) / sizes[j];
             for (int i = 0; i < m; ++i) {
                 multipliers[i] += part * jacobian[i + j * m];
             }
@@ -187,37 +187,37 @@ static int MODEL_constrained(int n, int m, const double *mass, const double *for
 INTERNAL = """\
 /* A unit vector of multipliers that is in equilibrium by itself: orthogonal to the columns of the jacobian that
    count and to the `found` earlier ones. */
-static void MODEL_internal_load(int n, int m, const double *jacobian, int found, double *loads)
+static void MODEL_internal_load(int n, int m, const REAL *jacobian, int found, REAL *loads)
 {
-    double *load = loads + found * m, best = -1.0, largest = 0.0;
+    REAL *load = loads + found * m, best = -1.0@, largest = 0.0@;
     for (int j = 0; j < n; ++j) {
-        const double size = MODEL_dot(m, jacobian + j * m, jacobian + j * m);
+        const REAL size = MODEL_dot(m, jacobian + j * m, jacobian + j * m);
         largest = size > largest ? size : largest;
     }
     for (int pick = 0, chosen = -1; pick <= m; ++pick) {
         const int start = pick < m ? pick : chosen;
         for (int i = 0; i < m; ++i) {
-            load[i] = i == start ? 1.0 : 0.0;
+            load[i] = i == start ? 1.0@ : 0.0@;
         }
         for (int again = 0; again < 2; ++again) {
             for (int j = 0; j < n + found; ++j) {
-                const double *column = j < n ? jacobian + j * m : loads + (j - n) * m;
-                const double size = MODEL_dot(m, column, column);
+                const REAL *column = j < n ? jacobian + j * m : loads + (j - n) * m;
+                const REAL size = MODEL_dot(m, column, column);
                 if (j >= n || size > RANK * RANK * largest) {
-                    const double part = MODEL_dot(m, column, load) / size;
+                    const REAL part = MODEL_dot(m, column, load) / size;
                     for (int i = 0; i < m; ++i) {
                         load[i] -= part * column[i];
                     }
                 }
             }
         }
-        const double size = MODEL_dot(m, load, load);
+        const REAL size = MODEL_dot(m, load, load);
         if (pick < m && size > best) {
             best = size;
             chosen = pick;
         }
     }
-    const double factor = 1.0 / sqrt(MODEL_dot(m, load, load));
+    const REAL factor = 1.0@ / sqrt@(MODEL_dot(m, load, load));
     for (int i = 0; i < m; ++i) {
         load[i] *= factor;
     }
@@ -225,17 +225,28 @@ static void MODEL_internal_load(int n, int m, const double *jacobian, int found,
 """
 
 
-def routines(model: str, *, internal: bool) -> list[str]:
+def routines(model: str, precision: Precision, *, internal: bool) -> list[str]:
     """The routines that all second paths of a model share; `internal` also those of internal loads."""
     text = ROUTINES + ("\n" + INTERNAL if internal else "")
-    return text.replace("MODEL", model).replace("RANK", decimal(RANK)).splitlines()
+    bounds = {"RANK": RANK, "LEAST": 1e-30, "EQUAL": 1e-15, "LOST": 1e-14}
+    words = {word: precision.threshold(bound) for word, bound in bounds.items()}
+    for word, meaning in (words | {"REAL": precision.real, "@": precision.suffix, "MODEL": model}).items():
+        text = text.replace(word, meaning)
+    return text.splitlines()
 
 
 def second_path(
-    model: str, symbol: str, signature: str, program: RankRevealing, names: Sequence[str], define: Define
+    model: str,
+    symbol: str,
+    signature: str,
+    program: RankRevealing,
+    names: Sequence[str],
+    define: Define,
+    precision: Precision,
 ) -> list[str]:
     """The second path of one function: `signature` declares it, `names` are its arguments in order."""
     assert program.dense is not None
+    real = precision.real
     n, m = len(program.rates), len(program.rows)
     inputs, outputs = names[: len(program.inputs)], names[len(program.inputs) :]
     given = "".join(f"{name}, " for name in inputs)
@@ -248,10 +259,10 @@ def second_path(
         "",
         signature,
         "{",
-        f"    static const double rate_scale[{n}] = {{{', '.join(decimal(x) for x in program.rates)}}};",
-        f"    static const double row_scale[{m}] = {{{', '.join(decimal(x) for x in program.rows)}}};",
-        f"    double inertia[{n * n}], load[{n}], closure[{n * m}], curvature[{m}];",
-        f"    double turn[{n * n}], work[{n * n + 3 * n}], multipliers[{m}];",
+        f"    static const {real} rate_scale[{n}] = {{{', '.join(precision.number(x) for x in program.rates)}}};",
+        f"    static const {real} row_scale[{m}] = {{{', '.join(precision.number(x) for x in program.rows)}}};",
+        f"    {real} inertia[{n * n}], load[{n}], closure[{n * m}], curvature[{m}];",
+        f"    {real} turn[{n * n}], work[{n * n + 3 * n}], multipliers[{m}];",
         f"    (void){symbol}_dense({given}inertia, load, closure, curvature);",
         f"    for (int j = 0; j < {n}; ++j) {{",
         "        load[j] *= rate_scale[j];",
@@ -267,11 +278,11 @@ def second_path(
         "    }",
         f"    const int rank = {model}_constrained({n}, {m}, inertia, load, closure, curvature, turn, work, {a}, "
         "multipliers);",
-        f"    double total = {model}_dot({n}, {a}, {a});",
+        f"    {real} total = {model}_dot({n}, {a}, {a});",
         f"    for (int j = 0; j < {n}; ++j) {{",
         f"        {a}[j] *= rate_scale[j];",
         "    }",
-        *(_with_internal_loads(model, symbol, given, outputs, m, n, joints) if program.wrenches else []),
+        *(_with_internal_loads(model, symbol, given, outputs, m, n, joints, precision) if program.wrenches else []),
         "    if (rank < 0 || !isfinite(total)) {",
         *(f"        {model}_set_nan({x}, {p.size});" for x, p in zip(outputs, program.outputs, strict=True)),
         "        return isfinite(total) ? 1 : 2;",
@@ -283,19 +294,20 @@ def second_path(
 
 
 def _with_internal_loads(
-    model: str, symbol: str, given: str, outputs: Sequence[str], m: int, n: int, size: int
+    model: str, symbol: str, given: str, outputs: Sequence[str], m: int, n: int, size: int, precision: Precision
 ) -> list[str]:
     """Reactions for the multipliers found, plus the internal loads that make their sum of squares smallest."""
     a, reactions = outputs
+    real = precision.real
     return [
-        f"    double sized[{size}], shifted[{size}], loads[{m * m}], columns[{m * size}], mix[{m * m}], amount[{m}];",
+        f"    {real} sized[{size}], shifted[{size}], loads[{m * m}], columns[{m * size}], mix[{m * m}], amount[{m}];",
         f"    for (int i = 0; i < {m}; ++i) {{",
         "        multipliers[i] *= row_scale[i];",
         "    }",
         f"    (void){symbol}_wrenches({given}{a}, multipliers, {reactions}, sized);",
         f"    const int internal = {m} - (rank > 0 ? rank : 0);",
         "    for (int k = 0; k < internal && rank >= 0; ++k) {",
-        f"        double moved[{m}];",
+        f"        {real} moved[{m}];",
         f"        {model}_internal_load({n}, {m}, closure, k, loads);",
         f"        for (int i = 0; i < {m}; ++i) {{",
         f"            moved[i] = multipliers[i] + row_scale[i] * loads[i + k * {m}];",
@@ -306,16 +318,16 @@ def _with_internal_loads(
         "        }",
         "    }",
         f"    {model}_orthogonalise({size}, internal, columns, mix);",
-        "    double largest = 0.0;",
+        f"    {real} largest = {precision.number(0.0)};",
         "    for (int k = 0; k < internal; ++k) {",
-        f"        const double part = {model}_dot({size}, columns + k * {size}, columns + k * {size});",
+        f"        const {real} part = {model}_dot({size}, columns + k * {size}, columns + k * {size});",
         "        largest = part > largest ? part : largest;",
-        "        amount[k] = 0.0;",
+        f"        amount[k] = {precision.number(0.0)};",
         "    }",
         "    for (int k = 0; k < internal; ++k) {",
-        f"        const double part = {model}_dot({size}, columns + k * {size}, columns + k * {size});",
-        "        if (part > 1e-18 * largest) {",
-        f"            const double factor = -{model}_dot({size}, columns + k * {size}, sized) / part;",
+        f"        const {real} part = {model}_dot({size}, columns + k * {size}, columns + k * {size});",
+        f"        if (part > {precision.threshold(1e-18)} * largest) {{",
+        f"            const {real} factor = -{model}_dot({size}, columns + k * {size}, sized) / part;",
         "            for (int i = 0; i < internal; ++i) {",
         "                amount[i] += factor * mix[i + k * internal];",
         "            }",

@@ -1,0 +1,202 @@
+"""Straight-line functions in C.
+
+The operations of a function are printed once, as `<symbol>_lane`, in which entry k of an array lies at
+k * stride: with a stride of 1 it is one state, with a stride of 8 one of eight states that lie side by side
+(see `c_batch`). Sines and cosines of input angles come ready, from `<symbol>_angles` and `c_angles`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from symscrew.export.c_angles import Angles, calls, gather
+from symscrew.export.c_precision import Precision
+from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
+from symscrew.program import Iteration, Port, Program
+
+NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
+NAMES_OF_MATH += " sinf cosf tanf sqrtf expf atan2f fabsf"
+NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
+NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
+NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
+NAMES_OF_LOCALS += " angle sine cosine pivot stride lane index first some block blocks number"
+TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
+
+
+def argument_names(ports: Sequence[Port]) -> list[str]:
+    """The ports' names as C arguments: those that the code needs itself get an underscore."""
+    return [port.name + "_" if port.name in TAKEN else port.name for port in ports]
+
+
+def arguments(program: Program | Iteration, precision: Precision, restrict: str = "restrict") -> list[str]:
+    """The declared arguments of a function: its inputs and outputs."""
+    names = argument_names((*program.inputs, *program.outputs))
+    read = len(program.inputs)
+    real = precision.real
+    return [f"{'const ' if i < read else ''}{real} *{restrict} {name}" for i, name in enumerate(names)]
+
+
+def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
+    """A declaration with an argument per line."""
+    return f"{prefix}{symbol}(\n    " + ",\n    ".join(given or ["void"]) + ")"
+
+
+def wrapped_code(statement: str, indent: str = "    ") -> list[str]:
+    """A long statement over several lines, broken at blanks."""
+    return wrapped(statement, first=indent, later=indent + "    ", width=110)
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A straight-line program on its way into C: the names of its arguments, its angles, its pivots."""
+
+    model: str
+    symbol: str
+    program: Program
+    precision: Precision
+
+    @cached_property
+    def names(self) -> dict[str, str]:
+        """Port name to argument name."""
+        ports = (*self.program.inputs, *self.program.outputs)
+        return dict(zip((p.name for p in ports), argument_names(ports), strict=True))
+
+    @cached_property
+    def angles(self) -> Angles:
+        """What is computed before everything else."""
+        live, _ = live_instructions(self.program)
+        kept = {s for slots in self.program.results for s in slots if isinstance(s, int)}
+        return gather(live, kept | {slot for slot, _ in self.program.guards})
+
+    @cached_property
+    def prefix(self) -> str:
+        """A prefix of local variables that no argument can be mistaken for."""
+        used = " ".join(self.names.values())
+        return next(p for p in ("x", "t", "w", "local_", "symscrew_local_") if not re.search(rf"\b{p}\d", used))
+
+    def operand(self, value: int | float) -> str:
+        """A slot or constant."""
+        return f"{self.prefix}{value}" if isinstance(value, int) else self.precision.number(value)
+
+    def handed(self, *, outputs: bool = True) -> list[str]:
+        """The names of the arguments, to hand them on."""
+        ports = (*self.program.inputs, *self.program.outputs) if outputs else self.program.inputs
+        return [self.names[p.name] for p in ports]
+
+    def at(self, entry: int) -> str:
+        """The place of an entry in an array of a lane."""
+        return ("0", "stride")[entry] if entry < 2 else f"{entry} * stride"
+
+    def _loads(self, read: set[int]) -> list[str]:
+        real = self.precision.real
+        return [
+            f"    const {real} {self.prefix}{slot} = {self.names[port.name]}[{self.at(k)}];"
+            for slot, (port, k) in enumerate(input_entries(self.program))
+            if slot in read
+        ]
+
+    def _unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
+        entries = input_entries(self.program)
+        used = {entries[slot][0].name for slot in read if slot < len(entries)}
+        return [f"    (void){self.names[port.name]};" for port in ports if port.name not in used]
+
+
+def lane(printed: Printed, *, inline: str = "") -> list[str]:
+    """`<symbol>_angles` and `<symbol>_lane`: everything but the decision about the status.
+
+    The lane returns the sum of all that must be finite and leaves its pivots in `pivot`.
+    """
+    program, real = printed.program, printed.precision.real
+    head = f"static inline {inline}{real} "
+    angles, operand = printed.angles, printed.operand
+    first = ["size_t stride", *arguments(program, printed.precision)[: len(program.inputs)]]
+    lines: list[str] = []
+    if angles.gathered:
+        read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
+        lines += [
+            declare(f"{printed.symbol}_angles", [*first, f"{real} *restrict angle"], f"static inline {inline}void "),
+            "{",
+            "    (void)stride;",
+            *printed._unused(program.inputs, read),
+            *printed._loads(read),
+            *_statements(printed, angles.first),
+            *(f"    angle[{printed.at(k)}] = {operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
+            "}",
+            "",
+        ]
+    given = ["size_t stride", *arguments(program, printed.precision)]
+    given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if angles.gathered else []
+    given += [f"{real} *restrict pivot"] if program.guards else []
+    results = [s for slots in program.results for s in slots if isinstance(s, int)]
+    pivots = [slot for slot, _ in program.guards]
+    read = {a for i in angles.rest for a in i.args if isinstance(a, int)} | set(results) | set(pivots)
+    lines += [declare(f"{printed.symbol}_lane", given, head), "{"]
+    lines += printed._unused(program.inputs, read)
+    lines += [f"    (void){printed.names[port.name]};" for port in program.outputs if not port.size]
+    lines += ["    (void)stride;"]
+    lines += printed._loads(read)
+    for k, (_, *pair) in enumerate(angles.gathered):
+        for array, slot in zip(("sine", "cosine"), pair, strict=True):
+            if slot is not None:
+                lines.append(f"    const {real} {printed.prefix}{slot} = {array}[{printed.at(k)}];")
+    for name, which in (("sine", 1), ("cosine", 2)) if angles.gathered else ():
+        if all(entry[which] is None for entry in angles.gathered):
+            lines.append(f"    (void){name};")
+    lines += _statements(printed, angles.rest)
+    lines += [f"    pivot[{printed.at(k)}] = {operand(slot)};" for k, slot in enumerate(pivots)]
+    for port, slots in zip(program.outputs, program.results, strict=True):
+        lines += [f"    {printed.names[port.name]}[{printed.at(k)}] = {operand(s)};" for k, s in enumerate(slots)]
+    checked = [operand(slot) for slot in checked_slots(program)] or [printed.precision.number(0.0)]
+    return [*lines, *wrapped_code(f"return {balanced_sum(checked)};"), "}"]
+
+
+def _statements(printed: Printed, instructions: Iterable) -> list[str]:
+    real, table = printed.precision.real, printed.precision.table
+    found = expressions(instructions, table, printed.operand)
+    return [f"    const {real} {printed.prefix}{target} = {text};" for target, text in found]
+
+
+def outcome(printed: Printed, total: str, step: str = "", plus: str = "") -> str:
+    """The status of a state by its pivots and the sum of its results."""
+    fabs = printed.precision.function("fabs")
+    tests = [
+        f"{fabs}(pivot[{k}{step}{plus}]) <= {printed.precision.threshold(t)}"
+        for k, (_, t) in enumerate(printed.program.guards)
+    ]
+    if not checked_slots(printed.program):
+        return "0"
+    guards = f"{' || '.join(tests)} ? 1 : " if tests else ""
+    return f"{guards}!isfinite({total}) ? 2 : 0"
+
+
+def function(printed: Printed, signature: str, second: str = "") -> list[str]:
+    """A function of one state: its lane with a stride of 1, checked; `second` is its way out of small pivots."""
+    program, precision = printed.program, printed.precision
+    real, count = precision.real, len(printed.angles.gathered)
+    group = precision.group
+    lines = [signature, "{"]
+    if count:
+        size = -(-count // group) * group
+        lines += [
+            f"    {real} angle[{size}], sine[{size}], cosine[{size}];",
+            *wrapped_code(f"{printed.symbol}_angles({', '.join(['1', *printed.handed(outputs=False), 'angle'])});"),
+            *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
+            *calls(printed.model, count, precision),
+        ]
+    if program.guards:
+        lines += [f"    {real} pivot[{len(program.guards)}];"]
+    handed = ["1", *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
+    call = f"{printed.symbol}_lane({', '.join(handed)});"
+    if not checked_slots(program):
+        return [*lines, *wrapped_code(f"(void){call}"), "    return 0;", "}"]
+    lines += wrapped_code(f"const {real} total = {call}")
+    lines += wrapped_code(f"const int outcome = {outcome(printed, 'total')};")
+    if second and program.guards:
+        lines += ["    if (outcome == 1) {", f"        return {second};", "    }"]
+    lines += ["    if (outcome != 0) {"]
+    for port in (p for p in program.outputs if p.size):
+        lines += [f"        {printed.model}_set_nan({printed.names[port.name]}, {port.size});"]
+    return [*lines, "    }", "    return outcome;", "}"]

@@ -1,0 +1,105 @@
+"""Iterations in C: a straight-line step, Newton's iteration around it, and substeps from the guess."""
+
+from __future__ import annotations
+
+from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane, wrapped_code
+from symscrew.export.c_precision import Precision
+from symscrew.export.listing import balanced_sum, step_ports
+from symscrew.program import Iteration
+
+
+def iteration_functions(model: str, symbol: str, iteration: Iteration, precision: Precision) -> list[str]:
+    """A step, Newton's iteration at one target, and the homotopy from the guess with doubled substeps."""
+    step = iteration.step
+    printed = Printed(model, f"{symbol}_step", step, precision)
+    lines = lane(printed)
+    lines += ["", *function(printed, declare(f"{symbol}_step", arguments(step, precision), "static int "))]
+    lines += ["", *_newton(symbol, iteration, precision), "", *_substeps(symbol, iteration, precision)]
+    real, zero = precision.real, precision.number(0.0)
+    names = argument_names((*iteration.inputs, *iteration.outputs))
+    y, guess, q = names[0], names[1], names[-1]
+    n, m = iteration.inputs[1].size, iteration.inputs[0].size
+    extra = "".join(f", {name}" for name in names[2:-1])
+    named = list(zip(names, iteration.inputs, strict=False))
+    finite = [f"{name}[{k}]" for name, port in named for k in range(port.size)]
+    lines += [
+        "",
+        declare(symbol, arguments(iteration, precision)),
+        "{",
+        *([f"    (void){y};"] if not m else []),
+        *(f"    (void){name};" for name, port in named[2:] if not port.size),
+        *wrapped_code(f"const {real} total = {balanced_sum(finite or [zero])};"),
+        "    int outcome = isfinite(total) ? 3 : 2;",
+        "    if (outcome == 3) {",
+        f"        {real} next[{n}], residual[1], change[1], orientation[1];",
+        f"        {real} start[{max(m, 1)}] = {{{zero}}};",
+        *(f"        start[{i}] = {guess}[{k}];" for i, k in enumerate(iteration.independent)),
+        f"        (void){symbol}_step({guess}, start{extra}, next, residual, change, orientation);",
+        f"        const int most = {iteration.max_substeps};",
+        "        for (int substeps = 1; substeps <= most && outcome != 0; substeps *= 2) {",
+        f"            outcome = {symbol}_attempt(substeps, {y}, {guess}{extra}, start, orientation[0], {q});",
+        "        }",
+        "    }",
+        "    if (outcome != 0) {",
+        f"        {model}_set_nan({q}, {n});",
+        "    }",
+        "    return outcome;",
+        "}",
+    ]
+    return lines
+
+
+def _newton(symbol: str, iteration: Iteration, precision: Precision) -> list[str]:
+    real = precision.real
+    names = [f"p{i}" for i in range(len(step_ports(iteration)))]
+    arguments = [f"{real} *q", f"const {real} *y", *(f"const {real} *{n}" for n in names), f"{real} branch"]
+    extra = "".join(f", {name}" for name in names)
+    tolerance, n = precision.threshold(iteration.tolerance), iteration.outputs[0].size
+    return [
+        declare(f"{symbol}_newton", arguments, "static int "),
+        "{",
+        f"    {real} next[{n}], residual[1], change[1], orientation[1];",
+        f"    for (int step = 0; step < {iteration.max_steps}; ++step) {{",
+        f"        if ({symbol}_step(q, y{extra}, next, residual, change, orientation) != 0) {{",
+        "            return 3;",
+        "        }",
+        f"        for (int k = 0; k < {n}; ++k) {{",
+        "            q[k] = next[k];",
+        "        }",
+        f"        if (residual[0] < {tolerance} && change[0] < {tolerance}) {{",
+        f"            return orientation[0] * branch > {precision.number(0.0)} ? 0 : 4;",
+        "        }",
+        "    }",
+        "    return 3;",
+        "}",
+    ]
+
+
+def _substeps(symbol: str, iteration: Iteration, precision: Precision) -> list[str]:
+    real = precision.real
+    names = [f"p{i}" for i in range(len(step_ports(iteration)))]
+    arguments = [
+        "int substeps", f"const {real} *y", f"const {real} *guess", *(f"const {real} *{n}" for n in names),
+        f"const {real} *start", f"{real} branch", f"{real} *q",
+    ]  # fmt: skip
+    extra = "".join(f", {name}" for name in names)
+    n, m = iteration.outputs[0].size, iteration.inputs[0].size
+    return [
+        declare(f"{symbol}_attempt", arguments, "static int "),
+        "{",
+        f"    {real} target[{max(m, 1)}] = {{{precision.number(0.0)}}};",
+        *(["    (void)y;", "    (void)start;"] if not m else []),
+        f"    for (int k = 0; k < {n}; ++k) {{",
+        "        q[k] = guess[k];",
+        "    }",
+        "    for (int k = 1; k <= substeps; ++k) {",
+        *([f"        const {real} part = ({real})k / ({real})substeps;"] if m else []),
+        *(f"        target[{i}] = start[{i}] + (y[{i}] - start[{i}]) * part;" for i in range(m)),
+        f"        const int outcome = {symbol}_newton(q, target{extra}, branch);",
+        "        if (outcome != 0) {",
+        "            return outcome;",
+        "        }",
+        "    }",
+        "    return 0;",
+        "}",
+    ]
