@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from symscrew.scene import Scene
 
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics")
-BATCH, ROUNDS, WARM = 256, 61, 5
+BATCH, ROUNDS, WARM = 256, 301, 10
+ZERO = 1e-9  # a result below this part of what leaving an effect out makes of it is rounding
 Arrays = Mapping[str, np.ndarray]
 
 
@@ -44,14 +45,15 @@ class Item:
     `operations` and `nanoseconds` per function: what inverse and forward dynamics have more with the effect than
     without it (less, if it simplifies); nanoseconds per evaluation, None where nothing was timed. `states`: its own.
     `change`: per result ("drives", "accelerations") the root mean square over the motion of the difference that
-    leaving it out makes, divided by that of the result itself (lengths divided by the characteristic length).
+    leaving it out makes, divided by that of the result itself (lengths divided by the characteristic length);
+    None where the result itself is zero.
     """
 
     effect: str
     operations: Mapping[str, int]
     states: int
     nanoseconds: Mapping[str, float | None]
-    change: Mapping[str, float]
+    change: Mapping[str, float | None]
 
 
 @dataclass(frozen=True)
@@ -77,10 +79,8 @@ def effect_labels(effects: Sequence[Effect]) -> list[str]:
     for effect in effects:
         on = [str(getattr(effect, part)) for part in parts if getattr(effect, part, "")]
         labels.append(" ".join([type_name(effect), *on]))
-    return [
-        f"{label} ({labels[: k + 1].count(label)})" if labels.count(label) > 1 else label
-        for k, label in enumerate(labels)
-    ]
+    before = [labels[:k].count(label) for k, label in enumerate(labels)]
+    return [f"{label} ({n + 1})" if n else label for label, n in zip(labels, before, strict=True)]
 
 
 def bill(
@@ -195,9 +195,9 @@ def _evaluated(model: Model, function: str, known: Arrays, labels: Sequence[str]
     return model(function, *given)[0][0]
 
 
-def _changes(whole: Model, model: Model, known: Arrays) -> dict[str, float]:
+def _changes(whole: Model, model: Model, known: Arrays) -> dict[str, float | None]:
     """Relative changes of drives and accelerations without an effect."""
-    result = {}
+    result: dict[str, float | None] = {}
     labels = _states(whole)
     for function, name in zip(FUNCTIONS, ("drives", "accelerations"), strict=True):
         if function not in whole.programs or function not in model.programs:
@@ -207,7 +207,7 @@ def _changes(whole: Model, model: Model, known: Arrays) -> dict[str, float]:
         good = np.isfinite(full).all(axis=1) & np.isfinite(less).all(axis=1)
         size = float(np.sqrt(np.mean((full[good] / scales) ** 2))) if good.any() else float("nan")
         off = float(np.sqrt(np.mean(((full - less)[good] / scales) ** 2))) if good.any() else float("nan")
-        result[name] = off / size if size > 0 else (0.0 if off == 0 else float("inf"))
+        result[name] = 0.0 if off == 0 else (off / size if size > ZERO * off else None)
     return result
 
 
@@ -298,8 +298,8 @@ def text(found: Bill) -> str:
             item.effect,
             *(_signed(item.operations.get(f)) for f in FUNCTIONS),
             str(item.states),
-            *(_signed(item.nanoseconds.get(f)) for f in FUNCTIONS),
-            *(_share(item.change.get(name)) for name in ("drives", "accelerations")),
+            *(_signed(item.nanoseconds.get(f), 1) for f in FUNCTIONS),
+            *(_share(item.change, name) for name in ("drives", "accelerations")),
         ]
         for item in found.items
     ]
@@ -310,19 +310,21 @@ def text(found: Bill) -> str:
     return table(header, rows)
 
 
-def _signed(value: float | None) -> str:
-    return "-" if value is None else f"{value:+.0f}"
+def _signed(value: float | None, digits: int = 0) -> str:
+    return "-" if value is None else f"{value:+.{digits}f}"
 
 
-def _share(value: float | None) -> str:
-    if value is None:
+def _share(change: Mapping[str, float | None], name: str) -> str:
+    if name not in change:
         return "-"
-    return "0" if value == 0 else f"{100 * value:.3g} %"
+    value = change[name]
+    return "from 0" if value is None else ("0" if value == 0 else f"{100 * value:.3g} %")
 
 
 def figure(found: Bill) -> Figure:
     """Bars per effect: operations and nanoseconds that it adds, and what leaving it out changes."""
     from matplotlib.figure import Figure
+    from matplotlib.ticker import NullFormatter
 
     from symscrew.plots import COLOURS, style
 
@@ -338,7 +340,7 @@ def figure(found: Bill) -> Figure:
     if any(v is not None for i in found.items for v in i.nanoseconds.values()):
         times = [(f.replace("_", " "), [i.nanoseconds.get(f) or 0.0 for i in found.items]) for f in FUNCTIONS]
         panels.append(("added time  [ns]", times, False))
-    kinds = [(n, [100 * i.change.get(n, 0.0) for i in found.items]) for n in ("drives", "accelerations")]
+    kinds = [(n, [100 * (i.change.get(n) or 0.0) for i in found.items]) for n in ("drives", "accelerations")]
     panels.append(("change without it  [%]", kinds, True))
     with style():
         drawn = Figure(figsize=(2.3 + 2.1 * len(panels), 0.9 + 0.36 * len(names)), layout="constrained")
@@ -347,8 +349,14 @@ def figure(found: Bill) -> Figure:
             for k, (name, values) in enumerate(bars):
                 axis.barh(places + (0.2 if k else -0.2), values, 0.36, color=COLOURS[k], label=name)
             axis.set_xlabel(title)
-            if logarithmic and any(v > 0 for _, values in bars for v in values):
+            axis.grid(visible=False, axis="y")
+            shown = [v for _, values in bars for v in values if np.isfinite(v) and v > 0]
+            if logarithmic and shown:
                 axis.set_xscale("log")
+                axis.set_xlim(
+                    10.0 ** np.floor(np.log10(min(shown)) - 0.05), 10.0 ** np.ceil(np.log10(max(shown)) + 0.05)
+                )
+                axis.xaxis.set_minor_formatter(NullFormatter())
             axis.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0))
         axes[0].set_yticks(places, names)
         axes[0].invert_yaxis()
