@@ -20,7 +20,7 @@ from symscrew.mechanism import Body
 from symscrew.model import Model, derive
 
 EXACT = 1e-9
-RAISED = 1e-6  # bodies without inertia are raised to 1e-9 of the whole; the lightest parts feel that more
+RAISED = 1e-8  # bodies without inertia are raised to 1e-9 of the whole; the lightest parts feel that more
 CLOSED = ("four_bar", "slider_crank", "planar_3rrr", "delta", "three_ups_upu_s", "spatial_loop", "mixed_loop")
 
 
