@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, outcome, wrapped_code
 from symscrew.export.c_precision import Precision
+from symscrew.export.listing import checked_slots
 from symscrew.program import COUNTED, Iteration, Port, Program
 
 LANES = 8
@@ -122,16 +123,19 @@ def block(printed: Printed) -> list[str]:
         lines += [f"    {real} pivot[{len(program.guards) * LANES}];"]
         extra += ["pivot + lane"]
     outputs = [f"{name} + lane" for name in printed.handed()[len(program.inputs) :]]
-    handed = ", ".join([str(LANES), *inputs, *outputs, *extra])
+    call = f"{symbol}_lane({', '.join([str(LANES), *inputs, *outputs, *extra])});"
+    vectorised = [f"    {upper}_VECTORISE", loop]
+    status = f"status[lane] = {outcome(printed, 'total[lane]', f' * {LANES}', ' + lane')};"
+    if not checked_slots(program):
+        return [*lines, *vectorised, *wrapped_code(f"(void){call}", "        "), f"        {status}", "    }", "}"]
     return [
         *lines,
         f"    {real} total[{LANES}];",
-        f"    {upper}_VECTORISE",
-        loop,
-        *wrapped_code(f"total[lane] = {symbol}_lane({handed});", "        "),
+        *vectorised,
+        *wrapped_code(f"total[lane] = {call}", "        "),
         "    }",
         loop,
-        *wrapped_code(f"status[lane] = {outcome(printed, 'total[lane]', f' * {LANES}', ' + lane')};", "        "),
+        *wrapped_code(status, "        "),
         "    }",
         "}",
     ]

@@ -118,7 +118,7 @@ def print_external(model: Model) -> dict[str, str]:
         lines += ["", *_function(model.name, name, program)]
         if name in jacobians:
             lines += ["", *_jacobian(model.name, name, jacobians[name])]
-    return {f"{model.name}_external.c": "\n".join([*lines, ""]), **print_c(derived)}
+    return {f"{model.name}_external.c": "\n".join([*lines, ""]), **print_c(derived, batches=False)}
 
 
 def _function(model: str, name: str, program: Program | Iteration) -> list[str]:

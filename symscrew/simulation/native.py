@@ -33,7 +33,7 @@ def generated(plant: Plant) -> dict[str, str]:
     if plant.closure is not None:
         programs["closure_both"] = replace(plant.closure, name="closure_both")
     reduced = Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
-    return print_c(reduced)
+    return print_c(reduced, batches=False)
 
 
 def kernel_text(name: str) -> str:
