@@ -206,6 +206,7 @@ class Field:
         """`expressions`: all whose angles must have a place in it."""
         self.generators: list[Generator] = []
         self._read: dict[sympy.Expr, Exact] = {}
+        self._roots: dict[Exact, Exact | None] = {}
         self.unit = _angle_unit(expressions)
         if self.unit > 1:
             self._begin_with_cosine()
@@ -330,7 +331,9 @@ class Field:
             return _rational_root(Fraction(x))
         generator = self.generators[level - 1]
         if generator.conjugates:
-            return _cyclotomic_root(x, generator)
+            if x not in self._roots:
+                self._roots[x] = _cyclotomic_root(x, generator)
+            return self._roots[x]
         minus_r = generator.modulus[0]
         a, b = x.coefficients if isinstance(x, Number) and x.generator is generator else (x, Fraction(0))
         if not b:
@@ -378,6 +381,12 @@ def _cyclotomic_root(x: Exact, generator: Generator) -> Exact | None:
         return None
     if denominator * max(squares) > CONTEXT.mpf(10) ** 30:
         raise NotDecidableError("a square root of numbers that are too long")
+    norm = CONTEXT.one
+    for s in squares:
+        norm *= s * denominator * denominator
+    whole_norm = int(CONTEXT.nint(norm))
+    if norm < CONTEXT.mpf(10) ** 45 and isqrt(whole_norm) ** 2 != whole_norm:
+        return None  # the norm of a square is a square
     roots = [CONTEXT.sqrt(s) * denominator for s in squares]
     powers = CONTEXT.matrix([[t**k for k in range(degree)] for t in generator.conjugates])
     back = powers**-1
