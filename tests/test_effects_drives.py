@@ -11,6 +11,7 @@ from effect_oracles import Oracle, call, input_of, inverse_only, relative
 from symscrew import catalogue
 from symscrew import effects as known
 from symscrew.effects import Effect, Gravity
+from symscrew.maximal_coordinates import BodyState
 from symscrew.model import Model, derive
 
 EXACT = 1e-10
@@ -151,6 +152,40 @@ def test_motor_servo_and_elastic_leg() -> None:
     assert relative(drives(leg, x=x), of.solve(of.along(joint, force)).drives) < EXACT
     got = call(leg, "effect_state_rates", x=x, actuator_slider_P=11.0)
     assert np.allclose(got, np.stack([0.7 - rate, (11.0 - force) / 4], axis=1), rtol=1e-12)
+
+
+def test_friction_spring_and_rotor_against_mujoco() -> None:
+    """MuJoCo has damping, springs and armature in joints of a tree."""
+    mujoco = pytest.importorskip("mujoco")
+    from oracles.mujoco_engine import MujocoEngine
+
+    joints = list(catalogue.load("ur5").joints)
+    effects: list[Effect] = [Gravity()]
+    for k, joint in enumerate(joints):
+        effects += [effect("ViscousFriction", joint, k + 1), effect("RotorInertia", joint, f"0.{k + 1}", 3)]
+        effects += [effect("JointSpring", joint, 10 * (k + 1), f"0.{k + 1}")]
+    found = inverse("ur5", *effects)
+    of = oracle("ur5")
+    engine = MujocoEngine(found.mechanism)
+    states = [
+        {b: BodyState(s.rotation[n], s.translation[n], s.twist[n], s.twist_rate[n]) for b, s in of.states.items()}
+        for n in range(len(of.q))
+    ]
+    dofs = []
+    for k, joint in enumerate(joints):
+        body = engine.index[found.mechanism.joints[joint].child]
+        (dof,) = np.flatnonzero(engine.model.dof_bodyid == body)
+        dofs.append(dof)
+        engine.model.dof_damping[dof] = k + 1
+        engine.model.dof_armature[dof] = (k + 1) / 10 * 9
+        engine.model.jnt_stiffness[engine.model.dof_jntid[dof]] = 10 * (k + 1)
+        engine.model.qpos_spring[engine.model.jnt_qposadr[engine.model.dof_jntid[dof]]] = (k + 1) / 10
+    expected = []
+    for state in states:
+        engine.set_state(state)
+        mujoco.mj_inverse(engine.model, engine.data)
+        expected.append(engine.data.qfrc_inverse[dofs].copy())
+    assert relative(drives(found), np.array(expected)) < 1e-9
 
 
 # -- friction that depends on the load ---------------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from effect_oracles import call
@@ -9,7 +11,7 @@ from effect_oracles import call
 from symscrew import catalogue
 from symscrew import effects as known
 from symscrew.effects import Effect, Gravity
-from symscrew.model import derive
+from symscrew.model import Model, derive
 
 CRANK = "slider_crank"  # crank_R drives, slider_P slides, slider_R closes the loop
 SMOOTH = 0.01  # m/s or rad/s: width of the smooth form of friction
@@ -48,11 +50,26 @@ BOOKS = {
 }  # fmt: skip
 
 
+@cache
+def model(case: str) -> Model:
+    name, effects = BOOKS[case]
+    return derive(catalogue.load(name), effects)
+
+
+@pytest.mark.parametrize("case", [case for case in BOOKS if case != "load"])
+def test_forward_dynamics_undoes_inverse_dynamics(case: str) -> None:
+    found = model(case)
+    ports = [p.name for p in found.programs["inverse_dynamics"].inputs]
+    given = dict(zip(ports, found.test_inputs["inverse_dynamics"], strict=True))
+    u = call(found, "inverse_dynamics")
+    a = call(found, "forward_dynamics", u=u, **{k: x for k, x in given.items() if k != "a"})
+    assert np.abs(a - given["a"]).max() < 1e-10 * max(1.0, np.abs(given["a"]).max())
+
+
 @pytest.mark.parametrize("case", BOOKS)
 def test_energy_is_in_balance(case: str) -> None:
     """d(energy)/dt along the motion of forward dynamics = power of the drives + power of the effects."""
-    name, effects = BOOKS[case]
-    found = derive(catalogue.load(name), effects)
+    found = model(case)
     system = found.system
     q, v, _ = system.sample_states
     forward = dict(
@@ -89,3 +106,31 @@ def test_energy_is_in_balance(case: str) -> None:
         if case in ("viscous", "dry", "load", "stop"):
             assert (fed[0] <= 0).all() and (fed[0] < 0).any()
     assert np.abs(change - power).max() < 1e-6 * max(1.0, np.abs(power).max())
+
+
+@pytest.mark.parametrize(
+    "effects",
+    [
+        [Gravity(), effect("JointSpring", "slider_P", 50, "0.1", 2, -3, "0.4"), effect("RotorInertia", "crank_R", 2)],
+        [Gravity(), effect("DryFriction", "slider_P", "0.3", load="0.2", velocity="0.5")],
+        [effect("BaseMotion", pose=(0, "t^2", "exp(-t)", "t", 0, "t^2")), effect("DcMotor", "slider_P", 1, 1, 1)],
+    ],
+)
+def test_derivatives_hold_with_effects(effects: list[Effect]) -> None:
+    """Derivatives of forward dynamics by y_dot and u against central differences."""
+    found = derive(catalogue.load(CRANK), effects, derivatives=True)
+    name = "forward_dynamics_independent"
+    ports = [p.name for p in found.programs[name].inputs]
+    given = dict(zip(ports, found.test_inputs[name], strict=True))
+    outputs = [p.name for p in found.programs[f"{name}_derivatives"].outputs]
+    results, status = found(
+        f"{name}_derivatives", *[given[p.name] for p in found.programs[f"{name}_derivatives"].inputs]
+    )
+    assert not status.any()
+    got = dict(zip(outputs, results, strict=True))
+    step = 1e-5
+    for port in ("y_dot", "u"):
+        sides = [call(found, name, **{**given, port: given[port] + sign * step}) for sign in (1, -1)]
+        expected = (sides[0] - sides[1]) / (2 * step)
+        column = got[f"dy_ddot_d{port}"]
+        assert np.abs(column - expected).max() < 1e-6 * max(1.0, np.abs(expected).max())

@@ -152,6 +152,8 @@ def _implicit(
     w = loops.rates_from(loops.inputs("ydot")) if independent else system.joint_rates(system.inputs.v)
     moving = system.at(system.inputs.q, {}, system.tree_rates(w))
     acting, _ = driven(moving, effects)
+    if acting.needs_reactions:  # the forces depend on the solution: no equations without it
+        return straight
     admissible = Admissible(moving, loops, acting.reflected_inertia)
     free, _, _ = admissible.accelerations(acting)
     held = [tape.symbol(f"held_{k}", "1", f"free joint acceleration {k + 1}, held") for k in range(len(free))]
