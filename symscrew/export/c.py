@@ -39,7 +39,7 @@ the largest. <function>_batch takes the arrays of the states one after the other
 of state i at [k * stride + i], stride >= count. Both take eight states at once on vector
 units; results may differ from those of single calls by rounding (not where the compiler contracts nothing and the
 sines are the same). With -fopenmp, %d states and more are shared among threads. The stack holds blocks of eight
-states: define %s_SCALAR to go state by state."""
+states: define %s_STATE_BY_STATE to do without."""
 
 
 def print_c(model: Model, *, precision: Precision = DOUBLE, batches: bool = True) -> dict[str, str]:
@@ -138,7 +138,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
             lines += ["", *lane(printed[name], inline=f"{model.name.upper()}_INLINE " if side_by_side else "")]
             lines += ["", *_one_state(printed[name], program)]
         if side_by_side:
-            lines += ["", f"#if !defined({model.name.upper()}_SCALAR)", *c_batch.block(printed[name]), "#endif"]
+            lines += ["", f"#if {c_batch.guard(model.name)}", *c_batch.block(printed[name]), "#endif"]
         if batches:
             lines += ["", *c_batch.batch(model.name, symbol, program, precision, lanes=side_by_side)]
     return "\n".join([*lines, ""])

@@ -27,7 +27,7 @@ def prologue(model: str, precision: Precision) -> list[str]:
     """The macros and copying routines that all batch functions of a model share."""
     upper, real = model.upper(), precision.real
     return [
-        f"/* Batch functions take {LANES} states at once, one by one if {upper}_SCALAR is defined. */",
+        f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
         "#if defined(__GNUC__) && !defined(__clang__)",
         f'#define {upper}_VECTORISE _Pragma("GCC ivdep")',
         f"#define {upper}_INLINE __attribute__((always_inline))",
@@ -88,6 +88,11 @@ def prologue(model: str, precision: Precision) -> list[str]:
         "    }",
         "}",
     ]
+
+
+def guard(model: str) -> str:
+    """The condition of the preprocessor for blocks."""
+    return f"!defined({model.upper()}_SCALAR) && !defined({model.upper()}_STATE_BY_STATE)"
 
 
 def by_lanes(printed: Printed) -> bool:
@@ -228,7 +233,7 @@ def _some(model: str, symbol: str, program: Program | Iteration, precision: Prec
         outputs = [(name, port) for name, port, k in sized if k >= len(program.inputs)]
         passed = ", ".join(f"{n}_block" if p.size else n for n, p in zip(names, ports, strict=True))
         lines += [
-            f"#if !defined({model.upper()}_SCALAR)",
+            f"#if {guard(model)}",
             f"    if (some > {FEW}) {{",
             *(f"        {precision.real} {name}_block[{port.size * LANES}];" for name, port, _ in sized),
             f"        int outcome[{LANES}];",

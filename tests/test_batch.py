@@ -1,0 +1,189 @@
+"""Batches: equal to single calls in every layout, for every count, with failing states among them."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from model_states import model, relative
+
+from symscrew.compiled import CompiledModel, EvaluationError, find_compiler, load
+from symscrew.export.c import print_c, print_source, straight_line
+from symscrew.export.c_function import Printed
+from symscrew.export.c_precision import DOUBLE
+from symscrew.model import Model, derive
+from symscrew.verification import STRICT
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+NAME = "four_bar"
+EXACT = ("-ffp-contract=off",)
+
+
+@pytest.fixture(scope="module")
+def found() -> Model:
+    return model(NAME)
+
+
+@pytest.fixture(scope="module")
+def vectorised(found: Model) -> CompiledModel:
+    return load(found, backend="c", vectorised=True, flags=EXACT)
+
+
+@pytest.fixture(scope="module")
+def single(found: Model) -> CompiledModel:
+    return load(found, backend="c", flags=EXACT)
+
+
+def only(found: Model, *names: str) -> Model:
+    """A model with some of the functions, which compiles faster."""
+    return replace(found, programs={name: found.programs[name] for name in names})
+
+
+def inputs(found: Model, function: str, count: int) -> list[np.ndarray]:
+    given = [np.atleast_2d(x) for x in found.test_inputs[function]]
+    return [np.resize(x, (count, x.shape[1])).copy() for x in given]
+
+
+def difference(expected: np.ndarray, got: np.ndarray) -> float:
+    """Largest relative difference; infinite where NaN does not meet NaN."""
+    lost = np.isnan(expected)
+    if expected.shape != got.shape or not np.array_equal(lost, np.isnan(got)):
+        return np.inf
+    return relative(got[~lost], expected[~lost])
+
+
+def test_every_function_in_both_layouts_equals_single_calls(
+    found: Model, vectorised: CompiledModel, single: CompiledModel
+) -> None:
+    """Counts that leave every remainder of a block of eight; bit for bit, as nothing is contracted.
+
+    Only the sine of an angle that remains alone in its group of four is not the vector function's in a single call.
+    """
+    for function, program in found.programs.items():
+        angles = Printed(NAME, function, straight_line(program), DOUBLE).angles.gathered
+        limit = 1e-14 if len(angles) % DOUBLE.group == 1 else 0.0
+        for count in (1, 2, 3, 7, 8, 9, 19):
+            arrays = inputs(found, function, count)
+            states = [vectorised[function](*[x[i] for x in arrays], check=False) for i in range(count)]
+            expected = [np.stack(parts) for parts in zip(*states, strict=True)]
+            rows = vectorised[function](*arrays, check=False)
+            columns = vectorised[function](*[np.asfortranarray(x) for x in arrays], check=False)
+            plain = single[function](*arrays, check=False)
+            for a, b, c, d in zip(expected, rows, columns, plain, strict=True):
+                assert all(difference(a, x) <= limit for x in (b, c, d)), (function, count)
+        assert len(expected) == len(program.outputs) + 1
+
+
+def test_columns_are_read_and_written_in_place(found: Model, vectorised: CompiledModel) -> None:
+    q, v, u = (np.asfortranarray(x) for x in inputs(found, "forward_dynamics", 100))
+    a = vectorised.forward_dynamics(q, v, u)
+    assert a.T.flags.c_contiguous and not a.flags.c_contiguous
+    seen = []
+
+    def spy(given: Sequence[np.ndarray], results: Sequence[np.ndarray], status: np.ndarray) -> None:
+        seen.extend(x.__array_interface__["data"][0] for x in given)
+        results[0][:], status[:] = 0.0, 0
+
+    replace(vectorised["forward_dynamics"], columns=spy)(q, v, u)
+    assert seen == [x.__array_interface__["data"][0] for x in (q, v, u)]
+
+
+def test_failing_states_do_not_touch_their_neighbours(found: Model, vectorised: CompiledModel) -> None:
+    """States without a number and states near a small pivot, alone and in company, in both layouts."""
+    q, v, u = inputs(found, "forward_dynamics", 21)
+    good = vectorised.forward_dynamics(q, v, u)
+    for bad in ([0], [7], [8, 9], [20], list(range(0, 21, 2))):
+        broken = v.copy()
+        broken[bad] = np.nan
+        for order in ("C", "F"):
+            a, status = vectorised.forward_dynamics(
+                *(np.array(x, order=order) for x in (q, broken, u)), check=False
+            )  # fmt: skip
+            assert (np.flatnonzero(status == 2) == bad).all() and (np.delete(status, bad) == 0).all()
+            assert np.isnan(a[bad]).all() and np.array_equal(np.delete(a, bad, 0), np.delete(good, bad, 0))
+    with pytest.raises(EvaluationError, match="2 of 21 states failed"):
+        broken = v.copy()
+        broken[[3, 4]] = np.inf
+        vectorised.forward_dynamics(q, broken, u)
+
+
+def test_small_pivots_take_the_second_path_in_a_batch() -> None:
+    from test_rank_revealing import always_second
+
+    found = only(always_second(model(NAME)), "forward_dynamics")
+    arrays = inputs(found, "forward_dynamics", 11)
+    compiled = load(found, backend="c", vectorised=True, flags=EXACT)
+    for order in ("C", "F"):
+        got, status = compiled.forward_dynamics(*(np.array(x, order=order) for x in arrays), check=False)
+        expected, code = found("forward_dynamics", *arrays)
+        assert (status == -1).all() and (code == -1).all() and relative(got, expected[0]) < 1e-11
+
+
+def test_threads_give_the_same(found: Model, vectorised: CompiledModel) -> None:
+    try:
+        threaded = load(only(found, "inverse_dynamics"), backend="c", threads=True, flags=EXACT)
+    except RuntimeError as error:
+        pytest.skip(f"the compiler has no OpenMP: {error}"[:200])
+    arrays = inputs(found, "inverse_dynamics", 5003)
+    arrays[1][4000] = np.nan
+    for order in ("C", "F"):
+        given = [np.array(x, order=order) for x in arrays]
+        for a, b in zip(
+            threaded.inverse_dynamics(*given, check=False),
+            vectorised.inverse_dynamics(*given, check=False),
+            strict=True,
+        ):
+            assert np.array_equal(a, b, equal_nan=True)
+
+
+def test_the_lanes_are_vector_code(found: Model, tmp_path: Path) -> None:
+    """The compiler says for each block whether it has used its vectors: for arithmetic it always does."""
+    compiler = find_compiler()
+    assert compiler is not None
+    version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
+    if "Free Software Foundation" not in version:
+        pytest.skip("only gcc tells by -fopt-info-vec")
+    name = "closure_bias"
+    for file, text in print_c(only(found, name)).items():
+        (tmp_path / file).write_text(text)
+    command = [compiler, *STRICT, "-O2", "-fopt-info-vec", "-c", f"{NAME}.c", "-o", "code.o"]
+    told = subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path).stderr
+    lines = (tmp_path / f"{NAME}.c").read_text().splitlines()
+    start = next(i for i, line in enumerate(lines, 1) if f"{NAME}_{name}_block(" in line)
+    vectorised_lines = [int(line.split(":")[1]) for line in told.splitlines() if "loop vectorized" in line]
+    loops = [i for i, line in enumerate(lines, 1) if i > start and "_VECTORISE" in line]
+    assert loops and all(any(i < at <= i + 8 for at in vectorised_lines) for i in loops), told
+
+
+def test_without_batches_nothing_of_them_is_printed(found: Model) -> None:
+    assert "_batch" in print_source(found)
+    for text in print_c(found, batches=False).values():
+        assert not any(word in text for word in ("_batch", "_block", "_states", "_gather", "omp parallel"))
+
+
+def test_arrays_that_differ_in_layout_are_still_right(found: Model, vectorised: CompiledModel) -> None:
+    q, v, a = inputs(found, "inverse_dynamics", 24)
+    expected = vectorised.inverse_dynamics(q, v, a)
+    assert np.array_equal(vectorised.inverse_dynamics(np.asfortranarray(q), v, a), expected)
+    assert np.array_equal(vectorised.inverse_dynamics(q[::-1][::-1], np.asfortranarray(v), a[:, :].copy()), expected)
+    assert np.array_equal(vectorised.inverse_dynamics(q[0], v, a)[0], expected[0])
+
+
+def test_a_stride_of_zero_is_refused(found: Model, tmp_path: Path) -> None:
+    load(only(found, "inverse_dynamics"), backend="c", build_dir=tmp_path)
+    library = ctypes.CDLL(str(tmp_path / f"lib{NAME}.so"))
+    null = [ctypes.c_void_p(None)] * 5
+    assert library.four_bar_inverse_dynamics_batch_soa(ctypes.c_size_t(1), ctypes.c_size_t(0), *null) == 2
+    assert library.four_bar_inverse_dynamics_batch_soa(ctypes.c_size_t(0), ctypes.c_size_t(0), *null) == 0
+
+
+def test_gravity_free_derive_keeps_its_batches() -> None:
+    bare = only(derive(model(NAME).mechanism, ()), "inverse_dynamics")
+    arrays = inputs(bare, "inverse_dynamics", 9)
+    got = load(bare, backend="c", vectorised=True).inverse_dynamics(*arrays)
+    assert relative(got, bare("inverse_dynamics", *arrays)[0][0]) < 1e-12
