@@ -71,6 +71,11 @@ class Crossing:
 def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     """The model of a scene and its programs."""
     model = derive(scene.mechanism, scene.effects)
+    if "forward_dynamics" not in model.programs:
+        raise DescriptionError(
+            f"{scene.name}: these effects leave nothing to simulate, since drives then do not determine accelerations "
+            "(quasi_static, or freedoms that move massless bodies only); inverse dynamics is there all the same"
+        )
     contacts = [c for e in scene.effects for c in e.contacts()]
     for contact in contacts:
         if contact.port in scene.inputs:
