@@ -186,6 +186,7 @@ def _effects(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--load", action="append", default=[], metavar="POINT", help="force and moment at a named point as an input"
     )
+    command.add_argument("--effects", metavar="FILE", help="the effects of a TOML file ([[effects]]), and no others")
 
 
 def list_mechanisms(options: argparse.Namespace) -> int:
@@ -283,6 +284,12 @@ def _chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[E
     from symscrew.errors import did_you_mean
 
     effects: list[Effect] = []
+    if getattr(options, "effects", None):
+        from symscrew.effects.registry import load_effects
+
+        if options.load or options.gravity or options.no_gravity:
+            raise UsageError("--effects: the file says all that acts; leave --gravity, --no-gravity and --load out")
+        return list(load_effects(options.effects))
     if not options.no_gravity:
         gravity = Gravity(tuple(options.gravity)) if options.gravity else Gravity()
         try:

@@ -140,6 +140,10 @@ def scene_bill(scene: Scene, *, timed: bool = True, progress: Progress | None = 
     progress = progress or Progress(quiet=True)
     if not scene.effects:
         raise DescriptionError(f"{scene.name}: the scene names no effects, so there is no bill; add [[effects]]")
+    if any(effect.simplifies for effect in scene.effects):
+        model = derive(scene.mechanism, scene.effects)
+        if "forward_dynamics" not in model.programs:
+            return bill(scene.mechanism, scene.effects, name=scene.name, timed=timed, progress=progress)
     with progress.step(f"simulate {scene.name}"):
         run = simulate(scene)
     known = {"q": run.q, "v": run.v, "u": run.u, "t": run.t[:, None], **run.inputs}

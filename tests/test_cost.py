@@ -93,6 +93,11 @@ def test_timed_side_by_side() -> None:
     assert all(np.isfinite(value) for item in found.items for value in item.nanoseconds.values())
 
 
+def test_scene_without_forward_dynamics_is_billed_at_sample_states() -> None:
+    found = scene_bill(loads(SCENE.replace("[drives]", '[[effects]]\ntype = "quasi_static"\n[drives]')), timed=False)
+    assert "sample states" in found.motion and found.items[-1].operations["inverse_dynamics"] < 0
+
+
 def test_labels_tell_effects_apart() -> None:
     labels = effect_labels([Gravity(), *(effect("ViscousFriction", j, 1) for j in ("A", "B", "A"))])
     assert labels == ["gravity", "viscous_friction A", "viscous_friction B", "viscous_friction A (2)"]

@@ -21,6 +21,7 @@ from effect_oracles import inverse_only, relative
 import symscrew
 from symscrew import catalogue
 from symscrew import effects as known
+from symscrew.cli import main
 from symscrew.effects import Effect, Gravity
 from symscrew.effects.registry import check_effects, effect_from_table, effect_to_table, known_effects
 from symscrew.errors import DescriptionError
@@ -333,3 +334,23 @@ def test_generated_code_with_effects_is_checked(tmp_path: Path) -> None:
     generate(derive(catalogue.load(CRANK), effects), tmp_path / "loaded")
     result = check(tmp_path / "loaded")
     assert result.ok, "\n".join(result.lines)
+
+
+def test_generate_takes_the_effects_of_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "scene.toml"
+    scene.write_text('[[effects]]\ntype = "viscous_friction"\njoint = "A"\ncoefficient = 0.25\n')
+    arguments = ["generate", "four_bar", "--target", "numpy", "--out", str(tmp_path / "out"), "--effects", str(scene)]
+    assert main(arguments) == 0
+    manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
+    assert manifest["effects"] == [{"type": "ViscousFriction", "joint": "A", "coefficient": "0.25"}]
+    assert check(tmp_path / "out").ok
+    capsys.readouterr()
+    assert main([*arguments, "--no-gravity"]) == 2
+    assert "leave --gravity" in capsys.readouterr().err
+    scene.write_text('[[effects]]\ntype = "viscous_friction"\njoint = "a"\ncoefficient = -1\n')
+    assert main(arguments) == 2
+    error = capsys.readouterr().err.splitlines()[-1]
+    assert ("expected a joint" in error and "did you mean 'A'" in error) or "known: A" in error
+    scene.write_text("x = 1\n")
+    assert main(arguments) == 2
+    assert "expected tables [[effects]]" in capsys.readouterr().err

@@ -15,9 +15,11 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import symscrew.effects
+from symscrew.description import read_tables, read_text
 from symscrew.effects.effect import Effect
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.mechanism import Mechanism
@@ -107,6 +109,22 @@ def _frozen(value: Any, where: str) -> Any:
     if isinstance(value, bool) or not isinstance(value, str | int | float | Decimal | Fraction):
         raise DescriptionError(f"{where}: expected a list of numbers or texts, got {shorten(value)} in it")
     return value
+
+
+def load_effects(path: str | Path) -> tuple[Effect, ...]:
+    """The effects of a TOML file with tables [[effects]], a scene for instance; the rest of the file is not looked at.
+
+    Raises:
+        DescriptionError: the file cannot be read, has no effects, or one of them cannot be read.
+    """
+    file = Path(path)
+    try:
+        tables = read_tables(read_text(file)).get("effects")
+        if not isinstance(tables, list):
+            raise DescriptionError("expected tables [[effects]] in the file, found none")
+        return tuple(effect_from_table(table, f"effects[{k}]") for k, table in enumerate(tables))
+    except DescriptionError as error:
+        raise DescriptionError(f"{file.name}: {error}") from error
 
 
 def effect_to_table(effect: Effect) -> dict[str, Any]:
