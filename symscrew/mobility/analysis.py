@@ -15,6 +15,7 @@ from symscrew.mobility.checks import Check, verify
 from symscrew.mobility.configuration import displaced, with_parameters
 from symscrew.mobility.decisions import Decisions, decide, nearly_parallel
 from symscrew.mobility.finite import FiniteMobility, finite_mobility
+from symscrew.mobility.generators import NotPolynomialError
 from symscrew.mobility.instantaneous import (
     BodyFreedoms,
     Instantaneous,
@@ -30,7 +31,7 @@ from symscrew.mobility.network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.screw_systems import ScrewSystem
 from symscrew.mobility.singularities import Singularities, singularities
-from symscrew.mobility.symbolic import Locus, SymbolicMobility, symbolic_mobility
+from symscrew.mobility.symbolic import Locus, SymbolicMobility, symbolic_mobility, symbolic_screws
 from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
 from symscrew.mobility.words import describe_twist, describe_wrench
 
@@ -107,6 +108,19 @@ class Mobility:
         Symbols describe the reference configuration.
         """
         return symbolic_mobility(self.mechanism) if self.in_reference else None
+
+    @cached_property
+    def without_symbols(self) -> str | None:
+        """Why there are no symbols for the limbs; None where there are, or no limbs."""
+        if not self.limbs or self.mechanism.platform is None or self.symbolic is not None:
+            return None
+        if not self.in_reference:
+            return "symbols describe the reference configuration only"
+        try:
+            symbolic_screws(self.mechanism)
+        except NotPolynomialError as error:
+            return f"no symbols: {error}"
+        return "no symbols: the closed forms are not of reasonable size"
 
     @cached_property
     def loops(self) -> SymbolicLoops | str:

@@ -110,6 +110,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
     if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
         lines.append(f"in symbols (omega ; v): {_formulas(found.symbolic.freedoms)}")
+    if found.without_symbols:
+        lines.append(found.without_symbols)
     result.append((f"Freedoms of {found.platform.body}", lines))
     if not found.limbs and found.network.chords:
         result.append(("Motions of the loops in symbols", _motions(found)))
