@@ -1,0 +1,273 @@
+"""The first guess: interpolate between the conditions on the closure manifold, drives by inverse dynamics.
+
+It gives the scales of the unknowns as well: typical magnitudes along the guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from symscrew.errors import DescriptionError
+from symscrew.optimisation.kinematics import Kinematics, Placement
+from symscrew.optimisation.point import PointModel, Scales
+from symscrew.optimisation.problem import Conditions
+
+FINEST = 200  # configurations followed along the guess
+LONGEST = 100.0  # [s] a free duration without an upper bound is looked for up to here
+
+
+class UnreachableError(ArithmeticError):
+    """A condition that no configuration meets; `placement` is the nearest one found."""
+
+    def __init__(self, where: str, placement: Placement) -> None:
+        super().__init__(
+            f"{where} is out of reach: the nearest configuration found misses {placement.worst} by "
+            f"{placement.error:.3g} (without units); is the goal inside the workspace, on this assembly branch?"
+        )
+        self.placement = placement
+
+
+@dataclass(frozen=True)
+class Path:
+    """y over relative time: piecewise polynomials through `values` (n, d) at `times` (n,).
+
+    With `smooth` rates `slopes` (n, d) and no second rates at the points, else at rest at each point.
+    """
+
+    times: np.ndarray
+    values: np.ndarray
+    slopes: np.ndarray
+
+    def __call__(self, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """y, y' and y'' at relative times (n,): quintic pieces without second rates at their ends."""
+        k = np.clip(np.searchsorted(self.times, tau, side="right") - 1, 0, len(self.times) - 2)
+        h = (self.times[k + 1] - self.times[k])[:, None]
+        s = (np.asarray(tau)[:, None] - self.times[k][:, None]) / h
+        start, end = self.values[k], self.values[k + 1]
+        a, b = self.slopes[k] * h, self.slopes[k + 1] * h
+        rise = end - start
+        c3, c4, c5 = 10 * rise - 6 * a - 4 * b, -15 * rise + 8 * a + 7 * b, 6 * rise - 3 * (a + b)
+        y = start + s * (a + s**2 * (c3 + s * (c4 + s * c5)))
+        y_1 = (a + s**2 * (3 * c3 + s * (4 * c4 + s * 5 * c5))) / h
+        y_2 = s * (6 * c3 + s * (12 * c4 + s * 20 * c5)) / h**2
+        return y, y_1, y_2
+
+
+@dataclass(frozen=True)
+class Guess:
+    """Path, configurations q (n, nq) at `tau` (n,), duration, and the scales of the problem."""
+
+    path: Path
+    tau: np.ndarray
+    q: np.ndarray
+    duration: float
+    scales: Scales
+    assembled: bool
+
+    def arrays(self, model: PointModel, mesh: np.ndarray, points: np.ndarray) -> dict[str, np.ndarray]:
+        """Values of a transcription's unknowns: mesh (n + 1,), points (n, K)."""
+        kinematics = Kinematics(model, default_parameters(model))
+        y, y_1, _ = self.path(mesh)
+        flat = points.ravel()
+        at, rate, second = self.path(flat)
+        order = np.argsort(flat, kind="stable")
+        q = np.empty((len(flat), self.q.shape[1]))
+        q[order], _ = kinematics.follow(at[order], self.q[0])
+        z = q[:, list(model.equations.layout.z)]
+        u = drives(model, self.duration, flat, at, rate, second, z)
+        ranges = [model.drive_range(label) for label in model.drive_labels]
+        for k, (low, high) in enumerate(ranges):
+            u[:, k] = np.clip(u[:, k], low, high)
+        result = {"y": y, "y_1": y_1, "y_2": second, "z": z, "u": u, "T": np.array([self.duration])}
+        states = np.array([s.initial for s in model.equations.acting.states])
+        result["x"] = np.repeat(states[None], len(mesh), 0)
+        weights = next((o.weights for o in model.problem.objectives if o.type == "peak"), {})
+        sizes = [np.abs(u[:, k]).max() / weights.get(label, 1.0) for k, label in enumerate(model.drive_labels)]
+        result["peak"] = np.array([max(sizes, default=1.0)])
+        names = model.parameter_names
+        result["p"] = np.array([kinematics.parameters[names.index(n)] for n in model.design])
+        for k, (tau, _) in enumerate(observed(model)):
+            here = self.path(np.array([tau]))[0][0]
+            near = self.q[int(np.argmin(np.abs(self.tau - tau)))]
+            found = kinematics.assemble(here, near)
+            result[f"observed_{k}"] = (near if found is None else found)[list(model.equations.layout.z)]
+        return result
+
+
+def observed(model: PointModel) -> list[tuple[float, Conditions]]:
+    """Times and conditions of start, end and via points."""
+    problem = model.problem
+    return [(0.0, problem.start), (1.0, problem.end), *((float(c.time or 0), c) for c in problem.via)]
+
+
+def default_parameters(model: PointModel) -> np.ndarray:
+    """Values of the run-time parameters: the problem's, else the description's, inside the range of a design."""
+    values = []
+    for name in model.parameter_names:
+        value = model.problem.parameters.get(name, float(model.system.mechanism.parameters[name].value))
+        if name in model.problem.design:
+            value = float(np.clip(value, *model.problem.design[name]))
+        values.append(value)
+    return np.array(values)
+
+
+def first_guess(model: PointModel) -> Guess:
+    """The guess of a problem.
+
+    Raises:
+        UnreachableError: start or goal is no configuration of the mechanism.
+    """
+    kinematics = Kinematics(model, default_parameters(model))
+    path, start = _path(model, kinematics)
+    tau = np.linspace(0.0, 1.0, FINEST + 1)
+    y, y_1, y_2 = path(tau)
+    q, found = kinematics.follow(y, start)
+    z = q[:, list(model.equations.layout.z)]
+    duration = _duration(model, tau, y, y_1, y_2, z)
+    u = drives(model, duration, tau, y, y_1, y_2, z)
+    return Guess(path, tau, q, duration, _scales(model, y, z, u, duration, tau, y_1, y_2), found == len(tau))
+
+
+def _path(model: PointModel, kinematics: Kinematics) -> tuple[Path, np.ndarray]:
+    given, entries = model.problem.guess, list(model.equations.layout.y)
+    start = _placed(model, kinematics, model.problem.start, "the start", model.system.reference)
+    if given:
+        if set(given) != set(model.equations.labels):
+            raise DescriptionError(f"guess: expected values of all of {', '.join(model.equations.labels)}")
+        values = np.array([list(given[label]) for label in model.equations.labels], dtype=float).T
+        if len(values) < 2:
+            raise DescriptionError("guess: expected at least two values of every coordinate")
+        times = np.linspace(0.0, 1.0, len(values))
+        return Path(times, values, np.gradient(values, times, axis=0)), start
+    times, values, q = [0.0], [start[entries]], start
+    stops = sorted(model.problem.via, key=lambda c: float(c.time or 0))
+    for k, c in enumerate(stops):
+        q = _placed(model, kinematics, c, f"via point {k + 1}", q)
+        times.append(float(c.time or 0))
+        values.append(q[entries])
+    end = model.problem.end
+    last = start if model.problem.periodic and end.is_empty else q
+    if not end.is_empty:
+        last = _placed(model, kinematics, end, "the goal", q)
+    times.append(1.0)
+    values.append(last[entries])
+    points = np.array(values)
+    slopes = np.zeros_like(points)
+    if len(points) > 2:
+        slopes[1:-1] = (points[2:] - points[:-2]) / (np.array(times)[2:] - np.array(times)[:-2])[:, None]
+    for k, c in enumerate(stops):
+        if c.at_rest:
+            slopes[1 + k] = 0.0
+    return Path(np.array(times), points, slopes), start
+
+
+def _placed(
+    model: PointModel, kinematics: Kinematics, conditions: Conditions, where: str, near: np.ndarray
+) -> np.ndarray:
+    found = kinematics.place(conditions, where, near)
+    if not found.reached:
+        raise UnreachableError(where, found)
+    return found.q
+
+
+def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
+    """(T, tau, y, y_1, y_2, z) -> residual at u = 0 and its matrix by u."""
+    from symscrew.optimisation.straight_line import run
+
+    blocks = model.blocks(moving=True)
+    duration = ca.SX.sym("duration")
+    at = model.state({**blocks, "T": duration} if model.problem.free_duration else blocks)
+    found = run(model.equations.dynamics, at.known)["residual"]
+    slope = ca.jacobian(found, blocks["u"])
+    states = ca.DM([s.initial for s in model.equations.acting.states])
+    fixed = ca.substitute([found, slope], [blocks["u"], blocks["x"]], [ca.DM.zeros(blocks["u"].numel()), states])
+    inputs = [duration, blocks["tau"], blocks["y"], blocks["y_1"], blocks["y_2"], blocks["z"], blocks["p"]]
+    return ca.Function("balance", inputs, [fixed[0], ca.densify(fixed[1])]), blocks["u"].numel()
+
+
+def _balance(
+    model: PointModel, duration: float, tau: np.ndarray, *parts: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Residual (n, d) without drives, and the drives' matrix (n, d, nu)."""
+    function, count = _dynamics(model)
+    names, n = model.parameter_names, len(tau)
+    p = np.array([default_parameters(model)[names.index(name)] for name in model.design])
+    arguments = [np.full((1, n), duration), tau[None], *[part.T for part in parts], np.repeat(p[:, None], n, 1)]
+    force, matrix = (np.array(m) for m in function.map(n)(*arguments))
+    return force.T, matrix.reshape(model.d, n, count).transpose(1, 0, 2)
+
+
+def drives(model: PointModel, duration: float, tau: np.ndarray, *parts: np.ndarray) -> np.ndarray:
+    """Drives of smallest sum of squares that come closest to the motion: (n, nu); parts y, y_1, y_2, z."""
+    force, matrix = _balance(model, duration, tau, *parts)
+    u = np.zeros((len(tau), matrix.shape[2]))
+    for k in range(len(tau)):
+        if np.isfinite(force[k]).all() and np.isfinite(matrix[k]).all() and matrix.shape[2]:
+            u[k] = -np.linalg.lstsq(matrix[k], force[k], rcond=1e-6)[0]
+    return u
+
+
+def _duration(model: PointModel, tau: np.ndarray, *parts: np.ndarray) -> float:
+    """The given duration, or the shortest of a free one for which drives and speeds of the guess keep their bounds."""
+    duration = model.problem.duration
+    if not isinstance(duration, tuple):
+        return float(duration)
+    low, high = max(duration[0], 1e-3), min(duration[1], LONGEST)
+    if high <= low:
+        return low
+    coarse = slice(None, None, 8)
+    for trial in np.geomspace(low, high, 24):
+        u = drives(model, trial, tau[coarse], *[part[coarse] for part in parts])
+        if _within(model, u) and _slow_enough(model, trial, parts[1]):
+            return float(trial)
+    return float(min(high, max(low, 1.0)))
+
+
+def _within(model: PointModel, u: np.ndarray) -> bool:
+    for k, label in enumerate(model.drive_labels):
+        low, high = model.drive_range(label)
+        if (u[:, k] > high).any() or (u[:, k] < low).any():
+            return False
+    return True
+
+
+def _slow_enough(model: PointModel, duration: float, y_1: np.ndarray) -> bool:
+    for k, label in enumerate(model.equations.labels):
+        low, high = model.problem.bounds.speeds.get(label, (-np.inf, np.inf))
+        rate = y_1[:, k] / duration
+        if (rate > high).any() or (rate < low).any():
+            return False
+    return True
+
+
+def _scales(
+    model: PointModel, y: np.ndarray, z: np.ndarray, u: np.ndarray, duration: float, tau: np.ndarray, *rates: np.ndarray
+) -> Scales:
+    tree, length = model.system.tree.q, model.system.length
+
+    def unit(entries: Sequence[int]) -> np.ndarray:
+        return np.array([length if tree[k].kind == "length" else 1.0 for k in entries])
+
+    layout = model.equations.layout
+    span = np.ptp(y, axis=0)
+    sized_y = np.clip(span, 0.1 * unit(layout.y), None)
+    force = np.abs(_balance(model, duration, tau, y, *rates, z)[0])
+    level = force.max(initial=0.0, where=np.isfinite(force))
+    sizes = []
+    for k, label in enumerate(model.drive_labels):
+        bound = max((abs(b) for b in model.drive_range(label) if np.isfinite(b)), default=0.0)
+        largest = np.abs(u[:, k]).max(initial=0.0)
+        sizes.append(min(bound, 4 * largest) if bound and largest else bound or largest)
+    usual = max(sizes, default=1.0) or 1.0
+    sized_u = np.array([max(size, 1e-2 * usual) for size in sizes])
+    states = np.array([max(abs(s.initial), 1e-2) for s in model.equations.acting.states])
+    return Scales(sized_y, unit(layout.z), sized_u, duration, np.full(model.d, level or 1.0), states)
+
+
+def unit_scales(d: int, nz: int, nu: int, nx: int) -> Scales:
+    """Scales before there is a guess."""
+    return Scales(np.ones(d), np.ones(nz), np.ones(nu), 1.0, np.ones(d), np.ones(nx))

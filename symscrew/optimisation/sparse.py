@@ -1,0 +1,254 @@
+"""A nonlinear program with exact sparse derivatives from one function of a point, repeated along linear maps.
+
+The unknowns X of the program reach every point i by a constant sparse map, Z_i = L_i X + c_i. A family of points
+shares one function Z -> (g, l): the constraints at the point, and what its cost integrates with weight w_i. So
+
+    gradient  sum w_i L_i^T dl/dZ,    Jacobian rows  dg/dZ L_i,    Hessian  sum L_i^T (d2 / dZ2) L_i
+
+are assembled by constant sparse matrices from the nonzeros of the point's derivatives, which CasADi makes
+once, for one point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symscrew.optimisation.point import PointFunction
+
+
+@dataclass(frozen=True)
+class SparseMap:
+    """Rows of a sparse matrix, compressed: row r has `columns[start[r]:start[r + 1]]` with `values`."""
+
+    start: np.ndarray
+    columns: np.ndarray
+    values: np.ndarray
+
+    @staticmethod
+    def of(rows: np.ndarray, columns: np.ndarray, values: np.ndarray, count: int) -> SparseMap:
+        """The map with the given entries and `count` rows."""
+        order = np.argsort(rows, kind="stable")
+        start = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))])
+        return SparseMap(start.astype(int), columns[order].astype(int), values[order])
+
+    @property
+    def rows(self) -> np.ndarray:
+        """Row of every entry."""
+        return np.repeat(np.arange(len(self.start) - 1), np.diff(self.start))
+
+    def matrix(self, width: int) -> ca.DM:
+        """As a CasADi matrix."""
+        return triplet(self.rows, self.columns, self.values, (len(self.start) - 1, width))
+
+    def expand(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """For each of the asked rows all its entries: position in `rows`, column, value."""
+        counts = np.diff(self.start)[rows]
+        source = np.repeat(np.arange(len(rows)), counts)
+        first = np.repeat(self.start[rows], counts)
+        within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        return source, self.columns[first + within], self.values[first + within]
+
+
+def triplet(rows: np.ndarray, columns: np.ndarray, values: np.ndarray, shape: tuple[int, int]) -> ca.DM:
+    """A sparse CasADi matrix from entries, those at one place added."""
+    key = columns.astype(np.int64) * shape[0] + rows
+    unique, inverse = np.unique(key, return_inverse=True)
+    total = np.bincount(inverse, weights=values, minlength=len(unique))
+    pattern = _pattern(unique, shape)
+    return ca.DM(pattern, total)
+
+
+def _pattern(keys: np.ndarray, shape: tuple[int, int]) -> ca.Sparsity:
+    """The sparsity of sorted keys column * rows + row."""
+    columns, rows = np.divmod(keys, shape[0])
+    start = np.concatenate([[0], np.cumsum(np.bincount(columns, minlength=shape[1]))])
+    return ca.Sparsity(shape[0], shape[1], start.tolist(), rows.tolist())
+
+
+@dataclass(frozen=True)
+class Family:
+    """`count` points with one function: `map` (count * arguments rows), `offset` c, cost weights, times tau."""
+
+    name: str
+    function: PointFunction
+    count: int
+    map: SparseMap
+    offset: np.ndarray
+    weights: np.ndarray
+    tau: np.ndarray
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Constraints lower <= matrix X <= upper with a label per row and the time at which it stands."""
+
+    map: SparseMap
+    lower: np.ndarray
+    upper: np.ndarray
+    labels: tuple[str, ...]
+    tau: np.ndarray
+
+
+@dataclass(frozen=True)
+class Program:
+    """The nonlinear program in the solver's unknowns, with its functions and the meaning of every row."""
+
+    x: ca.MX
+    f: ca.MX
+    g: ca.MX
+    gradient: ca.Function
+    jacobian: ca.Function
+    hessian: ca.Function
+    lower: np.ndarray
+    upper: np.ndarray
+    labels: tuple[str, ...]
+    tau: np.ndarray
+
+
+@dataclass
+class _Parts:
+    """Contributions to a sparse matrix: where they stand, and from which source nonzero with which factor."""
+
+    rows: list[np.ndarray] = field(default_factory=list)
+    columns: list[np.ndarray] = field(default_factory=list)
+    values: list[np.ndarray] = field(default_factory=list)
+    sources: list[np.ndarray] = field(default_factory=list)
+    nonzeros: list[Any] = field(default_factory=list)
+    size: int = 0
+
+    def add(self, rows: np.ndarray, columns: np.ndarray, values: np.ndarray, source: np.ndarray) -> None:
+        self.rows.append(rows)
+        self.columns.append(columns)
+        self.values.append(values)
+        self.sources.append(source + self.size)
+
+    def source(self, nonzeros: Any) -> None:
+        self.nonzeros.append(nonzeros)
+        self.size += nonzeros.numel()
+
+    def assembled(self, shape: tuple[int, int]) -> ca.MX:
+        if not self.rows:
+            return ca.MX(*shape)
+        rows, columns, values, source = (np.concatenate(x) for x in (self.rows, self.columns, self.values, self.sources))
+        key = columns.astype(np.int64) * shape[0] + rows
+        unique, inverse = np.unique(key, return_inverse=True)
+        gather = triplet(inverse, source, values, (len(unique), self.size))
+        nonzeros = ca.mtimes(ca.MX(gather), ca.vertcat(*self.nonzeros))
+        return ca.MX(_pattern(unique, shape), nonzeros)
+
+
+def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_scale: float) -> Program:
+    """The program of families, linear constraints, and a linear `cost` (n,) beside the families' integrals.
+
+    The objective is divided by `cost_scale`.
+    """
+    n = len(cost)
+    x = ca.MX.sym("x", n)
+    matrix = linear.map.matrix(n)
+    count = sum(f.count * len(f.function.rows) for f in families) + len(linear.labels)
+    lam, sigma, none = ca.MX.sym("lam", count), ca.MX.sym("sigma"), ca.MX.sym("none", 0)
+    objective = ca.dot(ca.DM(cost / cost_scale), x)
+    gradient = ca.MX(ca.DM(cost / cost_scale))
+    values, jacobian, hessian = [], _Parts(), _Parts()
+    lower, upper, labels, tau = [], [], [], []
+    row = 0
+    for family in families:
+        made = _derivatives(family)
+        size, m = family.function.arguments.numel(), len(family.function.rows)
+        big = ca.MX(family.map.matrix(n))
+        z = ca.reshape(ca.mtimes(big, x) + ca.DM(family.offset), size, family.count)
+        weights = ca.DM(family.weights / cost_scale).T
+        block = lam[row : row + m * family.count]
+        g, cost_here = made["value"].map(family.count)(z)
+        values.append(ca.vec(g))
+        objective = objective + ca.dot(weights, cost_here)
+        slope = made["slope"].map(family.count)(z)
+        gradient = gradient + ca.mtimes(big.T, ca.vec(slope * ca.repmat(weights, size, 1)))
+        _add_jacobian(jacobian, family, made["jacobian"], z, row)
+        _add_hessian(hessian, family, made["hessian"], (z, ca.reshape(block, m, family.count), sigma * weights))
+        scale = np.array([r.scale for r in family.function.rows])
+        lower.append(np.tile(np.array([r.lower for r in family.function.rows]) / scale, family.count))
+        upper.append(np.tile(np.array([r.upper for r in family.function.rows]) / scale, family.count))
+        labels += [r.label for _ in range(family.count) for r in family.function.rows]
+        tau.append(np.repeat(family.tau, m))
+        row += m * family.count
+    values.append(ca.mtimes(ca.MX(matrix), x))
+    jacobian.source(ca.MX(1))
+    jacobian.add(
+        linear.map.rows + row, linear.map.columns, linear.map.values, np.full(len(linear.map.values), -1)
+    )
+    g = ca.vertcat(*values)
+    names = ["x", "p"]
+    return Program(
+        x,
+        objective,
+        g,
+        ca.Function("nlp_grad_f", [x, none], [objective, gradient], names, ["f", "grad_f_x"]),
+        ca.Function("nlp_jac_g", [x, none], [g, jacobian.assembled((count, n))], names, ["g", "jac_g_x"]),
+        ca.Function(
+            "nlp_hess_l",
+            [x, none, sigma, lam],
+            [hessian.assembled((n, n))],
+            [*names, "lam_f", "lam_g"],
+            ["triu_hess_gamma_x_x"],
+        ),
+        np.concatenate([*lower, linear.lower]),
+        np.concatenate([*upper, linear.upper]),
+        (*labels, *linear.labels),
+        np.concatenate([*tau, linear.tau]),
+    )
+
+
+def _derivatives(family: Family) -> dict[str, ca.Function]:
+    """Constraints and integrand of one point, slope of the integrand, Jacobian, Hessian of the Lagrangian."""
+    z, rows = family.function.arguments, family.function.rows
+    g = ca.vertcat(ca.SX(0, 1), *[r.value / r.scale for r in rows])
+    integrand = ca.SX(family.function.integrand) if family.function.integrand is not None else ca.SX(0)
+    lam, sigma = ca.SX.sym("lam", g.numel()), ca.SX.sym("sigma")
+    jacobian = ca.jacobian(g, z)
+    slope = ca.densify(ca.gradient(integrand, z))
+    full, _ = ca.hessian(ca.dot(lam, g) + sigma * integrand, z)
+    return {
+        "value": ca.Function("value", [z], [g, integrand]),
+        "slope": ca.Function("slope", [z], [slope]),
+        "jacobian": ca.Function("jacobian", [z], [jacobian]),
+        "hessian": ca.Function("hessian", [z, lam, sigma], [full]),
+    }
+
+
+def _add_jacobian(parts: _Parts, family: Family, function: ca.Function, z: Any, first: int) -> None:
+    pattern = function.sparsity_out(0)
+    if pattern.nnz() == 0 or family.count == 0:
+        return
+    local_rows, local_columns = (np.array(k) for k in pattern.get_triplet())
+    size, m, count = pattern.size2(), pattern.size1(), family.count
+    at = np.arange(count)[:, None]
+    source, columns, values = family.map.expand((at * size + local_columns).ravel())
+    rows = (first + at * m + local_rows).ravel()[source]
+    parts.add(rows, columns, values, source)
+    parts.source(_stacked(function, count, [z]))
+
+
+def _add_hessian(parts: _Parts, family: Family, function: ca.Function, arguments: Sequence[Any]) -> None:
+    pattern = function.sparsity_out(0)
+    if pattern.nnz() == 0 or family.count == 0:
+        return
+    local_rows, local_columns = (np.array(k) for k in pattern.get_triplet())
+    size, count = pattern.size1(), family.count
+    at = np.arange(count)[:, None]
+    source, rows, left = family.map.expand((at * size + local_rows).ravel())
+    again, columns, right = family.map.expand((at * size + local_columns).ravel()[source])
+    rows, left, source = rows[again], left[again], source[again]
+    upper = rows <= columns
+    parts.add(rows[upper], columns[upper], (left * right)[upper], source[upper])
+    parts.source(_stacked(function, count, arguments))
+
+
+def _stacked(function: ca.Function, count: int, arguments: Sequence[Any]) -> Any:
+    """Nonzeros of all points below each other."""
+    return function.map(count)(*arguments).nz[:]

@@ -1,0 +1,129 @@
+"""Collocation as data: nodes, weights and the integrals of the interpolation through the nodes.
+
+All schemes take second rates y'' at K nodes c_i of an interval of length h as unknowns:
+
+    y'(c_i) = y'_0 + h sum_j rate[i, j] y''_j
+    y(c_i)  = y_0 + h c_i y'_0 + h^2 sum_j position[i, j] y''_j
+
+`rate` integrates the polynomial through the nodes once (the Butcher matrix of the Gauss and Radau IIA methods).
+First-order collocation treats y and y' as two states of which each is collocated: position = rate^2, so that
+y' and the derivative of y's polynomial agree at the nodes only. Second-order collocation integrates the same
+polynomial twice, so that y' is the derivative of y everywhere (S. Moreno-Martin, L. Ros, E. Celaya, "Collocation
+methods for second and higher order systems", Autonomous Robots 48, 2024).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.polynomial import legendre, polynomial
+
+from symscrew.errors import DescriptionError, did_you_mean
+
+FAMILIES = ("gauss", "radau")
+HIGHEST_DEGREE = 9
+
+
+@dataclass(frozen=True)
+class Tableau:
+    """A collocation scheme on the unit interval: `nodes` (K,), `weights` (K,), `rate`, `position` (K, K).
+
+    `end_rate`, `end_position` (K,) do the same at the end of the interval. `second_order` tells which of the two
+    schemes `position` is.
+    """
+
+    family: str
+    degree: int
+    second_order: bool
+    nodes: np.ndarray
+    weights: np.ndarray
+    rate: np.ndarray
+    position: np.ndarray
+    end_rate: np.ndarray
+    end_position: np.ndarray
+
+    @property
+    def ends_on_node(self) -> bool:
+        """Whether the last node is the end of the interval."""
+        return bool(self.nodes[-1] == 1.0)
+
+    def basis(self, s: np.ndarray) -> np.ndarray:
+        """Lagrange polynomials through the nodes at s (n,): shape (n, K)."""
+        return _powers(s, self.degree) @ _lagrange(self.nodes)
+
+    def rate_at(self, s: np.ndarray) -> np.ndarray:
+        """Integrals of the Lagrange polynomials from 0 to s: shape (n, K)."""
+        return _powers(s, self.degree + 1) @ _integrated(_lagrange(self.nodes))
+
+    def position_at(self, s: np.ndarray) -> np.ndarray:
+        """What stands for `position` at any s: shape (n, K).
+
+        First-order schemes: y is the polynomial whose rate is the interpolation of y' through the nodes.
+        """
+        if self.second_order:
+            return _powers(s, self.degree + 2) @ _integrated(_integrated(_lagrange(self.nodes)))
+        return self.rate_at(s) @ self.rate
+
+    def slope(self) -> np.ndarray:
+        """Derivatives of the Lagrange polynomials at the nodes, per unit interval: shape (K, K)."""
+        lagrange = _lagrange(self.nodes)
+        derived = lagrange[1:] * np.arange(1, self.degree)[:, None]
+        return _powers(self.nodes, self.degree - 1) @ derived
+
+
+@cache
+def tableau(family: str, degree: int, second_order: bool = True) -> Tableau:
+    """The scheme with `degree` nodes of a family: "gauss" (Legendre-Gauss) or "radau" (Legendre-Gauss-Radau)."""
+    if family not in FAMILIES:
+        raise DescriptionError(f"transcription: unknown collocation {family!r}; {did_you_mean(family, FAMILIES)}")
+    if not 1 <= degree <= HIGHEST_DEGREE:
+        raise DescriptionError(f"transcription: expected a degree from 1 to {HIGHEST_DEGREE}, got {degree}")
+    nodes = _gauss(degree) if family == "gauss" else _radau(degree)
+    once = _integrated(_lagrange(nodes))
+    rate = _powers(nodes, degree + 1) @ once
+    end_rate = (_powers(np.ones(1), degree + 1) @ once)[0]
+    if second_order:
+        twice = _integrated(once)
+        position = _powers(nodes, degree + 2) @ twice
+        end_position = (_powers(np.ones(1), degree + 2) @ twice)[0]
+    else:
+        position, end_position = rate @ rate, end_rate @ rate
+    return Tableau(family, degree, second_order, nodes, end_rate, rate, position, end_rate, end_position)
+
+
+def _gauss(degree: int) -> np.ndarray:
+    return (1 + legendre.leggauss(degree)[0]) / 2
+
+
+def _radau(degree: int) -> np.ndarray:
+    """Zeros of P_K - P_(K-1) on [-1, 1], the last one at 1, brought to [0, 1]."""
+    series = np.zeros(degree + 1)
+    series[degree], series[degree - 1] = 1.0, -1.0
+    roots = np.sort(legendre.legroots(series).real)
+    derivative = legendre.legder(series)
+    for _ in range(3):  # the companion matrix leaves a few units in the last place
+        slope = legendre.legval(roots, derivative)
+        roots = roots - legendre.legval(roots, series) / slope
+    roots[-1] = 1.0
+    return (1 + roots) / 2
+
+
+def _lagrange(nodes: np.ndarray) -> np.ndarray:
+    """Coefficients of the Lagrange polynomials in powers of s: column j belongs to node j."""
+    columns = []
+    for j, node in enumerate(nodes):
+        others = np.delete(nodes, j)
+        columns.append(polynomial.polyfromroots(others) / np.prod(node - others))
+    return np.array(columns).T
+
+
+def _integrated(coefficients: np.ndarray) -> np.ndarray:
+    """Integral from 0 of polynomials whose coefficients stand in columns."""
+    below = coefficients / np.arange(1, len(coefficients) + 1)[:, None]
+    return np.concatenate([np.zeros((1, coefficients.shape[1])), below])
+
+
+def _powers(s: np.ndarray, count: int) -> np.ndarray:
+    return np.asarray(s, dtype=float)[:, None] ** np.arange(count)
