@@ -27,7 +27,7 @@ Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
 
 
-MOST_PRODUCTS = 25_000
+MOST_PRODUCTS = 12_000
 """Products of terms that one ring makes."""
 
 
