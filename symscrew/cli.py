@@ -104,7 +104,10 @@ def parser() -> argparse.ArgumentParser:
     _mechanism(generate)
     generate.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
     text = "default: c casadi numpy; external: C for casadi.external, with derivatives; markdown: formulas to read"
-    generate.add_argument("--target", nargs="+", choices=TARGETS, default=USUAL, help=text)
+    generate.add_argument("--target", nargs="+", choices=TARGETS, help=text)
+    generate.add_argument(
+        "--precision", choices=("double", "single"), default="double", help="single: C of type float, no other target"
+    )
     _effects(generate)
     generate.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
     generate.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
@@ -244,12 +247,17 @@ def run_demo(options: argparse.Namespace) -> int:
 def generate_code(options: argparse.Namespace) -> int:
     """`symscrew generate`."""
     from symscrew.console import Progress, table
-    from symscrew.generation import generate
+    from symscrew.generation import SINGLE_TARGETS, generate
 
+    single = options.precision == "single"
+    targets = [t for t in TARGETS if t in (options.target or (["c"] if single else USUAL))]
+    doubles = [t for t in targets if t not in SINGLE_TARGETS]
+    if single and doubles:
+        raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(SINGLE_TARGETS)}")
     progress = Progress()
     model = _derived(options, progress)
-    with progress.step(f"write {', '.join(options.target)} to {options.out}"):
-        files = generate(model, options.out, [t for t in TARGETS if t in options.target])
+    with progress.step(f"write {', '.join(targets)} to {options.out}"):
+        files = generate(model, options.out, targets, precision=options.precision)
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     print(table(("function", "operations"), rows))

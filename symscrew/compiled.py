@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.export.c import print_c
+from symscrew.export.c_precision import DOUBLE, PRECISIONS, Precision
 from symscrew.manifest import read_manifest, read_port
 from symscrew.model import Model
 from symscrew.names import check_name
@@ -169,6 +170,7 @@ def load(
     backend: str | None = None,
     vectorised: bool = False,
     threads: bool = False,
+    precision: str | None = None,
     flags: Sequence[str] = (),
 ) -> CompiledModel:
     """The compiled functions of a model, or of a directory that `generate` wrote.
@@ -180,6 +182,8 @@ def load(
         vectorised: batches of eight states at once in C: three to four times as fast with AVX2, but twice the
             time to compile, so that it pays from some millions of evaluations on.
         threads: batches shared among threads (OpenMP; OMP_NUM_THREADS says how many), vectorised as well.
+        precision: "single" to print and compile a model's C in float; a directory knows its own. Arrays of
+            Python are float64 all the same.
         flags: further flags of the C compiler.
 
     Raises:
@@ -187,12 +191,17 @@ def load(
     """
     if backend not in (None, "c", "casadi"):
         raise ValueError(f"expected the backend 'c' or 'casadi', got {backend!r}")
-    name, ports = _interface(source)
+    name, ports, own = _interface(source)
+    real = PRECISIONS[precision or own]
+    if not isinstance(source, Model) and precision not in (None, own):
+        raise ValueError(f"{source}: expected its own precision, {own}, got {precision}; generate it again")
+    if backend == "casadi" and real is not DOUBLE:
+        raise ValueError("expected the backend 'c' for single precision, got 'casadi'")
     chosen = backend or ("c" if find_compiler() else "casadi")
     if chosen == "c":
         speed = [f"-D{name.upper()}_STATE_BY_STATE"] if not (vectorised or threads) else []
         speed += ["-fopenmp"] if threads else []
-        evaluators, columns = _c_evaluators(source, name, ports, build_dir, [*speed, *flags])
+        evaluators, columns = _c_evaluators(source, name, ports, build_dir, [*speed, *flags], real)
     else:
         evaluators, columns = _casadi_evaluators(source, ports), {}
     functions = {
@@ -223,16 +232,17 @@ def compile_c(source: Path, library: Path, *, compiler: str | None = None, flags
 Interface = dict[str, tuple[tuple[Port, ...], tuple[Port, ...]]]
 
 
-def _interface(source: Model | str | Path) -> tuple[str, Interface]:
+def _interface(source: Model | str | Path) -> tuple[str, Interface, str]:
     if isinstance(source, Model):
-        return source.name, {name: (p.inputs, p.outputs) for name, p in source.programs.items()}
+        return source.name, {name: (p.inputs, p.outputs) for name, p in source.programs.items()}, "double"
     content = read_manifest(Path(source))
     name = check_name(content["mechanism"], "manifest.json, mechanism")
     functions = {check_name(f, "manifest.json, function"): entry for f, entry in content["functions"].items()}
-    return name, {
+    interface = {
         f: (tuple(map(read_port, entry["inputs"])), tuple(map(read_port, entry["outputs"])))
         for f, entry in functions.items()
     }
+    return name, interface, "single" if content.get("precision") == "single" else "double"
 
 
 def _c_evaluators(
@@ -241,23 +251,26 @@ def _c_evaluators(
     ports: Interface,
     build_dir: str | Path | None,
     flags: Sequence[str],
+    real: Precision,
 ) -> tuple[dict[str, Evaluator], dict[str, Evaluator]]:
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         folder = Path(build_dir) if build_dir is not None else Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         sources = Path(temporary) if isinstance(source, Model) else Path(source)
         if isinstance(source, Model):
-            for file, text in print_c(source).items():
+            for file, text in print_c(source, precision=real).items():
                 (sources / file).write_text(text, encoding="utf-8")
         library = folder / f"lib{name}.so"
         compile_c(sources / f"{name}.c", library, flags=flags)
         loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
     sizes = {function: len(inputs) + len(outputs) for function, (inputs, outputs) in ports.items()}
-    rows = {function: _c_evaluator(loaded, f"{name}_{function}", n, columns=False) for function, n in sizes.items()}
-    return rows, {f: _c_evaluator(loaded, f"{name}_{f}", n, columns=True) for f, n in sizes.items()}
+    rows = {
+        function: _c_evaluator(loaded, f"{name}_{function}", n, real, columns=False) for function, n in sizes.items()
+    }
+    return rows, {f: _c_evaluator(loaded, f"{name}_{f}", n, real, columns=True) for f, n in sizes.items()}
 
 
-def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int, *, columns: bool) -> Evaluator:
+def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int, real: Precision, *, columns: bool) -> Evaluator:
     """A batch function on arrays (states, size), or with `columns` (size, states)."""
     batch = getattr(library, f"{symbol}_batch_soa" if columns else f"{symbol}_batch")
     counts = 2 if columns else 1
@@ -268,7 +281,13 @@ def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int, *, columns: boo
         pointers = [array.__array_interface__["data"][0] for array in (*inputs, *outputs, status)]
         batch(*([len(status)] * counts), *pointers)
 
-    return evaluate
+    def evaluate_single(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
+        results = [np.empty(array.shape, np.float32) for array in outputs]
+        evaluate([np.ascontiguousarray(array, np.float32) for array in inputs], results, status)
+        for array, result in zip(outputs, results, strict=True):
+            array[...] = result
+
+    return evaluate if real is DOUBLE else evaluate_single
 
 
 def _casadi_evaluators(source: Model | str | Path, ports: Interface) -> dict[str, Evaluator]:

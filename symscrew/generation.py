@@ -28,6 +28,7 @@ import numpy as np
 
 from symscrew import description
 from symscrew.export.c import print_c
+from symscrew.export.c_precision import DOUBLE, PRECISIONS
 from symscrew.export.casadi_external import print_external
 from symscrew.export.cpp import print_cpp
 from symscrew.export.example import print_cmake, print_example
@@ -39,23 +40,27 @@ from symscrew.model import Model
 
 TARGETS = ("c", "casadi", "numpy", "external", "markdown")
 USUAL = ("c", "casadi", "numpy")
+SINGLE_TARGETS = ("c", "markdown")
 _PLAIN_FILE = re.compile(r"[A-Za-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", re.ASCII)
 
 
-def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = USUAL) -> tuple[Path, ...]:
+def generate(
+    model: Model, out_dir: str | Path, targets: Sequence[str] = USUAL, *, precision: str = "double"
+) -> tuple[Path, ...]:
     """Write the files of a model into `out_dir` and return their paths, sorted.
 
     Args:
         model: what to print.
         out_dir: a directory that does not exist, is empty, or holds earlier output of this tool.
         targets: any of TARGETS; "external" brings "c" with it.
+        precision: "double", or "single" for C of type float; the other targets are double only.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.
     """
     directory = Path(os.path.abspath(out_dir))
     earlier = _earlier_files(directory)
-    files = render(model, targets)
+    files = render(model, targets, precision=precision)
     foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
     if foreign:
         raise OutputError(f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory")
@@ -63,18 +68,24 @@ def generate(model: Model, out_dir: str | Path, targets: Sequence[str] = USUAL) 
     return tuple(directory / file for file in sorted(files))
 
 
-def render(model: Model, targets: Sequence[str] = USUAL) -> dict[str, bytes]:
+def render(model: Model, targets: Sequence[str] = USUAL, *, precision: str = "double") -> dict[str, bytes]:
     """File name to content of everything that `generate` writes."""
     unknown = [target for target in targets if target not in TARGETS]
     if unknown:
         raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {unknown[0]!r}")
+    if precision not in PRECISIONS:
+        raise ValueError(f"expected the precision {' or '.join(PRECISIONS)}, got {precision!r}")
+    real = PRECISIONS[precision]
+    doubles = [target for target in targets if target not in SINGLE_TARGETS]
+    if real is not DOUBLE and doubles:
+        raise ValueError(f"expected targets among {', '.join(SINGLE_TARGETS)} in single precision, got {doubles[0]!r}")
     targets = [*targets, "c"] if "external" in targets else targets
     chosen = [target for target in TARGETS if target in targets]
     texts: dict[str, str] = {}
     files: dict[str, bytes] = {}
     if "c" in targets:
-        texts |= print_c(model) | print_cpp(model)
-        texts |= {"example.c": print_example(model), "CMakeLists.txt": print_cmake(model)}
+        texts |= print_c(model, precision=real) | print_cpp(model, real)
+        texts |= {"example.c": print_example(model, real), "CMakeLists.txt": print_cmake(model)}
     if "numpy" in targets:
         texts |= print_numpy(model)
     if "casadi" in targets:
@@ -83,12 +94,12 @@ def render(model: Model, targets: Sequence[str] = USUAL) -> dict[str, bytes]:
         texts |= print_external(model)
     if "markdown" in targets:
         texts |= print_markdown(model)
-    texts["README.md"] = print_readme(model, chosen)
+    texts["README.md"] = print_readme(model, chosen, real)
     texts["ops.json"] = _table_text({name: p.operations for name, p in model.programs.items()})
     texts["test_vectors.json"] = _vectors_text(model)
     texts["mechanism.toml"] = description.dumps(model.mechanism)
     files |= {name: text.encode("utf-8") for name, text in texts.items()}
-    content = manifest(model, targets=chosen, files=[*files, "manifest.json"])
+    content = manifest(model, targets=chosen, files=[*files, "manifest.json"], precision=precision)
     files["manifest.json"] = (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")
     return files
 

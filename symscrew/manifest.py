@@ -28,7 +28,9 @@ class OutputError(ValueError):
     """A directory that does not hold what the tool wrote: says what was expected, what came and the cure."""
 
 
-def manifest(model: Model, *, targets: Sequence[str], files: Sequence[str]) -> dict[str, Any]:
+def manifest(
+    model: Model, *, targets: Sequence[str], files: Sequence[str], precision: str = "double"
+) -> dict[str, Any]:
     """The content of `manifest.json`."""
     return {
         "tool": TOOL,
@@ -41,6 +43,7 @@ def manifest(model: Model, *, targets: Sequence[str], files: Sequence[str]) -> d
         "parameters": _parameters(model),
         "characteristic_length": _characteristic_length(model),
         "notes": list(model.notes),
+        **({"precision": precision} if precision != "double" else {}),
         "targets": list(targets),
         "files": sorted(files),
         "functions": {name: _function(model, name, program) for name, program in model.programs.items()},
@@ -83,6 +86,7 @@ def _function(model: Model, name: str, program: Program | Iteration) -> dict[str
     return {
         "symbol": symbol,
         "batch_symbol": f"{symbol}_batch",
+        "batch_soa_symbol": f"{symbol}_batch_soa",
         "kind": "iteration" if isinstance(program, Iteration) else "straight-line",
         "hash": program.hash,
         "description": program.description,

@@ -22,6 +22,7 @@ import numpy as np
 
 from symscrew import description
 from symscrew.compiled import casadi_evaluator, compile_c, find_compiler, load
+from symscrew.export.c_single import rounded, single_errors
 from symscrew.export.casadi_external import jacobians_model
 from symscrew.generation import TARGETS, render
 from symscrew.manifest import OutputError, effect_from_json, model_hash, read_json, read_manifest
@@ -30,6 +31,7 @@ from symscrew.program import Port
 
 TOLERANCE = 1e-12
 FLOOR = 1e-3
+SINGLE_FACTOR = 8.0  # sines, roundings and contractions of compilers differ
 STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
 Results = tuple[tuple[np.ndarray, ...], np.ndarray]
 
@@ -71,7 +73,8 @@ def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
     content = read_manifest(directory)
     model = _regenerate(directory, content)
     targets = [t for t in TARGETS if t in content.get("targets", TARGETS)]
-    files = render(model, targets)
+    single = content.get("precision") == "single"
+    files = render(model, targets, precision="single" if single else "double")
     yield from _compare_operations(directory, model)
     yield from _compare_files(directory, files, model)
     expected = {name: model(name, *model.test_inputs[name]) for name in model.programs}
@@ -84,7 +87,11 @@ def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
         if "c" in targets:
             yield from _compile(fresh, model.name)
             if find_compiler():
-                yield _compare_values("C", model, expected, _c_results(fresh))
+                yield (
+                    _compare_single(fresh, model)
+                    if single
+                    else _compare_values("C", model, expected, _c_results(fresh))
+                )
             if find_compiler() and "external" in targets:
                 yield from _external(fresh, model, expected)
         if "casadi" in targets:
@@ -209,6 +216,24 @@ def _compare_values(
     passed = worst <= TOLERANCE
     place = f" ({where})" if where else ""
     return passed, f"{what} agrees with the evaluator to {worst:.1e} relative{place}, limit {TOLERANCE:.0e}"
+
+
+def _compare_single(directory: Path, model: Model) -> tuple[bool, str]:
+    """C of type float against double on the same numbers: errors of the size that the header states."""
+    compiled, worst, where = load(directory, backend="c"), 0.0, ""
+    for name, (_, stated) in single_errors(model).items():
+        inputs = [rounded(np.atleast_2d(x)) for x in model.test_inputs[name]]
+        exact, status = model(name, *inputs)
+        got = _evaluated(compiled[name].evaluator, [p.size for p in compiled[name].outputs], inputs)
+        sound = (np.atleast_1d(status) == 0) & (got[1] == 0)
+        if not sound.any():
+            return False, f"C in single precision: no state of {name} has the status 0"
+        for port, a, b, error in zip(model.programs[name].outputs, exact, got[0], stated, strict=True):
+            factor = relative_difference(a[sound], b[sound]) / max(error, 1e-6)
+            if not factor <= worst:
+                worst, where = factor, f"{name}, {port.name}"
+    text = f"C in single precision differs from double by at most {worst:.1f} times what the header states ({where})"
+    return worst <= SINGLE_FACTOR, f"{text}, limit {SINGLE_FACTOR:.0f}"
 
 
 def relative_difference(expected: np.ndarray, got: np.ndarray) -> float:

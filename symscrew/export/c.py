@@ -16,6 +16,7 @@ from symscrew.export.c_function import Printed, argument_names, arguments, decla
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_precision import DOUBLE, TABLE, Precision
 from symscrew.export.c_rank_revealing import routines, second_path
+from symscrew.export.c_single import error_lines, single_errors
 from symscrew.export.listing import banner, check_names, function_lines, wrapped
 from symscrew.model import Model
 from symscrew.program import STATUS, Iteration, Program
@@ -55,6 +56,9 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     """Declarations, sizes and what a user must know of every function."""
     upper = model.name.upper()
     about = [*wrapped(ABOUT_ARRAYS), *(wrapped(ABOUT_BATCHES % (c_batch.THREADED, upper)) if batches else [])]
+    measured = single_errors(model) if precision.suffix else {}
+    if precision.suffix:
+        about = [f"Single precision: all numbers are of type {precision.real}.", *about]
     lines = [
         *_comment([*banner(model), "", *about]),
         f"#ifndef {upper}_H",
@@ -83,7 +87,8 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     ]
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
-        lines += ["", *_comment(function_lines(symbol, program)), *_size_macros(symbol, program)]
+        errors = error_lines(program, measured.get(name)) if precision.suffix else []
+        lines += ["", *_comment([*function_lines(symbol, program), *errors]), *_size_macros(symbol, program)]
         lines += [declare(symbol, arguments(program, precision, f"{upper}_RESTRICT")) + ";"]
         if batches:
             lines += [text + ";" for text in c_batch.signatures(symbol, program, precision, f"{upper}_RESTRICT")]

@@ -9,6 +9,7 @@ No dependency, no allocation, no exceptions. A second form of every function wri
 from __future__ import annotations
 
 from symscrew.export.c import STATUS_MACROS, argument_names
+from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, check_names, plain
 from symscrew.model import Model
 from symscrew.program import STATUS, Iteration, Program
@@ -18,37 +19,37 @@ VIEWS = """
 template <std::size_t Size>
 class In {
 public:
-    In(const std::array<double, Size> &values) noexcept : data_(values.data()) {}
+    In(const std::array<REAL, Size> &values) noexcept : data_(values.data()) {}
     template <std::size_t Count, typename = std::enable_if_t<Count == Size>>
-    In(const double (&values)[Count]) noexcept : data_(values) {}
+    In(const REAL (&values)[Count]) noexcept : data_(values) {}
 #if defined(__cpp_lib_span)
-    In(std::span<const double, Size> values) noexcept : data_(values.data()) {}
-    In(std::span<double, Size> values) noexcept : data_(values.data()) {}
+    In(std::span<const REAL, Size> values) noexcept : data_(values.data()) {}
+    In(std::span<REAL, Size> values) noexcept : data_(values.data()) {}
 #endif
-    const double *data() const noexcept { return data_; }
+    const REAL *data() const noexcept { return data_; }
 
 private:
-    const double *data_;
+    const REAL *data_;
 };
 
 template <std::size_t Size>
 class Out {
 public:
-    Out(std::array<double, Size> &values) noexcept : data_(values.data()) {}
+    Out(std::array<REAL, Size> &values) noexcept : data_(values.data()) {}
     template <std::size_t Count, typename = std::enable_if_t<Count == Size>>
-    Out(double (&values)[Count]) noexcept : data_(values) {}
+    Out(REAL (&values)[Count]) noexcept : data_(values) {}
 #if defined(__cpp_lib_span)
-    Out(std::span<double, Size> values) noexcept : data_(values.data()) {}
+    Out(std::span<REAL, Size> values) noexcept : data_(values.data()) {}
 #endif
-    double *data() const noexcept { return data_; }
+    REAL *data() const noexcept { return data_; }
 
 private:
-    double *data_;
+    REAL *data_;
 };
 """
 
 
-def print_cpp(model: Model) -> dict[str, str]:
+def print_cpp(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     """File name to text: `<name>.hpp`."""
     check_names(model)
     guard = f"{model.name.upper()}_HPP"
@@ -61,14 +62,14 @@ def print_cpp(model: Model) -> dict[str, str]:
     lines += [f"    {macro.lower()} = {code}," for code, macro in STATUS_MACROS.items() if code in STATUS]
     lines += ["};", "", "/* What a status means. */", "inline const char *text(Status status) noexcept", "{"]
     lines += [f"    return ::{model.name}_status_text(static_cast<int>(status));", "}"]
-    lines += VIEWS.rstrip().splitlines()
+    lines += VIEWS.rstrip().replace("REAL", precision.real).splitlines()
     for name, program in model.programs.items():
-        lines += ["", *_function(model.name, name, program)]
+        lines += ["", *_function(model.name, name, program, precision.real)]
     lines += ["", f"}} /* namespace {model.name} */", "", f"#endif /* {guard} */", ""]
     return {f"{model.name}.hpp": "\n".join(lines)}
 
 
-def _function(model: str, name: str, program: Program | Iteration) -> list[str]:
+def _function(model: str, name: str, program: Program | Iteration, real: str) -> list[str]:
     """The result type and both forms of one function."""
     names = argument_names((*program.inputs, *program.outputs))
     inputs = list(zip(names, program.inputs, strict=False))
@@ -81,7 +82,7 @@ def _function(model: str, name: str, program: Program | Iteration) -> list[str]:
     return [
         f"/* {plain(program.description)} See {model}.h for shapes, units and labels. */",
         f"struct {result} {{",
-        *(f"    std::array<double, {port.size}> {argument}{{}};" for argument, port in outputs),
+        *(f"    std::array<{real}, {port.size}> {argument}{{}};" for argument, port in outputs),
         "    Status status{};",
         "    /* Whether the arrays hold results: they are NaN otherwise. */",
         "    bool ok() const noexcept { return static_cast<int>(status) <= 0; }",

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain, unit_of
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
@@ -21,17 +22,17 @@ SHOWN = (
 )
 
 PRINT = """static void print_array(
-    const char *name, const double *array, size_t size, const char *const *entry)
+    const char *name, const REAL *array, size_t size, const char *const *entry)
 {
     printf("  %s\\n", name);
     for (size_t k = 0; k < size; ++k) {
-        printf("    %-32s % .12g\\n", entry[k], array[k]);
+        printf("    %-32s % .12g\\n", entry[k], (double)array[k]);
     }
 }
 """
 
 
-def print_example(model: Model) -> str:
+def print_example(model: Model, precision: Precision = DOUBLE) -> str:
     """`example.c`: calls what matters most at the first test state, prints results with labels and units."""
     names = [name for name in SHOWN if name in model.programs] or list(model.programs)[:3]
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " *"]
@@ -39,30 +40,38 @@ def print_example(model: Model) -> str:
         f" * cc -std=c99 -O2 -fno-math-errno example.c {model.name}.c -lm -o example && ./example",
         " */",
     ]
-    lines += [f'#include "{model.name}.h"', "", "#include <stdio.h>", "", *PRINT.splitlines()]
+    lines += [
+        f'#include "{model.name}.h"',
+        "",
+        "#include <stdio.h>",
+        "",
+        *PRINT.replace("REAL", precision.real).splitlines(),
+    ]
     for name in names:
         states = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
-        lines += ["", *_call(model.name, name, model.programs[name], states)]
+        lines += ["", *_call(model.name, name, model.programs[name], states, precision)]
     lines += ["", "int main(void)", "{", "    int failures = 0;"]
     lines += [f"    failures += show_{name}() != 0;" for name in names]
     return "\n".join([*lines, "    return failures != 0;", "}", ""])
 
 
-def _call(model: str, name: str, program: Program | Iteration, states: Sequence[np.ndarray]) -> list[str]:
+def _call(
+    model: str, name: str, program: Program | Iteration, states: Sequence[np.ndarray], precision: Precision
+) -> list[str]:
     lines = [f"static int show_{name}(void)", "{"]
     arguments = []
     for i, (port, state) in enumerate(zip(program.inputs, states, strict=True)):
         arguments.append(f"input{i}" if port.size else "NULL")
         if port.size:
-            lines += [f"    static const double input{i}[{port.size}] = {{ /* {port.name} */"]
-            lines += [f"        {float(x)!r}, /* {_entry(port, k)} */" for k, x in enumerate(state)]
+            lines += [f"    static const {precision.real} input{i}[{port.size}] = {{ /* {port.name} */"]
+            lines += [f"        {precision.number(x)}, /* {_entry(port, k)} */" for k, x in enumerate(state)]
             lines += ["    };"]
     for i, port in enumerate(program.outputs):
         arguments.append(f"output{i}" if port.size else "NULL")
         if port.size:
             lines += [f"    static const char *const entries{i}[{port.size}] = {{"]
             lines += [f'        "{_entry(port, k)}",' for k in range(port.size)]
-            lines += ["    };", f"    double output{i}[{port.size}];"]
+            lines += ["    };", f"    {precision.real} output{i}[{port.size}];"]
     lines += [f"    const int status = {model}_{name}({', '.join(arguments)});"]
     lines += [f'    printf("{model}_{name}: status %d, %s\\n", status, {model}_status_text(status));']
     lines += [

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
+from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
@@ -24,7 +26,7 @@ ALWAYS = (
 )
 
 
-def print_readme(model: Model, targets: Sequence[str]) -> str:
+def print_readme(model: Model, targets: Sequence[str], precision: Precision = DOUBLE) -> str:
     """The text; deterministic, its examples use the first test state of one function."""
     name = _shown(model)
     program = model.programs[name]
@@ -34,7 +36,12 @@ def print_readme(model: Model, targets: Sequence[str]) -> str:
     lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
     lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
     lines += ["", *_about(program, name)]
-    examples = {"c": [_c, _cpp], "casadi": [_casadi], "numpy": [_numpy], "external": [_external]}
+    examples = {
+        "c": [partial(_c, real=precision.real), partial(_cpp, real=precision.real)],
+        "casadi": [_casadi],
+        "numpy": [_numpy],
+        "external": [_external],
+    }
     for target in targets:
         for example in examples.get(target, ()):
             lines += ["", *example(model, name, program)]
@@ -71,9 +78,9 @@ def _first(program: Program | Iteration) -> Port:
     return next(port for port in program.outputs if port.size)
 
 
-def _c(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    sizes = [f"double {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
-    inputs = [f"    const double {k}_[] = {v};" for k, v in _states(model, name, "{", "}").items() if v != "{}"]
+def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> list[str]:
+    sizes = [f"{real} {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
+    inputs = [f"    const {real} {k}_[] = {v};" for k, v in _states(model, name, "{", "}").items() if v != "{}"]
     passed = [f"{p.name}_" if p.size else "NULL" for p in (*program.inputs, *program.outputs)]
     main = [
         f'#include "{model.name}.h"',
@@ -84,7 +91,7 @@ def _c(model: Model, name: str, program: Program | Iteration) -> list[str]:
         *inputs,
         *(f"    {size};" for size in sizes),
         f"    const int outcome = {model.name}_{name}({', '.join(passed)});",
-        f'    printf("%s: %.12g\\n", {model.name}_status_text(outcome), {_first(program).name}_[0]);',
+        f'    printf("%s: %.12g\\n", {model.name}_status_text(outcome), (double){_first(program).name}_[0]);',
         "    return outcome > 0;",
         "}",
     ]
@@ -92,7 +99,7 @@ def _c(model: Model, name: str, program: Program | Iteration) -> list[str]:
     return ["### C", "", "```c", *main, "```", "", command]
 
 
-def _cpp(model: Model, name: str, program: Program | Iteration) -> list[str]:
+def _cpp(model: Model, name: str, program: Program | Iteration, *, real: str) -> list[str]:
     states = _states(model, name, "{", "}").items()
     sizes = {port.name: port.size for port in program.inputs}
     main = [
@@ -101,7 +108,7 @@ def _cpp(model: Model, name: str, program: Program | Iteration) -> list[str]:
         "",
         "int main()",
         "{",
-        *(f"    const std::array<double, {sizes[k]}> {k}_{v};" for k, v in states),
+        *(f"    const std::array<{real}, {sizes[k]}> {k}_{v};" for k, v in states),
         f"    const auto result = {model.name}::{name}({', '.join(f'{k}_' for k, _ in states)});",
         f'    std::printf("%s: %.12g\\n", {model.name}::text(result.status), result.{_member(program)}[0]);',
         "    return result.ok() ? 0 : 1;",
