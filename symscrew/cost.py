@@ -32,9 +32,10 @@ if TYPE_CHECKING:
 
     from symscrew.scene import Scene
 
-FUNCTIONS = ("inverse_dynamics", "forward_dynamics")
+RESULTS = {"inverse_dynamics": "drives", "forward_dynamics": "accelerations"}
+FUNCTIONS = tuple(RESULTS)
 BATCH, ROUNDS, WARM = 256, 301, 10
-ZERO = 1e-9  # a result below this part of what leaving an effect out makes of it is rounding
+ZERO = 1e-6  # a result below this part of what leaving an effect out makes of it vanishes
 Arrays = Mapping[str, np.ndarray]
 
 
@@ -45,15 +46,15 @@ class Item:
     `operations` and `nanoseconds` per function: what inverse and forward dynamics have more with the effect than
     without it (less, if it simplifies); nanoseconds per evaluation, None where nothing was timed. `states`: its own.
     `change`: per result ("drives", "accelerations") the root mean square over the motion of the difference that
-    leaving it out makes, divided by that of the result itself (lengths divided by the characteristic length);
-    None where the result itself is zero.
+    leaving it out makes, divided by that of the result itself (lengths divided by the characteristic length), or
+    by the largest such difference where the result itself vanishes, as drives do in a free motion.
     """
 
     effect: str
     operations: Mapping[str, int]
     states: int
     nanoseconds: Mapping[str, float | None]
-    change: Mapping[str, float | None]
+    change: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,9 @@ def bill(
     known = _with_results(whole, dict(motion) if motion is not None else _samples(whole))
     clock = _Clock(whole, known) if timed and find_compiler() else None
     full = _operations(whole)
-    items, labels = [], effect_labels(effects)
+    items: list[Item] = []
+    labels, sizes = effect_labels(effects), _sizes(whole, known)
+    differences: list[dict[str, float]] = []
     for k in progress.bar(range(len(effects)), "effects"):
         rest = [e for i, e in enumerate(effects) if i != k]
         model = derive(mechanism, rest)
@@ -126,9 +129,14 @@ def bill(
                 {f: full[f] - less[f] for f in FUNCTIONS if f in full and f in less},
                 len(_states(whole)) - len(_states(model)),
                 {f: times.get(f) for f in FUNCTIONS if f in full and f in less},
-                _changes(whole, model, known),
+                {},
             )
         )
+        differences.append(_differences(whole, model, known))
+    for result, size in sizes.items():
+        largest = max((d[result] for d in differences if result in d), default=0.0)
+        sizes[result] = largest if size < ZERO * largest else size
+    items = [replace(item, change=_shares(d, sizes)) for item, d in zip(items, differences, strict=True)]
     own = clock.own() if clock else {}
     return Bill(name or mechanism.name, mechanism.name, motion_text, tuple(items), full, {f: own.get(f) for f in full})
 
@@ -199,20 +207,30 @@ def _evaluated(model: Model, function: str, known: Arrays, labels: Sequence[str]
     return model(function, *given)[0][0]
 
 
-def _changes(whole: Model, model: Model, known: Arrays) -> dict[str, float | None]:
-    """Relative changes of drives and accelerations without an effect."""
-    result: dict[str, float | None] = {}
+def _sizes(whole: Model, known: Arrays) -> dict[str, float]:
+    """Root mean square of drives and accelerations over the motion."""
+    present = [(f, name) for f, name in RESULTS.items() if f in whole.programs]
+    return {name: _size(_evaluated(whole, f, known), _scales(whole.system, f)) for f, name in present}
+
+
+def _differences(whole: Model, model: Model, known: Arrays) -> dict[str, float]:
+    """Root mean square of what drives and accelerations change by without an effect."""
     labels = _states(whole)
-    for function, name in zip(FUNCTIONS, ("drives", "accelerations"), strict=True):
-        if function not in whole.programs or function not in model.programs:
-            continue
-        full, less = _evaluated(whole, function, known), _evaluated(model, function, known, labels)
-        scales = _scales(whole.system, function)
-        good = np.isfinite(full).all(axis=1) & np.isfinite(less).all(axis=1)
-        size = float(np.sqrt(np.mean((full[good] / scales) ** 2))) if good.any() else float("nan")
-        off = float(np.sqrt(np.mean(((full - less)[good] / scales) ** 2))) if good.any() else float("nan")
-        result[name] = 0.0 if off == 0 else (off / size if size > ZERO * off else None)
+    result = {}
+    for function, name in RESULTS.items():
+        if function in whole.programs and function in model.programs:
+            less = _evaluated(model, function, known, labels)
+            result[name] = _size(_evaluated(whole, function, known) - less, _scales(whole.system, function))
     return result
+
+
+def _size(values: np.ndarray, scales: np.ndarray) -> float:
+    good = np.isfinite(values).all(axis=1)
+    return float(np.sqrt(np.mean((values[good] / scales) ** 2))) if good.any() else float("nan")
+
+
+def _shares(differences: Mapping[str, float], sizes: Mapping[str, float]) -> dict[str, float]:
+    return {name: d / sizes[name] if d else 0.0 for name, d in differences.items()}
 
 
 def _scales(system: System, function: str) -> np.ndarray:
@@ -318,11 +336,8 @@ def _signed(value: float | None, digits: int = 0) -> str:
     return "-" if value is None else f"{value:+.{digits}f}"
 
 
-def _share(change: Mapping[str, float | None], name: str) -> str:
-    if name not in change:
-        return "-"
-    value = change[name]
-    return "from 0" if value is None else ("0" if value == 0 else f"{100 * value:.3g} %")
+def _share(change: Mapping[str, float], name: str) -> str:
+    return f"{100 * change[name]:.3g} %" if name in change else "-"
 
 
 def figure(found: Bill) -> Figure:
@@ -344,7 +359,7 @@ def figure(found: Bill) -> Figure:
     if any(v is not None for i in found.items for v in i.nanoseconds.values()):
         times = [(f.replace("_", " "), [i.nanoseconds.get(f) or 0.0 for i in found.items]) for f in FUNCTIONS]
         panels.append(("added time  [ns]", times, False))
-    kinds = [(n, [100 * (i.change.get(n) or 0.0) for i in found.items]) for n in ("drives", "accelerations")]
+    kinds = [(n, [100 * i.change.get(n, 0.0) for i in found.items]) for n in ("drives", "accelerations")]
     panels.append(("change without it  [%]", kinds, True))
     with style():
         drawn = Figure(figsize=(2.3 + 2.1 * len(panels), 0.9 + 0.36 * len(names)), layout="constrained")

@@ -73,6 +73,14 @@ def test_change_is_what_method_b_says() -> None:
     assert found.items[1].change["drives"] == pytest.approx(float(expected), rel=1e-9)
 
 
+def test_drives_that_vanish_are_compared_with_the_largest_change() -> None:
+    """In a free motion the drives are zero with all effects: the effect that matters most counts 100 %."""
+    free = SCENE.replace('[drives]\ncrank_R = "0.5*cos(t)"\n', "")
+    found = scene_bill(loads(free), timed=False)
+    assert max(item.change["drives"] for item in found.items) == 1.0
+    assert all(0 < item.change["drives"] <= 1 for item in found.items)
+
+
 def test_simplifications_save() -> None:
     found = bill(catalogue.load("four_bar"), [Gravity(), effect("MasslessLimbs")], timed=False)
     assert found.items[1].operations["inverse_dynamics"] < -10
@@ -80,7 +88,7 @@ def test_simplifications_save() -> None:
 
 def test_scene_along_its_own_motion() -> None:
     found = scene_bill(loads(SCENE), timed=False)
-    assert "simulated motion of 0.5 s, 21 outputs" in found.motion
+    assert found.name == "cranked" and "simulated motion of 0.5 s, 21 outputs" in found.motion
     assert [item.effect for item in found.items] == ["viscous_friction slider_P", "dc_motor crank_R"]
     for item in found.items:
         assert all(0 < value < 100 for value in item.change.values())

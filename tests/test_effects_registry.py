@@ -111,6 +111,8 @@ TABLES = [
     ({"type": "viscous_friction", "joint": "A", "coefficient": True}, "expected"),
     ({"type": "viscous_friction", "joint": "A", "coefficient": [1]}, "single value"),
     ({"type": "viscous_friction", "joint": "A", "coefficient": 1, "freedom": "x"}, "expected"),
+    ({"type": "viscous_friction", "joint": "A", "coefficient": Decimal("NaN")}, "finite"),
+    ({"type": "gravity", "acceleration": [0, 0, Decimal("-inf")]}, "finite"),
     ({"type": "quasi_static", "joint": "A"}, "unknown key"),
 ]
 

@@ -9,6 +9,7 @@ coefficient = 0.2
 from __future__ import annotations
 
 import dataclasses
+import math
 import pkgutil
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
@@ -100,6 +101,12 @@ def _checked(value: Any, field: dataclasses.Field, where: str) -> Any:
         expected, good = "text, a number, true or false, or a list", False
     if not good:
         raise DescriptionError(f"{where}: expected {expected}, got {shorten(value)}")
+    return _finite(value, where)
+
+
+def _finite(value: Any, where: str) -> Any:
+    if isinstance(value, float | Decimal) and not math.isfinite(value):
+        raise DescriptionError(f"{where}: expected a finite number, got {value}")
     return value
 
 
@@ -108,7 +115,7 @@ def _frozen(value: Any, where: str) -> Any:
         return tuple(_frozen(v, where) for v in value)
     if isinstance(value, bool) or not isinstance(value, str | int | float | Decimal | Fraction):
         raise DescriptionError(f"{where}: expected a list of numbers or texts, got {shorten(value)} in it")
-    return value
+    return _finite(value, where)
 
 
 def load_effects(path: str | Path) -> tuple[Effect, ...]:
