@@ -96,7 +96,7 @@ def adapters(plant: Plant) -> str:
         "static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
         "                     double *x_dot)",
         "{",
-        "    double s[NS + 1];",
+        "    double s[NS + 1] = {0.0};",
         "    tables_at(t, s);",
         f"    int outcome = {name}_slopes(&t, q, v, x, u, s, PARAMETERS, a, x_dot);",
         "    if (outcome != 1) {",

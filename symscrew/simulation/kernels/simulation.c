@@ -27,32 +27,33 @@ size_t simulation_size(void) { return sizeof(Simulation); }
 size_t crossing_size(void) { return sizeof(Crossing); }
 
 /* How fast the pivot changes along the motion. */
-static double pivot_rate(const double *q, const double *v, double pivot)
+static double pivot_rate(const double *q, const double *v)
 {
 #if NR && FREE
-    double z[NV1], at[NQ1], size = 0.0;
-    Opening o;
-    Rows f;
+    double z[NV1], at[NQ1], size = 0.0, pivot[2];
     for (int k = 0; k < NV; ++k) {
         size = fmax(size, fabs(v[k] / UNIT[k]));
     }
     if (!(size > 0.0)) {
         return 0.0;
     }
-    const double step = 1e-7 / size;
-    for (int k = 0; k < NV; ++k) {
-        z[k] = step * v[k];
+    for (int side = 0; side < 2; ++side) {
+        Opening o;
+        Rows f;
+        for (int k = 0; k < NV; ++k) {
+            z[k] = (side == 0 ? -1e-7 : 1e-7) / size * v[k];
+        }
+        retract(q, z, at);
+        if (opening(at, &o) != 0) {
+            return 0.0;
+        }
+        row_space(&o, NULL, 0, RANK_FLOOR, &f);
+        pivot[side] = f.smallest;
     }
-    retract(q, z, at);
-    if (opening(at, &o) != 0) {
-        return 0.0;
-    }
-    row_space(&o, NULL, 0, RANK_FLOOR, &f);
-    return (f.smallest - pivot) / step;
+    return (pivot[1] - pivot[0]) * size / 2e-7;
 #else
     (void)q;
     (void)v;
-    (void)pivot;
     return 0.0;
 #endif
 }
@@ -73,7 +74,7 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     s->earlier_error = 1e-4;
     s->budget = budget;
     const int outcome = settle(s->q, s->v, &s->pivot);
-    s->pivot_rate = pivot_rate(s->q, s->v, s->pivot);
+    s->pivot_rate = pivot_rate(s->q, s->v);
     return outcome == 0 ? 0 : NOT_CLOSED;
 }
 
@@ -142,43 +143,46 @@ static int needs_care(const Simulation *s, double h)
 #endif
 }
 
-/* Where the pivot is smallest within the step just taken, if it has a minimum there below LOOK. */
-static int crossing_within(Simulation *s, Crossing *found, double rate_at_end)
+#define PIECES 4
+/* Where the pivot is smallest between left and right, if it has a minimum there below LOOK. */
+static int crossing_between(Simulation *s, double left, double right, double low, double low_rate, double high,
+                            double high_rate, Crossing *found)
 {
 #if NR && FREE
     Step *step = &s->step;
-    double left = step->t, right = step->t + step->h, x[NX1];
-    double low = s->pivot, high = step->pivot, low_rate = s->pivot_rate, high_rate = -rate_at_end;
+    double x[NX1];
+    high_rate = -high_rate;
     if (!(low_rate < 0.0 && high_rate < 0.0)) {
         return 0;
     }
     found->t = left;
+    found->pivot = low;
     for (int pass = 0; pass < 60; ++pass) {
-        /* Newton from both ends towards the zero of the pivot, the middle where that leaves the bracket */
+        /* Newton from the nearer end towards the zero of the pivot, the middle where that leaves the bracket */
         double guess = low < high ? left - low / low_rate : right + high / high_rate;
         const double width = right - left;
         if (!(guess > left + 1e-3 * width * (pass > 0) && guess < right - 1e-3 * width * (pass > 0)) || pass % 4 == 3) {
             guess = 0.5 * (left + right);
         }
-        double pivot;
-        const int outcome = state_within(step, s->method, guess, found->q, found->v, x, &pivot);
-        if (outcome != 0) {
+        if (state_within(step, s->method, guess, found->q, found->v, x, &found->pivot) != 0) {
             return 0;
         }
         found->t = guess;
-        found->pivot = pivot;
-        const double rate = pivot_rate(found->q, found->v, pivot);
-        if (pivot < 1e-8 * PIVOT || width < 1e-12 * fmax(1.0, fabs(guess))) {
+        const double rate = pivot_rate(found->q, found->v);
+        if (found->pivot < 1e-8 * PIVOT || width < 1e-12 * fmax(1.0, fabs(guess))) {
             break;
         }
         if (rate < 0.0) {
             left = guess;
-            low = pivot;
+            low = found->pivot;
             low_rate = rate;
         } else {
             right = guess;
-            high = pivot;
+            high = found->pivot;
             high_rate = -rate;
+        }
+        if (pass > 8 && fmin(low, high) > 0.1 * PIVOT) { /* a minimum, but a regular one */
+            return 0;
         }
     }
     if (found->pivot > LOOK) {
@@ -193,17 +197,48 @@ static int crossing_within(Simulation *s, Crossing *found, double rate_at_end)
     found->lost = 0.0;
     for (int i = 0; i < NR; ++i) {
         const int row = f.order[i];
-        const int short_row = i < RANK && (i >= f.rank || f.lower[row][i] < LOOK);
-        found->rows[row] = short_row ? 1.0 : 0.0;
-        found->lost += short_row;
+        const int lost = i < RANK && (i >= f.rank || f.lower[row][i] < LOOK);
+        found->rows[row] = lost ? 1.0 : 0.0;
+        found->lost += lost;
     }
     return 1;
 #else
     (void)s;
+    (void)left;
+    (void)right;
+    (void)low;
+    (void)low_rate;
+    (void)high;
+    (void)high_rate;
     (void)found;
-    (void)rate_at_end;
     return 0;
 #endif
+}
+
+/* The crossings within the step just taken. They are looked for where the pivot, at its rates, could reach zero. */
+static size_t crossings_within(Simulation *s, double rate_at_end, Crossing *found, size_t room)
+{
+    Step *step = &s->step;
+    const double steepest = fmax(fabs(s->pivot_rate), fabs(rate_at_end));
+    double left = step->t, low = s->pivot, low_rate = s->pivot_rate, q[NQ1], v[NV1], x[NX1];
+    size_t met = 0;
+    if (NR == 0 || FREE == 0 || s->pivot + step->pivot > 2.0 * step->h * steepest) {
+        return 0;
+    }
+    for (int i = 1; i <= PIECES && met < room; ++i) {
+        double right = step->t + step->h * i / PIECES, high = step->pivot, high_rate = rate_at_end;
+        if (i < PIECES) {
+            if (state_within(step, s->method, right, q, v, x, &high) != 0) {
+                continue;
+            }
+            high_rate = pivot_rate(q, v);
+        }
+        met += (size_t)crossing_between(s, left, right, low, low_rate, high, high_rate, found + met);
+        left = right;
+        low = high;
+        low_rate = high_rate;
+    }
+    return met;
 }
 
 /* One accepted step of at most h (fixed methods: of exactly h), with retries. */
@@ -326,11 +361,8 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         const double end = s->method == DOP853 || times[*written] - step->t - step->h > 1e-9 * step->h
                                ? step->t + step->h
                                : times[*written];
-        const int look = step->careful || step->pivot < CAREFUL || s->pivot < CAREFUL;
-        const double rate = look || NR ? pivot_rate(step->q, step->v, step->pivot) : 0.0;
-        if (look && *met < room && crossing_within(s, crossings + *met, rate)) {
-            ++*met;
-        }
+        const double rate = NR && FREE ? pivot_rate(step->q, step->v) : 0.0;
+        *met += crossings_within(s, rate, crossings + *met, room - *met);
         while (*written < count && times[*written] <= end) {
             double pivot;
             const double when = times[*written];

@@ -1,0 +1,142 @@
+"""Motion through singular configurations: passed on the right branch, reported with time and place; or stopped."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from runs import EXAMPLES, error_of, run_of, scene_of
+from scipy.optimize import brentq
+from scipy.special import ellipj, ellipk, ellipkinc
+
+from symscrew.builder import MechanismBuilder
+from symscrew.compiled import find_compiler
+from symscrew.effects import Gravity
+from symscrew.mechanism import Mechanism
+from symscrew.scene import Initial, Scene, load, loads
+from symscrew.simulation.run import simulate
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's")
+
+
+def n_four_bar(count: int) -> Mechanism:
+    """`count` square four-bars in a row, links of 1 m and 1 kg, relative joint angles."""
+    builder = MechanismBuilder(f"n_four_bar_{count}")
+    z = [[0, 0, 1]]
+    for k in range(count + 1):
+        builder.body(f"crank{k}", mass=1, com=[k, "1/2", 0], inertia=["1/12", 0, "1/12"])
+    for k in range(count):
+        builder.body(f"coupler{k}", mass=1, com=[f"{k} + 1/2", 1, 0], inertia=[0, "1/12", "1/12"])
+    for k in range(count + 1):
+        builder.joint(f"A{k}", "R", parent="base", child=f"crank{k}", point=[k, 0, 0], axes=z)
+    for k in range(count):
+        builder.joint(f"B{k}", "R", parent=f"crank{k}", child=f"coupler{k}", point=[k, 1, 0], axes=z)
+        builder.joint(f"C{k}", "R", parent=f"coupler{k}", child=f"crank{k + 1}", point=[k + 1, 1, 0], axes=z)
+    return builder.build()
+
+
+def crank_angle(count: int, t: np.ndarray) -> np.ndarray:
+    """Closed form of the angle from upright: J th'' = c sin th with J = (N+1)/3 + N, c = ((N+1)/2 + N) g."""
+    rate = ((count + 1) / 2 + count) * 9.81 / ((count + 1) / 3 + count)
+    energy = 0.5 + rate  # th' = 1 at th = 0
+    # th' = sqrt(2 (energy - rate cos th)): with th = pi + 2 a, a' = w sqrt(1 - m sin^2 a)
+    w, m = np.sqrt((energy + rate) / 2), 2 * rate / (energy + rate)
+    _, _, _, amplitude = ellipj(w * t + ellipkinc(-np.pi / 2, m), m)
+    return np.pi + 2 * amplitude
+
+
+def crossing_times(count: int, until: float) -> np.ndarray:
+    """When the cranks are horizontal."""
+    times, k = [], 0
+    while True:
+        target = np.pi / 2 + k * np.pi
+        if crank_angle(count, np.array(until)) < target:
+            return np.array(times)
+        times.append(brentq(lambda t, a=target: float(crank_angle(count, np.array(t))) - a, 0, until, xtol=1e-13))
+        k += 1
+
+
+def test_the_closed_form_is_that_of_the_reference() -> None:
+    from runs import reference
+
+    times, values = reference("n_four_bar")
+    assert ellipk(0.5) > 0
+    assert np.abs(crank_angle(2, times) - values[:, 0]).max() < 1e-9
+
+
+@pytest.mark.parametrize("step", [1e-3, 7e-4, 3.3e-4])
+def test_rk4_through_ten_singular_positions(step: float) -> None:
+    run = run_of("n_four_bar", scene_of("n_four_bar", method="rk4", step=step))
+    assert run.ok
+    assert error_of("n_four_bar", run) < 1e-8
+    assert run.closure_error.max() < 1e-12
+    assert [c.t for c in run.crossings] == pytest.approx(crossing_times(2, 10.0), abs=1e-6)
+
+
+def test_adaptive_steps_through_ten_singular_positions() -> None:
+    """At most 1e-6 at every tolerance from 1e-6 down, not growing when it is tightened, every crossing reported."""
+    expected, before = crossing_times(2, 10.0), 1e-6
+    assert len(expected) == 10
+    for tolerance in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12):
+        run = run_of("n_four_bar", scene_of("n_four_bar", tolerance=tolerance))
+        assert run.ok
+        error = error_of("n_four_bar", run)
+        assert error < max(before, 5e-9)  # crossings cost digits: about 1e-9 is what is left
+        before = error
+        assert run.closure_error.max() < 1e-12
+        assert [c.t for c in run.crossings] == pytest.approx(expected, abs=1e-5)
+        for crossing in run.crossings:
+            assert crossing.lost == 2
+            assert np.abs(np.cos(crossing.q[0])) < 1e-6
+            assert all(row.split(".")[0] in ("B0", "B1", "C0", "C1") for row in crossing.rows)
+
+
+@pytest.mark.parametrize("count", [1, 4])
+def test_other_numbers_of_four_bars(count: int) -> None:
+    scene = Scene(f"row{count}", n_four_bar(count), (Gravity((0, "-9.81", 0)),), 3.0, 20.0, Initial(rates={"A0": -1.0}))
+    run = simulate(scene)
+    angle = -run.q[:, [c.label for c in run.model.system.tree.q].index("A0")]
+    assert run.ok
+    assert np.abs(angle - crank_angle(count, run.t)).max() < 1e-7
+    expected = crossing_times(count, 3.0)
+    assert [c.t for c in run.crossings] == pytest.approx(expected, abs=1e-6)
+    assert {c.lost for c in run.crossings} == {count}
+
+
+def test_the_falling_platform_passes_and_reports_its_singular_configurations() -> None:
+    scene = replace(load(EXAMPLES / "scenes" / "falling_platform.toml"), duration=2.5)
+    run = simulate(scene)
+    assert run.ok
+    assert run.energy_error < 1e-7
+    assert run.closure_error.max() < 1e-12
+    # The times do not depend on the tolerance (1e-6 to 1e-10); independently: the closure's singular values there.
+    assert [c.t for c in run.crossings] == pytest.approx([1.525665766, 2.047976801, 2.264804804], abs=1e-7)
+    for crossing in run.crossings:
+        (jacobian,), _ = run.model("closure_jacobian", crossing.q)
+        values = np.linalg.svd(jacobian.reshape(15, 13), compute_uv=False)
+        assert values[-1] < 1e-6 < 1e-3 < values[-2]
+        assert crossing.lost == 1
+        assert all(row.startswith("limb1_U2") for row in crossing.rows)
+
+
+def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
+    scene = loads(
+        """
+        [scene]
+        mechanism = "examples/benchmarks/mechanisms/n_four_bar.toml"
+        duration = 1
+        [initial.coordinates]
+        A0 = "-pi/2"
+        A1 = "-pi/2"
+        A2 = "-pi/2"
+        [[effects]]
+        type = "gravity"
+        acceleration = [0, "-9.81", 0]
+        """,
+        folder=EXAMPLES.parent,
+    )
+    run = simulate(scene)
+    assert not run.ok
+    assert "at rest in a singular configuration" in run.status
+    assert len(run.t) == 1
