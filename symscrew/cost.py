@@ -44,7 +44,8 @@ class Item:
     """What one effect costs and changes.
 
     `operations` and `nanoseconds` per function: what inverse and forward dynamics have more with the effect than
-    without it (less, if it simplifies); nanoseconds per evaluation, None where nothing was timed. `states`: its own.
+    without it (less, if it simplifies); nanoseconds per state of a batch, reading its inputs included, None where
+    nothing was timed. `states`: its own.
     `change`: per result ("drives", "accelerations") the root mean square over the motion of the difference that
     leaving it out makes, divided by that of the result itself (lengths divided by the characteristic length), or
     by the largest such difference where the result itself vanishes, as drives do in a free motion.
