@@ -144,3 +144,9 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
         path = tmp_path / f"seed{suffix}"
         assert main(["mobility", SEED, "--out", str(path)]) == 0
         assert piece in path.read_text()
+
+
+def test_a_singular_pose_is_met_exactly() -> None:
+    """Coordinates that the walk leaves at their reference stay there exactly: H^2 = R r - r^2 is met in 60 digits."""
+    report = analyse_mobility(catalogue.load("three_ups_upu_s"), at={"limb1_P": "sqrt(3)/5 - 3/10"})
+    assert report.dof == 3

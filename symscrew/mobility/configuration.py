@@ -24,6 +24,7 @@ from symscrew.tape import high_precision
 from symscrew.validation import validate
 
 STEPS = 24
+SNAPPED = 1e-12  # joints that the walk leaves this close to their reference stay exactly there, if the loops close
 
 
 def with_parameters(mechanism: Mechanism, at: Mapping[str, Any]) -> tuple[Mechanism, dict[str, Any]]:
@@ -60,7 +61,20 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
     goal = np.array([float(targets[c]) for c in columns])
     for k in range(1, STEPS + 1):
         q = _closed(coarse, q, columns, goal * k / STEPS, ", ".join(at))
+    snapped = {c: CONTEXT.zero for c in range(len(q)) if c not in targets and abs(q[c]) < SNAPPED}
+    point, left = _refined(coarse, fine, q, {**snapped, **targets})
+    if left > CLOSED:
+        point, left = _refined(coarse, fine, q, targets)
+    if left > CLOSED:
+        raise DescriptionError(f"at {', '.join(at)}: the loops close only to {left:.1e}; a singular configuration?")
+    return moved(network, fine, point), left
+
+
+def _refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array, targets: Mapping[int, Any]) -> tuple[Array, float]:
+    """(q with the targets met and the loops closed in 60 digits, closure residual)."""
+    columns = list(targets)
     point = np.array([CONTEXT.mpf(float(c)) for c in q], dtype=object)
+    goal = np.array([float(targets[c]) for c in columns])
     inverse = np.linalg.pinv(_stacked(coarse, q, columns, goal)[1], rcond=1e-9)
     for _ in range(8):
         missing = np.array([point[c] - targets[c] for c in columns], dtype=object)
@@ -68,10 +82,7 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
         if np.linalg.norm(residual) < 1e-52:
             break
         point = point - np.array([CONTEXT.mpf(float(c)) for c in inverse @ residual], dtype=object)
-    left = float(np.linalg.norm(np.concatenate([fine.residual(point), missing]).astype(float)))
-    if left > CLOSED:
-        raise DescriptionError(f"at {', '.join(at)}: the loops close only to {left:.1e}; a singular configuration?")
-    return moved(network, fine, point), left
+    return point, float(np.linalg.norm(np.concatenate([fine.residual(point), missing]).astype(float)))
 
 
 def _target(mechanism: Mechanism, network: Network, name: str, value: Any) -> tuple[int, Any]:
