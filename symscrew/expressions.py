@@ -19,6 +19,7 @@ import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
+from functools import lru_cache
 from numbers import Integral
 from typing import NoReturn
 
@@ -115,12 +116,18 @@ def to_text(expression: sympy.Expr) -> str:
 
 def numeric(expression: sympy.Expr, *, where: str = "number") -> sympy.Float | sympy.Integer:
     """Value of a constant expression to 50 digits; raises DescriptionError unless real and finite."""
-    value = expression if expression.is_Integer else sympy.N(expression, 50)
+    value = expression if expression.is_Integer else _fifty_digits(expression)
     if value.is_number and value.is_real and value.is_finite:
         return value
     raise DescriptionError(
         f"{where}: expected a real finite number, got {shorten(str(expression))} = {shorten(str(value))}"
     )
+
+
+@lru_cache(maxsize=4096)
+def _fifty_digits(expression: sympy.Expr) -> sympy.Expr:
+    """A description repeats its lengths and angles many times."""
+    return sympy.N(expression, 50)
 
 
 class _GrammarPrinter(StrPrinter):
