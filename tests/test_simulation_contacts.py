@@ -49,7 +49,7 @@ def test_a_block_on_a_spring_sticks_where_the_theory_says() -> None:
 
 
 def test_static_friction_holds_until_the_pull_exceeds_it() -> None:
-    effects = (DryFriction("slide", coulomb=1, static=2, stribeck_velocity="1e-6", mode="event"),)
+    effects = (DryFriction("slide", coulomb=1, static=2, stribeck_velocity="1e-9", mode="event"),)
     mechanism = MechanismBuilder("block")
     mechanism.body("block", mass=2, com=[0, 0, 0], inertia=[1, 1, 1])
     mechanism.joint("slide", "P", parent="base", child="block", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
@@ -58,7 +58,7 @@ def test_static_friction_holds_until_the_pull_exceeds_it() -> None:
     before = run.t < 0.4
     assert np.abs(run.q[before]).max() < 1e-15
     s = run.t[-1] - 0.4  # 2 a = 5 t - 1: x = (2.5 + ...) integrated from 0.4 s
-    assert run.q[-1, 0] == pytest.approx(((5 * 0.4 - 1) * s**2 / 2 + 5 * s**3 / 6) / 2, rel=1e-4)
+    assert run.q[-1, 0] == pytest.approx(((5 * 0.4 - 1) * s**2 / 2 + 5 * s**3 / 6) / 2, rel=3e-4)
 
 
 def test_a_ball_bounces_by_newtons_law_and_comes_to_rest_on_the_stop() -> None:
@@ -85,14 +85,14 @@ def test_a_stop_in_a_closed_loop() -> None:
     from symscrew import catalogue
 
     found = scene(
-        catalogue.load("four_bar"), Gravity(), EndStop("A", upper="0.1", mode="impact", restitution="0.3"),
+        catalogue.load("four_bar"), Gravity(), EndStop("A", lower="-0.5", mode="impact", restitution="0.3"),
         duration=1.0, start={}, rates={"A": 1.0},
     )  # fmt: skip
     run = simulate(found)
     assert run.ok, run.status
     labels = [c.label for c in run.model.system.tree.q]
-    assert run.q[:, labels.index("A")].max() < 0.1 + 1e-9
-    assert any("meets its upper stop" in text for text in run.events)
+    assert run.q[:, labels.index("A")].min() > -0.5 - 1e-9
+    assert any("meets its lower stop" in text for text in run.events)
     assert run.closure_error.max() < 1e-12
     assert np.diff(run.energy.sum(axis=1)).max() < 1e-8
 

@@ -40,9 +40,9 @@ def controller(scene: Scene, model: Model, *, held: bool = False) -> Program | N
     outputs: list[tuple[Port, list[Node]]] = []
     if scene.drives and "u" in forward:
         port = forward["u"]
-        values = [made.node(scene.drives[label], f"drives.{label}") if label in scene.drives else made.tape.zero
-                  for label in port.labels]  # fmt: skip
-        outputs.append((port, values))
+        zero = made.tape.zero
+        commanded = [made.node(scene.drives[k], f"drives.{k}") if k in scene.drives else zero for k in port.labels]
+        outputs.append((port, commanded))
     if scene.states:
         port = Port("c_dot", (len(scene.states),), ("1/s",) * len(scene.states), tuple(scene.states), "rates")
         outputs.append((port, [made.node(rate, f"states.{n}.rate") for n, (rate, _) in scene.states.items()]))

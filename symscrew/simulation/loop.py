@@ -58,9 +58,14 @@ def emit(scene: Scene, folder: Path) -> list[Path]:
 
     files = print_loop(scene)
     folder.mkdir(parents=True, exist_ok=True)
-    return [
-        replaced(folder / name, lambda p, t=text: p.write_text(t, encoding="utf-8")) for name, text in files.items()
-    ]  # type: ignore[misc]
+    written = []
+    for name, text in files.items():
+
+        def make(path: Path, content: str = text) -> None:
+            path.write_text(content, encoding="utf-8")
+
+        written.append(replaced(folder / name, make))
+    return written
 
 
 def _labels(name: str, labels: tuple[str, ...]) -> list[str]:

@@ -52,7 +52,7 @@ def _table(name: str, rows: Sequence[tuple[int, int]]) -> str:
     return f"static const int {name}[{max(len(rows), 1)}][2] = {{{body}}};"
 
 
-def _vector(name: str, values: Sequence[float]) -> str:
+def _vector(name: str, values: np.ndarray) -> str:
     body = ", ".join(decimal(float(v)) for v in values) or "1.0"
     return f"static const double {name}[{max(len(values), 1)}] = {{{body}}};"
 
@@ -259,9 +259,9 @@ def run(
         text += (
             f"; the closure is near-singular there (smallest pivot {counters['pivot'] / plant.pivot:.2g} of regular)"
         )
-    return History(
-        *arrays, outcome == 0, text, "c", tuple(_passage(plant, c) for c in crossings[: int(met[0])]), (), counters
-    )  # type: ignore[misc]
+    passages = tuple(_passage(plant, c) for c in crossings[: int(met[0])])
+    t_all, q_all, v_all, x_all = arrays
+    return History(t_all, q_all, v_all, x_all, outcome == 0, text, "c", passages, (), counters)
 
 
 def _passage(plant: Plant, c: np.void) -> Passage:

@@ -200,13 +200,22 @@ class _Marching:
         previous = before
         for a, b in pairwise(places):
             now = self.margins(b, dense(b))
-            for k in np.flatnonzero((previous > 0) & (now <= 0)):
-                time = self.root(dense, int(k), a, b)
+            for k in np.flatnonzero(now <= 0):
+                start = a if previous[k] > 0 else self.lifted(dense, int(k), a, b)
+                time = a if start is None else self.root(dense, int(k), start, b)
                 if found is None or time < found[0]:
                     found = (time, int(k))
             if found is not None:
                 return found
             previous = now
+        return None
+
+    def lifted(self, dense: Any, k: int, left: float, right: float) -> float | None:
+        """A time at which a contact that has just begun to hold its new mode does so: rounding hides the very start."""
+        for halving in range(1, 50):
+            t = left + (right - left) * 0.5**halving
+            if self.margins(t, dense(t))[k] > 0:
+                return t
         return None
 
     def root(self, dense: Any, k: int, left: float, right: float) -> float:

@@ -97,7 +97,7 @@ def plant(
     link = _Link(linker, forward, controller, counts, outside)
     outputs = link.run(forward)
     own_rates = model.programs.get("effect_state_rates")
-    rates = [*(link.run(own_rates)["x_dot"] if own_rates else ()), *link.commands.get("c_dot", ())]
+    rates = [*(link.run(own_rates)["x_dot"] if isinstance(own_rates, Program) else ()), *link.commands.get("c_dot", ())]
     if work:
         rates.append(_power(link, model, powers))
     x_dot = Port("x_dot", (len(rates),), ("1/s",) * len(rates), labels, "rates of the states")
