@@ -19,6 +19,7 @@ from functools import cached_property
 from symscrew.admissible import Admissible
 from symscrew.effects import Acting, Effect, transformed
 from symscrew.errors import DescriptionError
+from symscrew.functions.closure import moved_by
 from symscrew.functions.dynamics import Equations, all_reactions
 from symscrew.functions.effects import effect_functions
 from symscrew.functions.forward import driven
@@ -142,6 +143,14 @@ class PointEquations:
         return lower(function(self.system, "newton_step", "", inputs, outputs))
 
     @cached_property
+    def move(self) -> Program:
+        """(q, y) -> q_next: a whole Newton step that closes the loops and moves to y."""
+        wanted = self.loops.inputs("y")
+        moved = moved_by(self.system, self.loops.newton_step(wanted))
+        inputs = [(_plain("q", len(self.system.inputs.q)), self.system.inputs.q), (_plain("y", len(wanted)), wanted)]
+        return lower(function(self.system, "newton_move", "", inputs, [(_plain("q_next", len(moved)), moved)]))
+
+    @cached_property
     def pivots(self) -> Program:
         """(q) -> pivots of the closure's elimination without units: one near 0 means singular coordinates y."""
         values = [guard.pivot * self.system.tape.constant(guard.scale) for guard in self.loops.guards]
@@ -233,6 +242,12 @@ class PointEquations:
     @cached_property
     def _effects(self) -> dict[str, Function]:
         return {f.name: f for f in effect_functions(self.system, self.effects, self.loops)}
+
+    @cached_property
+    def effect_rates(self) -> Program | None:
+        """(q, v, x, ...) -> x_dot; None without states."""
+        found = self._effects.get("effect_state_rates")
+        return lower(found) if found else None
 
     def tree_function(self, name: str) -> Program:
         """A kinematic function of the model by name, of q, v and a; drive rates are those of the motors' sides."""

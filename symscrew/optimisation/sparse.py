@@ -204,6 +204,18 @@ def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_
     )
 
 
+def cost_of(family: Family, x: np.ndarray) -> float:
+    """What a family adds to the cost at the solver's unknowns x."""
+    if family.function.integrand is None:
+        return 0.0
+    z = family.function.arguments
+    function = ca.Function("integrand", [z], [ca.SX(family.function.integrand)]).map(family.count)
+    entries = family.map.values * x[family.map.columns]
+    places = np.bincount(family.map.rows, weights=entries, minlength=len(family.offset)) + family.offset
+    values = np.array(function(places.reshape(family.count, z.numel()).T)).ravel()
+    return float(values @ family.weights)
+
+
 def _derivatives(family: Family) -> dict[str, ca.Function]:
     """Constraints and integrand of one point, slope of the integrand, Jacobian, Hessian of the Lagrangian."""
     z, rows = family.function.arguments, family.function.rows

@@ -67,13 +67,16 @@ class Collocation:
         self.point_tau = self.mesh[:-1, None] + self.steps[:, None] * self.scheme.nodes
         self.function = model.collocation()
         self.unknowns = Unknowns()
-        self.observed: list[tuple[PointFunction, float, int, str]] = []
 
     def transcribed(self) -> Transcribed:
         """The transcription."""
         self._unknowns()
         families = (self._collocation_family(), *self._observation_families())
         linear = LinearRows(self).linear()
+        return Transcribed(self.unknowns, families, linear, self.linear_cost(), self.mesh, self.scheme, self.model)
+
+    def linear_cost(self) -> np.ndarray:
+        """What objectives add to the cost linearly in the unknowns: duration, peak."""
         cost = np.zeros(self.unknowns.size)
         for objective in self.problem.objectives:
             if objective.type == "time":
@@ -82,7 +85,7 @@ class Collocation:
             if objective.type == "peak":
                 at = self.unknowns.index["peak"][0]
                 cost[at] += objective.weight * self.unknowns.scale[at]
-        return Transcribed(self.unknowns, families, linear, cost, self.mesh, self.scheme, self.model)
+        return cost
 
     # -- unknowns --------------------------------------------------------------------------------------------
 
@@ -151,7 +154,7 @@ class Collocation:
     def _collocation_family(self) -> Family:
         known, scheme = self.unknowns, self.scheme
         n, points = self.point_tau.shape
-        place = _Placer(self.function, n * points)
+        place = Placer(self.function, n * points)
         terms = Terms(known)
         rows = {name: at.reshape(n, points, -1) for name, at in place.rows.items()}
         h = self.steps[:, None, None]
@@ -192,7 +195,7 @@ class Collocation:
         known, model = self.unknowns, self.model
         labels = [f"coordinate {model.system.tree.q[k].label} at {where}" for k in model.equations.layout.z]
         known.add(name, np.array([tau]), labels, model.scales.z)
-        place, terms = _Placer(function, 1), Terms(known)
+        place, terms = Placer(function, 1), Terms(known)
         for block, order in (("y", 0), ("y_1", 1)):
             self.interpolated(terms, place.rows[block][0], tau, order)
         terms.add(place.rows["z"], known.index[name])
@@ -219,7 +222,7 @@ class Collocation:
             terms.add(rows, known.index["y_2"][k, j], factor)
 
 
-class _Placer:
+class Placer:
     """Rows of a family's map, block by block, for a number of points."""
 
     def __init__(self, function: PointFunction, count: int) -> None:

@@ -1,0 +1,159 @@
+"""Errors of a motion between its points, and what they may have done to the cost.
+
+The cost's error is estimated by the multipliers: with costates lambda of the rows, the residuals r of the dense
+motion change the cost by about the integral of lambda r, of which the magnitudes of all intervals are added; quadrature adds the difference to a finer one;
+and where the drives' polynomial is not the minimiser of the Hamiltonian between the points (a switching inside an
+interval) the integral of the Hamiltonian's excess over its minimum is added. To first order; the first part is
+doubled for safety.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import casadi as ca
+import numpy as np
+from numpy.polynomial import legendre
+
+from symscrew.optimisation.point import PointFunction
+from symscrew.optimisation.result import Errors
+
+if TYPE_CHECKING:
+    from symscrew.optimisation.result import Trajectory
+
+
+SAFETY = 2.0
+
+
+def errors_of(trajectory: Trajectory) -> Errors:
+    """The errors at Gauss points between the nodes."""
+    mesh = trajectory.transcribed.mesh
+    scheme = trajectory.transcribed.scheme
+    per = (scheme.degree if scheme else 2) + 3
+    nodes, weights = legendre.leggauss(per)
+    steps = np.diff(mesh)
+    tau = (mesh[:-1, None] + steps[:, None] * (1 + nodes) / 2).ravel()
+    weight = (steps[:, None] * weights / 2).ravel()
+    samples = trajectory.sampled(tau)
+    blocks = {**trajectory.blocks(tau), "z": samples.z}
+    closure = _closure(trajectory, samples.y, samples.z)
+    nodal = _nodal_closure(trajectory)
+    acceleration = _acceleration_error(trajectory, blocks, tau)
+    size = np.abs(acceleration).max(axis=1, initial=0.0)
+    per_interval = (size * weight * trajectory.duration).reshape(len(steps), per).sum(axis=1)
+    cost, violation = (np.nan, np.nan) if scheme is None else _cost_error(trajectory, blocks, tau, weight)
+    failed = not samples.assembled.all()
+    return Errors(
+        closure=np.inf if failed else closure,
+        nodal_closure=nodal,
+        dynamic=float(size.max()),
+        velocity=float(per_interval.max()),
+        cost=cost,
+        pivot=float(trajectory.kinematics.pivots(samples.q).min()),
+        worst=per_interval,
+        violation=violation,
+    )
+
+
+def _closure(trajectory: Trajectory, y: np.ndarray, z: np.ndarray) -> float:
+    if not trajectory.model.equations.layout.z:
+        return 0.0
+    return float(np.abs(np.array(trajectory._closure(*trajectory._with_parameters(y, z))[1])).max(initial=0.0))
+
+
+def _nodal_closure(trajectory: Trajectory) -> float:
+    layout = trajectory.model.equations.layout
+    tau = trajectory.transcribed.point_tau.ravel()
+    y = trajectory.blocks(tau)["y"]
+    return _closure(trajectory, y, trajectory.arrays["z"].reshape(len(y), len(layout.z)))
+
+
+def _stacked(trajectory: Trajectory, function: PointFunction, blocks: dict[str, np.ndarray], tau: np.ndarray) -> np.ndarray:
+    """Arguments of a point function at samples: (arguments, n)."""
+    n = len(tau)
+    known = {**blocks, "tau": tau[:, None]}
+    if "T" in trajectory.arrays:
+        known["T"] = np.full((n, 1), trajectory.duration)
+    if "p" in trajectory.arrays:
+        known["p"] = np.repeat(trajectory.arrays["p"][None], n, 0)
+    parts = [known[name].T if symbol.numel() else np.zeros((0, n)) for name, symbol in function.blocks.items()]
+    return np.concatenate(parts)
+
+
+def _acceleration_error(trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.ndarray) -> np.ndarray:
+    """y_ddot of the motion less that of the equations of motion: (n, d)."""
+    model = trajectory.model
+    symbols = model.blocks(moving=True)
+    at = model.state(symbols)
+    from symscrew.optimisation.straight_line import run
+
+    residual = run(model.equations.dynamics, at.known)["residual"]
+    inertia = ca.jacobian(residual, symbols["y_2"])
+    function = PointFunction(symbols, ())
+    found = ca.Function("residual", [function.arguments], [residual, ca.densify(inertia)])
+    values, matrices = found.map(len(tau))(_stacked(trajectory, function, blocks, tau))
+    values = np.array(values).T
+    matrices = np.array(matrices).reshape(model.d, len(tau), model.d).transpose(1, 0, 2)
+    error = np.full_like(values, np.nan)
+    for k in range(len(tau)):
+        if np.isfinite(matrices[k]).all() and np.isfinite(values[k]).all():
+            error[k] = np.linalg.lstsq(matrices[k], values[k], rcond=None)[0]
+    return np.nan_to_num(error, nan=np.inf) / trajectory.duration**2
+
+
+def _cost_error(
+    trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.ndarray, weight: np.ndarray
+) -> tuple[float, float]:
+    """Estimated error of the cost, and the largest violation of a bound, scaled."""
+    transcribed = trajectory.transcribed
+    family, scheme = transcribed.families[0], transcribed.scheme
+    rows = family.function.rows
+    scale = np.array([r.scale for r in rows])
+    low, high = (np.array([getattr(r, name) for r in rows]) / scale for name in ("lower", "upper"))
+    lam = ca.SX.sym("lam", len(rows))
+    z = family.function.arguments
+    g = ca.vertcat(ca.SX(0, 1), *[r.value / r.scale for r in rows])
+    integrand = ca.SX(family.function.integrand)
+    u = family.function.blocks["u"]
+    slope = ca.gradient(ca.dot(lam, g) + integrand, u)
+    curvature = ca.diag(ca.hessian(integrand, u)[0])
+    function = ca.Function("dense", [z, lam], [g, integrand, slope, curvature])
+    n, per = len(tau), len(tau) // (len(transcribed.mesh) - 1)
+    at_points = (trajectory.multipliers[: family.count * len(rows)] * trajectory.cost_scale).reshape(
+        family.count, len(rows)
+    ) / family.weights[:, None]
+    k = np.repeat(np.arange(len(transcribed.mesh) - 1), per)
+    s = (tau - transcribed.mesh[k]) / np.diff(transcribed.mesh)[k]
+    basis = scheme.basis(s)
+    dense = np.einsum("nj,njm->nm", basis, at_points.reshape(-1, scheme.degree, len(rows))[k])
+    values, cost, slopes, curves = (np.array(x) for x in function.map(n)(_stacked(trajectory, family.function, blocks, tau), dense.T))
+    over = np.maximum(np.maximum(low[:, None] - values, values - high[:, None]), 0.0)
+    off = np.where(values < low[:, None], values - low[:, None], np.where(values > high[:, None], over, 0.0))
+    per_interval = ((dense.T * off) * weight).reshape(len(rows), -1, per).sum(axis=2)
+    residual_part = SAFETY * float(np.abs(per_interval).sum())
+    coarse = np.array(ca.Function("cost", [z], [integrand]).map(family.count)(
+        _stacked(trajectory, family.function, {**trajectory.blocks(family.tau), "z": trajectory.arrays["z"].reshape(family.count, -1)}, family.tau)
+    )).ravel() @ family.weights  # fmt: skip
+    quadrature = abs(float(cost.ravel() @ weight) - float(coarse))
+    excess, beyond = _excess(trajectory, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)
+    return residual_part + quadrature + float(excess @ weight), max(float(over.max(initial=0.0)), beyond)
+
+
+def _excess(
+    trajectory: Trajectory, u: np.ndarray, slope: np.ndarray, curvature: np.ndarray
+) -> tuple[np.ndarray, float]:
+    """How much the Hamiltonian exceeds its minimum over the drives' bounds (n,), and how far drives leave bounds."""
+    total, beyond = np.zeros(len(u)), 0.0
+    if trajectory.problem.drive_rule != "free":
+        return total, beyond
+    for j, label in enumerate(trajectory.drive_labels):
+        low, high = trajectory.model.drive_range(label)
+        h, c = slope[:, j], curvature[:, j]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            newton = np.where(c > 0, -h / np.where(c > 0, c, 1.0), np.where(h > 0, -np.inf, np.inf))
+        step = np.clip(newton, low - u[:, j], high - u[:, j])
+        step = np.where(np.isfinite(step), step, 0.0)
+        total += np.abs(h * step + c * step**2 / 2)
+        outside = np.maximum(np.maximum(low - u[:, j], u[:, j] - high), 0.0)
+        beyond = max(beyond, float((outside / trajectory.model.scales.u[j]).max(initial=0.0)))
+    return total, beyond

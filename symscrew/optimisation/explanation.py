@@ -1,0 +1,49 @@
+"""What a solver's end means, and which constraints a motion breaks where."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from symscrew.optimisation.layout import Unknowns
+from symscrew.optimisation.sparse import Program
+
+STATUS = {
+    "Solve_Succeeded": "optimal: all constraints hold and no better motion is near",
+    "Solved_To_Acceptable_Level": "nearly optimal: the solver stalled close to its tolerance",
+    "Infeasible_Problem_Detected": "infeasible: no motion near the last one meets all constraints",
+    "Maximum_Iterations_Exceeded": "not converged: the most iterations were used up",
+    "Restoration_Failed": "not converged: the solver found no way back to the constraints",
+    "Search_Direction_Becomes_Too_Small": "not converged: the steps became too small to go on",
+    "Diverging_Iterates": "not converged: the motion ran away; is something unbounded?",
+    "Invalid_Number_Detected": "not converged: a function is not defined where the solver went (a singular configuration?)",
+    "Error_In_Step_Computation": "not converged: the linear system could not be solved (a singular start?)",
+    "Not_Enough_Degrees_Of_Freedom": "overdetermined: there are more conditions than unknowns",
+    "Maximum_CpuTime_Exceeded": "not converged: the time was used up",
+    "Maximum_WallTime_Exceeded": "not converged: the time was used up",
+    "User_Requested_Stop": "stopped by the user",
+}
+SHOWN = 5
+BROKEN = 1e-6
+
+
+def broken_rows(program: Program, unknowns: Unknowns, x: np.ndarray, g: np.ndarray) -> tuple[str, ...]:
+    """The constraints that are missed most, one line per kind: what, where, by how much."""
+    entries: list[tuple[float, str, float]] = []
+    for values, low, high, labels, tau in (
+        (g, program.lower, program.upper, program.labels, program.tau),
+        (x, unknowns.lower, unknowns.upper, unknowns.labels, unknowns.tau),
+    ):
+        miss = np.maximum(np.maximum(low - values, values - high), 0.0)
+        miss = np.where(np.isfinite(values), miss, np.inf)
+        entries += [(float(miss[k]), labels[k], float(tau[k])) for k in np.flatnonzero(~(miss <= BROKEN))]
+    worst: dict[str, tuple[float, float, int]] = {}
+    for size, label, tau in entries:
+        kind = label.split(", row")[0]
+        largest, at, count = worst.get(kind, (-1.0, 0.0, 0))
+        worst[kind] = (size, tau, count + 1) if size > largest else (largest, at, count + 1)
+    ordered = sorted(worst.items(), key=lambda item: -item[1][0])[:SHOWN]
+    return tuple(
+        f"{kind} is missed at {count} place{'s' if count > 1 else ''}, most (by {size:.2g}, scaled) at "
+        f"{100 * at:.0f} % of the duration"
+        for kind, (size, at, count) in ordered
+    )

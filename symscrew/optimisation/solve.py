@@ -1,0 +1,217 @@
+"""From a problem to a trajectory: model, guess, transcription, solver, refinement.
+
+problem --PointEquations--> programs --first_guess--> scales --Collocation--> families --assemble--> NLP --> Trajectory
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.optimisation.equations import PointEquations
+from symscrew.optimisation.explanation import STATUS, broken_rows
+from symscrew.optimisation.guess import Guess, UnreachableError, first_guess, unit_scales
+from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.problem import TrajectoryProblem, Transcription
+from symscrew.optimisation.refinement import refined
+from symscrew.optimisation.result import Statistics, Trajectory
+from symscrew.optimisation.shooting import Shooting
+from symscrew.optimisation.sparse import Program, assemble, cost_of
+from symscrew.optimisation.transcription import Collocation, Transcribed
+
+Progress = Callable[[str], None]
+MOST_REFINEMENTS = 8
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A problem with its derived equations: what several transcriptions of it share."""
+
+    problem: TrajectoryProblem
+    model: PointModel
+    guess: Guess
+    seconds: float
+
+
+def prepare(problem: TrajectoryProblem) -> Prepared:
+    """Derive the equations and make the first guess.
+
+    Raises:
+        DescriptionError: the problem names what does not exist, or contradicts itself.
+        UnreachableError: start or goal is no configuration of the mechanism.
+    """
+    began = time.perf_counter()
+    mechanism = problem.mechanism
+    chosen = {*problem.design, *problem.parameters}
+    for name in chosen:
+        if name not in mechanism.parameters:
+            raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
+    parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
+    equations = PointEquations(replace(mechanism, parameters=parameters), problem.effects, problem.independent)
+    sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
+    model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
+    if not equations.labels:
+        raise DescriptionError(f"{mechanism.name} has no freedom that could move")
+    guess = first_guess(model)
+    model = PointModel(problem, equations, guess.scales)
+    return Prepared(problem, model, guess, time.perf_counter() - began)
+
+
+def solve(
+    problem: TrajectoryProblem,
+    *,
+    warm: Trajectory | None = None,
+    prepared: Prepared | None = None,
+    progress: Progress | None = None,
+) -> Trajectory:
+    """The optimal trajectory of a problem; look at `ok` and `status`.
+
+    Args:
+        problem: what to optimise.
+        warm: an earlier trajectory to start from, of the same mechanism.
+        prepared: equations derived earlier for the same mechanism, effects and coordinates.
+        progress: called with a line of text per stage.
+
+    Raises:
+        DescriptionError: the problem cannot be used as it is given.
+        UnreachableError: start or goal is no configuration of the mechanism.
+    """
+    began = time.perf_counter()
+    say = progress or (lambda text: None)
+    found = prepared or prepare(problem)
+    model = PointModel(problem, found.model.equations, found.guess.scales)
+    say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
+    trajectory = _once(model, found.guess, warm, say, began)
+    count = 0
+    while problem.accuracy and trajectory.ok and count < MOST_REFINEMENTS:
+        mesh = refined(trajectory, problem.accuracy)
+        if mesh is None:
+            break
+        count += 1
+        say(f"refinement {count}: {len(mesh)} intervals, dynamic error {trajectory.errors.dynamic:.1e}")
+        finer = replace(
+            model.problem, transcription=replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
+        )
+        model = PointModel(finer, model.equations, model.scales)
+        trajectory = replace(_once(model, found.guess, trajectory, say, began), refinements=count)
+    return trajectory
+
+
+def transcribe(model: PointModel) -> Transcribed:
+    """The transcription that the problem asks for."""
+    if model.problem.transcription.method == "shooting":
+        return Shooting(model).transcribed()
+    return Collocation(model).transcribed()
+
+
+def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progress, began: float) -> Trajectory:
+    ready = time.perf_counter()
+    transcribed = transcribe(model)
+    unknowns = transcribed.unknowns
+    _check_bounds(transcribed)
+    arrays = warm_arrays(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
+    start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
+    scale = _cost_scale(transcribed, start)
+    program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
+    say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
+    solver = _solver(model.problem, program, warm is not None)
+    made = time.perf_counter()
+    extra = {}
+    if warm is not None and len(warm.multipliers) == len(program.labels) and len(warm.x) == unknowns.size:
+        extra = {"lam_g0": warm.multipliers, "lam_x0": warm.bound_multipliers}
+    answer = solver(
+        x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra
+    )
+    stats = solver.stats()
+    done = time.perf_counter()
+    x = np.array(answer["x"]).ravel()
+    ok = bool(stats["success"])
+    times = _times(stats, ready - began, made - ready, done - made, done - began)
+    word = stats.get("return_status", "")
+    g = np.array(answer["g"]).ravel()
+    reasons = () if ok else broken_rows(program, unknowns, x, g)
+    status = STATUS.get(word, f"the solver ended with {word}")
+    iterations = int(stats.get("iter_count", 0))
+    say(f"{status} after {iterations} iterations")
+    return Trajectory(
+        model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
+        np.array(answer["lam_x"]).ravel(), float(answer["f"]) * scale, scale, ok, status,
+        Statistics(iterations, times), reasons,
+    )  # fmt: skip
+
+
+def _cost_scale(transcribed: Transcribed, start: np.ndarray) -> float:
+    """A power of ten near the cost at the guess."""
+    value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
+    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > 1e-6 else 1.0
+
+
+def _check_bounds(transcribed: Transcribed) -> None:
+    unknowns = transcribed.unknowns
+    bad = np.flatnonzero(unknowns.lower > unknowns.upper)
+    if len(bad):
+        k = int(bad[0])
+        raise DescriptionError(
+            f"the bounds of {unknowns.labels[k]} at {unknowns.tau[k]:.3g} of the duration contradict each other: "
+            f"lower {unknowns.lower[k] * unknowns.scale[k]:g}, upper {unknowns.upper[k] * unknowns.scale[k]:g}"
+        )
+
+
+def _solver(problem: TrajectoryProblem, program: Program, warm: bool) -> ca.Function:
+    given = problem.solver
+    if not ca.has_nlpsol(given.name):
+        raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
+    nlp = {"x": program.x, "f": program.f, "g": program.g}
+    options: dict[str, Any] = {"print_time": False, "error_on_fail": False}
+    if given.name == "ipopt":
+        own: dict[str, Any] = {
+            "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
+            "constr_viol_tol": min(1e-8, given.tolerance), "nlp_scaling_method": "none",
+        }  # fmt: skip
+        if warm:
+            own |= {"warm_start_init_point": "yes", "mu_init": 1e-4}
+        derivatives = {"grad_f": program.gradient, "jac_g": program.jacobian, "hess_lag": program.hessian}
+        options |= {**derivatives, "ipopt": own | dict(given.options)}
+    else:
+        options |= dict(given.options)
+        if given.name == "sqpmethod":
+            options |= {"hess_lag": program.hessian, "max_iter": given.iterations}
+            options |= {"print_header": False, "print_iteration": False, "print_status": False}
+    return ca.nlpsol("trajectory", given.name, nlp, options)
+
+
+def _times(stats: Mapping[str, Any], model: float, transcription: float, solver: float, total: float) -> dict[str, float]:
+    functions = sum(float(v) for k, v in stats.items() if k.startswith("t_wall_nlp_"))
+    return {
+        "model and guess": model, "transcription": transcription, "functions": functions,
+        "solver": solver - functions, "total": total,
+    }  # fmt: skip
+
+
+def warm_arrays(warm: Trajectory, transcribed: Transcribed) -> dict[str, np.ndarray]:
+    """Unknowns of a transcription from an earlier trajectory of the same mechanism."""
+    mesh, points = transcribed.mesh, transcribed.point_tau
+    at_mesh = warm.blocks(mesh)
+    inside = warm.blocks(points.ravel())
+    # the end of an interval belongs to it, not to the next one
+    q, _ = warm.configurations(points.ravel(), inside["y"])
+    layout = transcribed.model.equations.layout
+    result = {**inside, "z": q[:, list(layout.z)]}
+    result |= {name: at_mesh[name] for name in ("y", "y_1", "x")}
+    for name in ("T", "p", "peak", *(n for n in warm.arrays if n.startswith("observed_"))):
+        if name in warm.arrays:
+            result[name] = warm.arrays[name]
+    if "T" not in result:
+        result["T"] = np.array([warm.duration])
+    if not transcribed.scheme:
+        result["z"] = q[:, list(layout.z)]
+    return result
+
+
+__all__ = ["Prepared", "Transcription", "UnreachableError", "prepare", "solve", "transcribe"]
