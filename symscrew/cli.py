@@ -135,6 +135,13 @@ def parser() -> argparse.ArgumentParser:
     cost.add_argument("--plot", metavar="FILE.png", help="the bill as a picture")
     cost.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
 
+    accuracy = _command(commands, "accuracy", study_accuracy, "what accuracy costs in time: methods side by side")
+    accuracy.add_argument("mechanism", metavar="NAME|SCENE", help="a name of `symscrew list`, or a scene file")
+    text = "which study; default: all of a mechanism, forward of a scene (growth: cost over the number of loops)"
+    accuracy.add_argument("--study", metavar="STUDY", help=text)
+    accuracy.add_argument("--out", metavar="DIR", required=True, help="for JSON, Markdown table and plots")
+    accuracy.add_argument("--full", action="store_true", help="more repeats and smaller steps: takes longer")
+
     convert = _command(commands, "convert", convert_description, "a mechanism as TOML, URDF or MJCF")
     _mechanism(convert)
     convert.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
@@ -155,6 +162,9 @@ def parser() -> argparse.ArgumentParser:
     view.add_argument("--out", metavar="FILE.html", help="the page; without it the page is opened in the browser")
     _gravity(view)
     view.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
+    from symscrew.embedded.command import add_options
+
+    add_options(_command(commands, "embedded", measure_embedded, "what functions cost on a microcontroller, emulated"))
     _command(commands, "doctor", report_installation, "what is installed, and what each part is for")
     return top
 
@@ -339,6 +349,13 @@ def bill_of_effects(options: argparse.Namespace) -> int:
     return run(options)
 
 
+def study_accuracy(options: argparse.Namespace) -> int:
+    """`symscrew accuracy`."""
+    from symscrew.accuracy.command import run
+
+    return run(options)
+
+
 def report_mobility(options: argparse.Namespace) -> int:
     """`symscrew mobility`."""
     from symscrew.mobility.command import run
@@ -406,6 +423,13 @@ def view_mechanism(options: argparse.Namespace) -> int:
         _writable(str(Path(options.out).parent))
         print(write_page(model, options.out, motion))
     return 0
+
+
+def measure_embedded(options: argparse.Namespace) -> int:
+    """`symscrew embedded`."""
+    from symscrew.embedded.command import run
+
+    return run(options)
 
 
 def report_installation(_: argparse.Namespace) -> int:

@@ -25,9 +25,9 @@ STAGES = (
     ("equilibrium", "drives", "reactions", "tree_dynamics", "articulated", "admissible"),
     ("functions", "quantities"),
     ("model", "scene", "inertial_parameters"),
-    ("export", "manifest", "compiled", "generation", "verification"),
+    ("export", "manifest", "compiled", "generation", "verification", "embedded"),
     ("simulation",),
-    ("motion", "outline", "drawing", "plots", "cost", "demo", "console", "view", "cli"),
+    ("motion", "outline", "drawing", "plots", "accuracy", "cost", "demo", "console", "view", "cli"),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 

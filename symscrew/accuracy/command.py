@@ -1,0 +1,138 @@
+"""`symscrew accuracy`."""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import importlib.util
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from symscrew import catalogue
+from symscrew.accuracy import report
+from symscrew.accuracy.machine import machine
+from symscrew.accuracy.measuring import Study
+from symscrew.accuracy.states import Subject
+from symscrew.console import Progress
+from symscrew.description import read_tables, read_text
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.model import derive
+from symscrew.scene import Scene
+from symscrew.scene import load as load_scene
+
+STUDIES = ("kinematics", "momentum", "forward", "precision", "effects", "claims")
+FURTHER = ("growth", "transcription")
+CHOICES = (*STUDIES, *FURTHER, "all")
+USUAL_OF_A_SCENE = ("forward",)
+REPEATS, SECONDS = 9, 12.0
+FULL_REPEATS, FULL_SECONDS = 25, 120.0
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, study, write; 1 where a study that was asked for has no point that worked."""
+    if options.study is not None and options.study not in CHOICES:
+        raise DescriptionError(f"--study: {shorten(options.study)} is unknown; {did_you_mean(options.study, CHOICES)}")
+    directory = _directory(options.out)
+    if importlib.util.find_spec("matplotlib") is None:
+        raise DescriptionError('plots need matplotlib, which is not installed: pip install "symscrew[plot]"')
+    if options.study == "transcription":
+        return _transcription(options, directory)
+    progress = Progress()
+    subject, path = _subject(options.mechanism, progress)
+    asked = _studies(options.study, subject.scene)
+    facts = machine()
+    studies: list[Study] = []
+    left_out: list[str] = []
+    repeats, seconds = (FULL_REPEATS, FULL_SECONDS) if options.full else (REPEATS, SECONDS)
+    for name in asked:
+        try:
+            with progress.step(f"study {name}"):
+                studies.append(_function(name)(subject, path, options.full)(progress, repeats, seconds))
+        except DescriptionError as error:
+            if options.study != "all" and len(asked) == 1:
+                raise
+            left_out.append(f"{name}: {error}")
+    directory.mkdir(parents=True, exist_ok=True)
+    written = _write(subject.model.name if path is None else path.stem, studies, facts, directory)
+    print(report.short(studies))
+    for study in studies:
+        own = "not known" if study.reference_error is None else f"{study.reference_error:.1e}"
+        print(f"{study.name}: {study.error_label}; {study.cost_label}; error of the reference {own}")
+        for title, (header, rows) in study.tables.items():
+            print(f"\n{title}\n\n{report.table(header, rows)}")
+    for reason in left_out:
+        print(f"left out: {reason}")
+    print(f"wrote {', '.join(p.name for p in written)} to {directory}")
+    worked = all(any(p.error is not None for p in s.points) or s.tables for s in studies)
+    return 0 if studies and worked else 1
+
+
+def _write(name: str, studies: list[Study], facts: dict[str, str], directory: Path) -> list[Path]:
+    from symscrew.accuracy import plots
+
+    pictures = [path for study in studies for path in plots.save(study, directory)]
+    text = report.markdown(name, studies, facts, [p.name for p in pictures])
+    return [
+        report.write_text(directory / "accuracy.json", report.as_json(name, studies, facts)),
+        report.write_text(directory / "accuracy.md", text),
+        *pictures,
+    ]
+
+
+def _directory(name: str) -> Path:
+    path = Path(name)
+    if "\0" in name:
+        raise DescriptionError("--out: a path must not contain a null character")
+    if path.exists() and not path.is_dir():
+        raise DescriptionError(f"--out: expected a directory, {shorten(name)} is a file")
+    parent = next(p for p in (path, *path.absolute().parents) if p.exists())
+    if not os.access(parent, os.W_OK | os.X_OK):
+        raise DescriptionError(f"--out: no permission to write to {shorten(str(parent))}")
+    return path
+
+
+def _subject(name: str, progress: Progress) -> tuple[Subject, Path | None]:
+    """The model of a mechanism, or of a scene (a TOML file with a table [scene]), and the scene's file."""
+    path = Path(name)
+    if path.suffix == ".toml" and name not in catalogue.names():
+        tables = read_tables(read_text(path))
+        if "scene" in tables:
+            scene = load_scene(path)
+            with progress.step(f"derive {scene.mechanism.name}"):
+                return Subject(derive(scene.mechanism, scene.effects), scene), path
+    mechanism = catalogue.find(name)
+    with progress.step(f"derive {mechanism.name}"):
+        return Subject(derive(mechanism)), None
+
+
+def _studies(chosen: str | None, scene: Scene | None) -> tuple[str, ...]:
+    if chosen in (None, "all"):
+        return USUAL_OF_A_SCENE if chosen is None and scene is not None else STUDIES
+    assert chosen is not None
+    return (chosen,)
+
+
+Study_ = Callable[[Progress, int, float], Study]
+
+
+def _function(name: str) -> Callable[[Subject, Path | None, bool], Study_]:
+    """The study of this name: module `symscrew.accuracy.<name>`, function `study`."""
+
+    def bound(subject: Subject, path: Path | None, full: bool) -> Study_:
+        found = importlib.import_module(f"symscrew.accuracy.{name}").study
+        extra = {"path": path, "full": full} if name in ("forward", "kinematics", "growth") else {}
+        return lambda progress, repeats, seconds: found(subject, progress, repeats=repeats, seconds=seconds, **extra)
+
+    return bound
+
+
+def _transcription(options: argparse.Namespace, directory: Path) -> int:
+    """The study of transcriptions of an optimisation problem."""
+    if importlib.util.find_spec("symscrew.optimisation.study") is None:
+        raise DescriptionError("--study transcription: this installation has no symscrew.optimisation.study")
+    tables = read_tables(read_text(Path(options.mechanism)))
+    if "problem" not in tables:
+        raise DescriptionError("--study transcription: expected the TOML file of an optimisation problem")
+    found = importlib.import_module("symscrew.optimisation.study")
+    return int(found.run(Path(options.mechanism), directory, full=options.full) or 0)

@@ -1,0 +1,164 @@
+"""Work-precision diagrams: error over cost, both logarithmic, a colour and a marker per curve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from symscrew.accuracy.measuring import Point, Study
+from symscrew.accuracy.report import UNITS
+from symscrew.plots import DPI, style
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F")
+MARKERS = "osD^vP*X<>dhp"
+FLOOR = 1e-17  # errors that are zero are drawn here
+SVG = {"svg.hashsalt": "symscrew", "svg.fonttype": "path"}
+
+
+def save(study: Study, directory: Path) -> list[Path]:
+    """`<study>.png` and `<study>.svg`; nothing where no point can be drawn."""
+    if not any(_drawn(p, study) for p in study.points):
+        return []
+    import matplotlib
+
+    figure = work_precision(study)
+    written = []
+    with style(), matplotlib.rc_context(SVG):  # type: ignore[arg-type, unused-ignore]
+        for kind, metadata in (("png", {"Software": None}), ("svg", {"Date": None})):
+            path = directory / f"{study.name}.{kind}"
+            part = directory / f".{study.name}.part.{kind}"
+            figure.savefig(part, dpi=DPI, metadata=metadata, bbox_inches="tight", pad_inches=0.04)
+            part.replace(path)
+            written.append(path)
+    return written
+
+
+def work_precision(study: Study) -> Figure:
+    """Error over cost; where the points tell a step h, also over h."""
+    stepped = any("h" in p.facts for p in study.points)
+    curves = study.curves
+    rows = -(-len(curves) // (3 if stepped else 2))
+    with style():
+        made = Figure(figsize=(7.0 if stepped else 5.2, 3.1 + 0.17 * rows), layout="constrained")
+        FigureCanvasAgg(made)
+        axes = made.subplots(1, 2 if stepped else 1, sharey=True, squeeze=False)[0]
+        for k, (name, points) in enumerate(curves.items()):
+            look = _look(k, points)
+            _draw(axes[0], [(*_cost(p, study), p) for p in points if _drawn(p, study)], look, name)
+            if stepped:
+                found = [p for p in points if "h" in p.facts and p.error is not None]
+                ends = [(float(p.facts["h"]), 0.0, 0.0, p) for p in found]
+                _draw(axes[1], ends, look, name)
+        axes[0].set_ylabel(study.error_label)
+        axes[0].set_xlabel(_abscissa(study))
+        if stepped:
+            axes[1].set_xlabel("step $h$  [s]")
+        for axis in axes:
+            _finish(axis)
+        _reference_line(axes, study)
+        if study.cost_unit == "operations" or study.name == "precision":
+            _annotate(axes[0], study)
+        handles, labels = axes[0].get_legend_handles_labels()
+        made.legend(handles, labels, loc="outside upper center", ncols=3 if stepped else 2)
+    return made
+
+
+def _abscissa(study: Study) -> str:
+    if study.cost_unit == "operations":
+        return study.cost_label
+    return f"{study.cost_label}  [{study.cost_unit}]"
+
+
+def _look(k: int, points: Sequence[Point]) -> dict[str, Any]:
+    peer = any(p.facts.get("peer") for p in points)
+    return {
+        "color": COLOURS[k % len(COLOURS)],
+        "marker": MARKERS[k % len(MARKERS)],
+        "markersize": 3.8,
+        "linestyle": (0, (1.2, 1.2)) if peer else "-",
+        "linewidth": 0.9,
+        "markerfacecolor": "white" if peer or (k // len(COLOURS)) % 2 else COLOURS[k % len(COLOURS)],
+        "markeredgewidth": 0.8,
+    }
+
+
+def _drawn(point: Point, study: Study) -> bool:
+    if point.error is None:
+        return False
+    return "operations" in point.facts if study.cost_unit == "operations" else point.cost is not None
+
+
+def _cost(point: Point, study: Study) -> tuple[float, float, float]:
+    """Abscissa, and how far its quartiles are to either side."""
+    if study.cost_unit == "operations":
+        return float(point.facts["operations"]), 0.0, 0.0
+    assert point.cost is not None
+    factor, cost = UNITS[study.cost_unit], point.cost
+    return factor * cost.median, factor * (cost.median - cost.lower), factor * (cost.upper - cost.median)
+
+
+def _draw(axis: Axes, found: list[tuple[float, float, float, Point]], look: dict[str, Any], name: str) -> None:
+    if not found:
+        return
+    x, low, high = (np.array([entry[k] for entry in found]) for k in range(3))
+    y = np.array([max(entry[3].error or 0.0, FLOOR) for entry in found])
+    bars = np.stack([np.maximum(low, 0.0), np.maximum(high, 0.0)]) if (low + high).any() else None
+    axis.errorbar(x, y, xerr=bars, label=name, elinewidth=0.6, capsize=1.5, **look)
+
+
+def _finish(axis: Axes) -> None:
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    low, high = axis.get_xlim()
+    if high < 12 * low:  # a decade at least, so that there are numbers on the axis
+        middle = np.sqrt(low * high)
+        axis.set_xlim(middle / 3.6, middle * 3.6)
+    axis.yaxis.set_major_locator(LogLocator(numticks=10))
+    span = np.log10(axis.get_xlim()[1] / axis.get_xlim()[0])
+    if span < 1.5:
+        axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axis.xaxis.set_minor_formatter(NullFormatter())
+    axis.grid(visible=True, which="major")
+
+
+def _reference_line(axes: Sequence[Axes], study: Study) -> None:
+    """The reference's own error, where it is within the picture."""
+    own = study.reference_error
+    if own is None or own <= 0:
+        return
+    low, high = axes[0].get_ylim()
+    if not 1e-3 * low < own < high:
+        return
+    for axis in axes:
+        axis.set_ylim(min(low, own / 3), high)
+        axis.axhline(own, color="#808080", linewidth=0.7, linestyle=(0, (6, 3)), zorder=1)
+    axes[0].annotate(
+        "error of the reference", (0.985, own), xycoords=("axes fraction", "data"), xytext=(0, 2),
+        textcoords="offset points", ha="right", va="bottom", fontsize=7, color="#606060",
+    )  # fmt: skip
+
+
+def _annotate(axis: Axes, study: Study) -> None:
+    """The setting beside every point, on the side where there is room."""
+    placed: list[tuple[float, float]] = []
+    low, high = np.log10(axis.get_xlim())
+    for point in study.points:
+        if not _drawn(point, study) or point.error is None:
+            continue
+        x, y = _cost(point, study)[0], max(point.error, FLOOR)
+        place = ((np.log10(x) - low) / (high - low), np.log10(y))
+        near = sum(abs(place[0] - a) < 0.3 and abs(place[1] - b) < 0.12 for a, b in placed)
+        placed.append(place)
+        left = place[0] > 0.6
+        axis.annotate(
+            point.setting, (x, y), xytext=(-5 if left else 5, -8 * near), textcoords="offset points", fontsize=6.5,
+            ha="right" if left else "left", va="center",
+        )  # fmt: skip
