@@ -1,4 +1,4 @@
-"""The command line: `symscrew list | demo | generate | check | mobility | convert | simulate | view | doctor`.
+"""The command line: `symscrew list | demo | generate | check | mobility | convert | simulate | optimise | view | doctor`.
 
 Results go to stdout, progress and errors to stderr. Exit code 0: done; 1: a check failed or a function
 reported an error; 2: the input cannot be used, said in one line, and nothing has been written.
@@ -152,6 +152,13 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument("--plot", metavar="FILE.png", help="a picture of the run")
     run.add_argument("--emit-c", metavar="DIR", help="write the loop for real time: one step of fixed size in C99")
     run.add_argument("--json", action="store_true", help="numbers of the run as JSON")
+
+    best = _command(commands, "optimise", optimise_trajectory, "the best motion between conditions, within bounds")
+    best.add_argument("problem", metavar="PROBLEM.toml", help="mechanism or scene, conditions, bounds, objectives")
+    best.add_argument("--out", metavar="FILE", required=True, help="the motion: .npz (everything) or .csv (a table)")
+    best.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
+    best.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
+    best.add_argument("--json", action="store_true", help="the outcome as JSON")
 
     picture = _command(commands, "draw", draw_mechanism, "a picture of a mechanism in its reference configuration")
     _mechanism(picture)
@@ -382,6 +389,13 @@ def convert_description(options: argparse.Namespace) -> int:
 def simulate_scene(options: argparse.Namespace) -> int:
     """`symscrew simulate`."""
     from symscrew.simulation.command import run
+
+    return run(options)
+
+
+def optimise_trajectory(options: argparse.Namespace) -> int:
+    """`symscrew optimise`."""
+    from symscrew.optimisation.command import run
 
     return run(options)
 

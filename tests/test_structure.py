@@ -27,7 +27,7 @@ STAGES = (
     ("model", "scene", "inertial_parameters"),
     ("export", "manifest", "compiled", "generation", "verification", "embedded"),
     ("simulation",),
-    ("motion", "outline", "drawing", "plots", "accuracy", "cost", "demo", "console", "view", "cli"),
+    ("motion", "outline", "drawing", "plots", "optimisation", "accuracy", "cost", "demo", "console", "view", "cli"),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 
@@ -78,7 +78,7 @@ def test_no_module_imports_in_a_circle() -> None:
 
 
 @pytest.mark.parametrize(
-    "library, allowed", [("casadi", {"export", "compiled", "verification", "generation", "simulation", "console"})]
+    "library, allowed", [("casadi", {"export", "compiled", "verification", "generation", "simulation", "console", "optimisation"})]
 )
 def test_heavy_libraries_stay_in_their_stages(library: str, allowed: set[str]) -> None:
     for path in modules():

@@ -10,7 +10,7 @@ from symscrew.optimisation.problem import (
     Transcription,
 )
 from symscrew.optimisation.result import Trajectory
-from symscrew.optimisation.solve import UnreachableError, prepare, solve
+from symscrew.optimisation.solve import prepare, solve
 
 __all__ = [
     "Bounds",
@@ -21,7 +21,6 @@ __all__ = [
     "Trajectory",
     "TrajectoryProblem",
     "Transcription",
-    "UnreachableError",
     "prepare",
     "solve",
 ]

@@ -161,7 +161,10 @@ class PointEquations:
     def motion(self) -> Program:
         """(y, z, y_dot, y_ddot) -> v, a."""
         moving, y_dot, y_ddot = self._moving
-        outputs = [(_plain("v", len(moving.inputs.v)), moving.inputs.v), (_plain("a", len(moving.inputs.a)), moving.inputs.a)]
+        outputs = [
+            (_plain("v", len(moving.inputs.v)), moving.inputs.v),
+            (_plain("a", len(moving.inputs.a)), moving.inputs.a),
+        ]
         return lower(function(self.system, "motion_point", "", [*self._state(y_dot), _port("y_ddot", y_ddot)], outputs))
 
     def _state(self, y_dot: Sequence[Node]) -> list[tuple[Port, Sequence[Node]]]:

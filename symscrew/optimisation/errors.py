@@ -68,7 +68,9 @@ def _nodal_closure(trajectory: Trajectory) -> float:
     return _closure(trajectory, y, trajectory.arrays["z"].reshape(len(y), len(layout.z)))
 
 
-def _stacked(trajectory: Trajectory, function: PointFunction, blocks: dict[str, np.ndarray], tau: np.ndarray) -> np.ndarray:
+def _stacked(
+    trajectory: Trajectory, function: PointFunction, blocks: dict[str, np.ndarray], tau: np.ndarray
+) -> np.ndarray:
     """Arguments of a point function at samples: (arguments, n)."""
     n = len(tau)
     known = {**blocks, "tau": tau[:, None]}
@@ -126,7 +128,9 @@ def _cost_error(
     s = (tau - transcribed.mesh[k]) / np.diff(transcribed.mesh)[k]
     basis = scheme.basis(s)
     dense = np.einsum("nj,njm->nm", basis, at_points.reshape(-1, scheme.degree, len(rows))[k])
-    values, cost, slopes, curves = (np.array(x) for x in function.map(n)(_stacked(trajectory, family.function, blocks, tau), dense.T))
+    values, cost, slopes, curves = (
+        np.array(x) for x in function.map(n)(_stacked(trajectory, family.function, blocks, tau), dense.T)
+    )
     over = np.maximum(np.maximum(low[:, None] - values, values - high[:, None]), 0.0)
     off = np.where(values < low[:, None], values - low[:, None], np.where(values > high[:, None], over, 0.0))
     per_interval = ((dense.T * off) * weight).reshape(len(rows), -1, per).sum(axis=2)

@@ -12,30 +12,20 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
-from symscrew.optimisation.kinematics import Kinematics, Placement
+from symscrew.optimisation.kinematics import Kinematics
 from symscrew.optimisation.point import PointModel, Scales
 from symscrew.optimisation.problem import Conditions
 
-FINEST = 200  # configurations followed along the guess
+FINEST = 60  # configurations followed along the guess
+SINGULAR = 1e-7
 LONGEST = 100.0  # [s] a free duration without an upper bound is looked for up to here
-
-
-class UnreachableError(ArithmeticError):
-    """A condition that no configuration meets; `placement` is the nearest one found."""
-
-    def __init__(self, where: str, placement: Placement) -> None:
-        super().__init__(
-            f"{where} is out of reach: the nearest configuration found misses {placement.worst} by "
-            f"{placement.error:.3g} (without units); is the goal inside the workspace, on this assembly branch?"
-        )
-        self.placement = placement
 
 
 @dataclass(frozen=True)
 class Path:
     """y over relative time: piecewise polynomials through `values` (n, d) at `times` (n,).
 
-    With `smooth` rates `slopes` (n, d) and no second rates at the points, else at rest at each point.
+    The rates there are `slopes` (n, d), the second rates 0.
     """
 
     times: np.ndarray
@@ -59,14 +49,17 @@ class Path:
 
 @dataclass(frozen=True)
 class Guess:
-    """Path, configurations q (n, nq) at `tau` (n,), duration, and the scales of the problem."""
+    """Path, configurations q (n, nq) at `tau` (n,), duration, and the scales of the problem.
+
+    `trouble` says why no motion can start from here: a condition out of reach, a singular start; else empty.
+    """
 
     path: Path
     tau: np.ndarray
     q: np.ndarray
     duration: float
     scales: Scales
-    assembled: bool
+    trouble: str = ""
 
     def arrays(self, model: PointModel, mesh: np.ndarray, points: np.ndarray) -> dict[str, np.ndarray]:
         """Values of a transcription's unknowns: mesh (n + 1,), points (n, K)."""
@@ -116,25 +109,50 @@ def default_parameters(model: PointModel) -> np.ndarray:
 
 
 def first_guess(model: PointModel) -> Guess:
-    """The guess of a problem.
-
-    Raises:
-        UnreachableError: start or goal is no configuration of the mechanism.
-    """
+    """The guess of a problem; where a condition is out of reach it leads to the nearest configuration found."""
     kinematics = Kinematics(model, default_parameters(model))
-    path, start = _path(model, kinematics)
+    places = _Places(model, kinematics)
+    path, start = _path(model, places)
     tau = np.linspace(0.0, 1.0, FINEST + 1)
     y, y_1, y_2 = path(tau)
     q, found = kinematics.follow(y, start)
     z = q[:, list(model.equations.layout.z)]
     duration = _duration(model, tau, y, y_1, y_2, z)
     u = drives(model, duration, tau, y, y_1, y_2, z)
-    return Guess(path, tau, q, duration, _scales(model, y, z, u, duration, tau, y_1, y_2), found == len(tau))
+    scales = _scales(model, y, z, u, duration, tau, y_1, y_2)
+    return Guess(path, tau, q, duration, scales, places.trouble or _singular_start(kinematics, start))
 
 
-def _path(model: PointModel, kinematics: Kinematics) -> tuple[Path, np.ndarray]:
+def _singular_start(kinematics: Kinematics, start: np.ndarray) -> str:
+    pivot = float(kinematics.pivots(start)[0]) if kinematics.system.cuts else 1.0
+    if pivot > SINGULAR:
+        return ""
+    names = ", ".join(kinematics.model.equations.labels)
+    return (
+        f"the start is singular: the loops cannot be solved for the coordinates {names} there (smallest pivot "
+        f"{pivot:.1e}); start elsewhere, or name other coordinates under 'independent'"
+    )
+
+
+class _Places:
+    """Configurations that meet conditions, and what could not be met."""
+
+    def __init__(self, model: PointModel, kinematics: Kinematics) -> None:
+        self.model, self.kinematics, self.trouble = model, kinematics, ""
+
+    def __call__(self, conditions: Conditions, where: str, near: np.ndarray) -> np.ndarray:
+        found = self.kinematics.place(conditions, where, near)
+        if not found.reached and not self.trouble:
+            self.trouble = (
+                f"{where} is out of reach: the nearest configuration found misses {found.worst} by {found.error:.3g} "
+                "(without units); does it lie inside the workspace, on this assembly branch?"
+            )
+        return found.q
+
+
+def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
     given, entries = model.problem.guess, list(model.equations.layout.y)
-    start = _placed(model, kinematics, model.problem.start, "the start", model.system.reference)
+    start = place(model.problem.start, "the start", model.system.reference)
     if given:
         if set(given) != set(model.equations.labels):
             raise DescriptionError(f"guess: expected values of all of {', '.join(model.equations.labels)}")
@@ -146,13 +164,13 @@ def _path(model: PointModel, kinematics: Kinematics) -> tuple[Path, np.ndarray]:
     times, values, q = [0.0], [start[entries]], start
     stops = sorted(model.problem.via, key=lambda c: float(c.time or 0))
     for k, c in enumerate(stops):
-        q = _placed(model, kinematics, c, f"via point {k + 1}", q)
+        q = place(c, f"via point {k + 1}", q)
         times.append(float(c.time or 0))
         values.append(q[entries])
     end = model.problem.end
     last = start if model.problem.periodic and end.is_empty else q
     if not end.is_empty:
-        last = _placed(model, kinematics, end, "the goal", q)
+        last = place(end, "the goal", q)
     times.append(1.0)
     values.append(last[entries])
     points = np.array(values)
@@ -163,15 +181,6 @@ def _path(model: PointModel, kinematics: Kinematics) -> tuple[Path, np.ndarray]:
         if c.at_rest:
             slopes[1 + k] = 0.0
     return Path(np.array(times), points, slopes), start
-
-
-def _placed(
-    model: PointModel, kinematics: Kinematics, conditions: Conditions, where: str, near: np.ndarray
-) -> np.ndarray:
-    found = kinematics.place(conditions, where, near)
-    if not found.reached:
-        raise UnreachableError(where, found)
-    return found.q
 
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
@@ -189,9 +198,7 @@ def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     return ca.Function("balance", inputs, [fixed[0], ca.densify(fixed[1])]), blocks["u"].numel()
 
 
-def _balance(
-    model: PointModel, duration: float, tau: np.ndarray, *parts: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def _balance(model: PointModel, duration: float, tau: np.ndarray, *parts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Residual (n, d) without drives, and the drives' matrix (n, d, nu)."""
     function, count = _dynamics(model)
     names, n = model.parameter_names, len(tau)
@@ -219,7 +226,7 @@ def _duration(model: PointModel, tau: np.ndarray, *parts: np.ndarray) -> float:
     low, high = max(duration[0], 1e-3), min(duration[1], LONGEST)
     if high <= low:
         return low
-    coarse = slice(None, None, 8)
+    coarse = slice(None, None, 3)
     for trial in np.geomspace(low, high, 24):
         u = drives(model, trial, tau[coarse], *[part[coarse] for part in parts])
         if _within(model, u) and _slow_enough(model, trial, parts[1]):

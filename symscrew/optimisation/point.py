@@ -124,7 +124,9 @@ class PointModel:
     @property
     def coordinate_labels(self) -> tuple[str, ...]:
         """What a condition or bound on coordinates may name."""
-        return tuple(dict.fromkeys((*self.equations.labels, *(c.label for c in self.system.tree.q), *self.joint_labels)))
+        return tuple(
+            dict.fromkeys((*self.equations.labels, *(c.label for c in self.system.tree.q), *self.joint_labels))
+        )
 
     @property
     def rate_labels(self) -> tuple[str, ...]:
@@ -408,7 +410,9 @@ class State:
         one /= np.linalg.norm(one)
         two = np.cross(normal, one)
         up = self._pose[0][:, 2]
-        return [Row(f"platform normal, part {k + 1}, at {where}", ca.dot(ca.DM(e), up)) for k, e in enumerate((one, two))]
+        return [
+            Row(f"platform normal, part {k + 1}, at {where}", ca.dot(ca.DM(e), up)) for k, e in enumerate((one, two))
+        ]
 
     # -- cost -----------------------------------------------------------------------------------------------------
 
@@ -455,9 +459,11 @@ class State:
         result |= {f"q_{_plain(c.label)}": self.q[k] for k, c in enumerate(tree.q)}
         result |= {f"v_{_plain(c.label)}": self._moving["v"][k] for k, c in enumerate(tree.v)}
         result |= {f"u_{_plain(label)}": self.blocks["u"][k] for k, label in enumerate(model.drive_labels)}
-        result |= {
-            f"{name}_{axis}": at[k] for name, at in self._points.items() for k, axis in enumerate("xyz")
-        } if model.system.mechanism.points else {}
+        result |= (
+            {f"{name}_{axis}": at[k] for name, at in self._points.items() for k, axis in enumerate("xyz")}
+            if model.system.mechanism.points
+            else {}
+        )
         return result | {name: self.known["p"][k] for k, name in enumerate(model.parameter_names)}
 
 

@@ -218,7 +218,9 @@ class Trajectory:
 
     def _nearest(self, tau: np.ndarray) -> np.ndarray:
         points = self.transcribed.point_tau.ravel()
-        right = np.clip(np.searchsorted(points, tau), 1, len(points) - 1) if len(points) > 1 else np.zeros(len(tau), int)
+        right = (
+            np.clip(np.searchsorted(points, tau), 1, len(points) - 1) if len(points) > 1 else np.zeros(len(tau), int)
+        )
         left = np.maximum(right - 1, 0)
         nearer = np.where(np.abs(points[left] - tau) <= np.abs(points[right] - tau), left, right)
         q = np.nan_to_num(self.point_configurations)

@@ -69,10 +69,14 @@ class Shooting(Collocation):
                 Row(f"continuity of {what}{label}", defect[k], scale=float(size[k])) for k, label in enumerate(labels)
             ]
         for k, name in enumerate(model.states):
-            rows.append(Row(f"continuity of the state {name}", (end["x"] - blocks["next_x"])[k], scale=float(scales.x[k])))
+            rows.append(
+                Row(f"continuity of the state {name}", (end["x"] - blocks["next_x"])[k], scale=float(scales.x[k]))
+            )
         return PointFunction(blocks, tuple(rows), cost)
 
-    def _integrated(self, start: dict[str, ca.SX], step: ca.SX, q: ca.SX, rows: list[Row]) -> tuple[dict[str, Any], Any]:
+    def _integrated(
+        self, start: dict[str, ca.SX], step: ca.SX, q: ca.SX, rows: list[Row]
+    ) -> tuple[dict[str, Any], Any]:
         """The end of an interval by Runge-Kutta steps of order 4, and the mean of the integrand."""
         count = self.problem.transcription.degree
         h = step / count

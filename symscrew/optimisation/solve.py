@@ -16,9 +16,9 @@ import numpy as np
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.equations import PointEquations
 from symscrew.optimisation.explanation import STATUS, broken_rows
-from symscrew.optimisation.guess import Guess, UnreachableError, first_guess, unit_scales
+from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.point import PointModel
-from symscrew.optimisation.problem import TrajectoryProblem, Transcription
+from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refined
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
@@ -44,7 +44,6 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
 
     Raises:
         DescriptionError: the problem names what does not exist, or contradicts itself.
-        UnreachableError: start or goal is no configuration of the mechanism.
     """
     began = time.perf_counter()
     mechanism = problem.mechanism
@@ -80,7 +79,6 @@ def solve(
 
     Raises:
         DescriptionError: the problem cannot be used as it is given.
-        UnreachableError: start or goal is no configuration of the mechanism.
     """
     began = time.perf_counter()
     say = progress or (lambda text: None)
@@ -117,6 +115,8 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
     _check_bounds(transcribed)
     arrays = warm_arrays(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
+    if guess.trouble and warm is None:
+        return _not_started(transcribed, start, guess.trouble, time.perf_counter() - began)
     scale = _cost_scale(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
@@ -125,9 +125,7 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
     extra = {}
     if warm is not None and len(warm.multipliers) == len(program.labels) and len(warm.x) == unknowns.size:
         extra = {"lam_g0": warm.multipliers, "lam_x0": warm.bound_multipliers}
-    answer = solver(
-        x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra
-    )
+    answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
     done = time.perf_counter()
     x = np.array(answer["x"]).ravel()
@@ -143,6 +141,15 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
         np.array(answer["lam_x"]).ravel(), float(answer["f"]) * scale, scale, ok, status,
         Statistics(iterations, times), reasons,
+    )  # fmt: skip
+
+
+def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str, seconds: float) -> Trajectory:
+    """The guess as it is, where no solver can help."""
+    zeros = np.zeros(sum(f.count * len(f.function.rows) for f in transcribed.families) + len(transcribed.linear.labels))
+    return Trajectory(
+        transcribed.model.problem, transcribed, transcribed.unknowns.unpack(start), start, zeros, np.zeros(len(start)),
+        float("nan"), 1.0, False, f"not started: {trouble}", Statistics(0, {"total": seconds}), (trouble,),
     )  # fmt: skip
 
 
@@ -186,7 +193,9 @@ def _solver(problem: TrajectoryProblem, program: Program, warm: bool) -> ca.Func
     return ca.nlpsol("trajectory", given.name, nlp, options)
 
 
-def _times(stats: Mapping[str, Any], model: float, transcription: float, solver: float, total: float) -> dict[str, float]:
+def _times(
+    stats: Mapping[str, Any], model: float, transcription: float, solver: float, total: float
+) -> dict[str, float]:
     functions = sum(float(v) for k, v in stats.items() if k.startswith("t_wall_nlp_"))
     return {
         "model and guess": model, "transcription": transcription, "functions": functions,
@@ -214,4 +223,4 @@ def warm_arrays(warm: Trajectory, transcribed: Transcribed) -> dict[str, np.ndar
     return result
 
 
-__all__ = ["Prepared", "Transcription", "UnreachableError", "prepare", "solve", "transcribe"]
+__all__ = ["Prepared", "prepare", "solve", "transcribe"]

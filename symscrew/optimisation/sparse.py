@@ -134,7 +134,9 @@ class _Parts:
     def assembled(self, shape: tuple[int, int]) -> ca.MX:
         if not self.rows:
             return ca.MX(*shape)
-        rows, columns, values, source = (np.concatenate(x) for x in (self.rows, self.columns, self.values, self.sources))
+        rows, columns, values, source = (
+            np.concatenate(x) for x in (self.rows, self.columns, self.values, self.sources)
+        )
         key = columns.astype(np.int64) * shape[0] + rows
         unique, inverse = np.unique(key, return_inverse=True)
         gather = triplet(inverse, source, values, (len(unique), self.size))
@@ -179,9 +181,7 @@ def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_
         row += m * family.count
     values.append(ca.mtimes(ca.MX(matrix), x))
     jacobian.source(ca.MX(1))
-    jacobian.add(
-        linear.map.rows + row, linear.map.columns, linear.map.values, np.full(len(linear.map.values), -1)
-    )
+    jacobian.add(linear.map.rows + row, linear.map.columns, linear.map.values, np.full(len(linear.map.values), -1))
     g = ca.vertcat(*values)
     names = ["x", "p"]
     return Program(
@@ -263,4 +263,5 @@ def _add_hessian(parts: _Parts, family: Family, function: ca.Function, arguments
 
 def _stacked(function: ca.Function, count: int, arguments: Sequence[Any]) -> Any:
     """Nonzeros of all points below each other."""
-    return function.map(count)(*arguments).nz[:]
+    found = function.map(count)(*arguments).nz[:]
+    return found if found.size2() == 1 else found.T  # the nonzeros of a row come as a row

@@ -146,7 +146,9 @@ class Collocation:
                 known.bound(known.index["p"][k], *problem.design[name])
         if "peak" in model.kinds:
             weights = next(o for o in problem.objectives if o.type == "peak").weights
-            largest = max(s / weights.get(label, 1.0) for label, s in zip(model.drive_labels, model.scales.u, strict=True))
+            largest = max(
+                s / weights.get(label, 1.0) for label, s in zip(model.drive_labels, model.scales.u, strict=True)
+            )
             known.add("peak", np.zeros(()), ["peak of the drives"], np.array([largest]))
 
     # -- families ----------------------------------------------------------------------------------------------

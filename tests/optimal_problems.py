@@ -1,0 +1,74 @@
+"""Problems of trajectory optimisation that several tests share."""
+
+from __future__ import annotations
+
+from symscrew import catalogue
+from symscrew.builder import MechanismBuilder
+from symscrew.effects import Gravity
+from symscrew.mechanism import Mechanism
+from symscrew.optimisation import Bounds, Conditions, Objective, TrajectoryProblem, Transcription
+
+KELLY = {"cart": 1.0, "pole": 0.3, "length": 0.5, "gravity": 9.81, "travel": 2.0, "force": 20.0, "goal": 1.0}
+
+
+def slider() -> Mechanism:
+    """A mass of 1 kg on a driven slide."""
+    made = MechanismBuilder("slider")
+    made.body("mass", mass=1, com=[0, 0, 0])
+    made.joint("slide", "P", parent="base", child="mass", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    return made.build()
+
+
+def pendulum() -> Mechanism:
+    """1 kg at 1 m below a driven hinge, hanging at angle 0."""
+    made = MechanismBuilder("pendulum")
+    made.body("bob", mass=1, com=[0, 0, -1])
+    made.joint("hinge", "R", parent="base", child="bob", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    return made.build()
+
+
+def cart_pole() -> Mechanism:
+    """Cart-pole of M. Kelly, An Introduction to Trajectory Optimization, SIAM Review 59(4), 2017, section 6."""
+    made = MechanismBuilder("cart_pole")
+    made.body("cart", mass="1", com=[0, 0, 0])
+    made.body("pole", mass="0.3", com=[0, 0, "-0.5"])
+    made.joint("slide", "P", parent="base", child="cart", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    made.joint("hinge", "R", parent="cart", child="pole", point=[0, 0, 0], axes=[[0, -1, 0]])
+    return made.build()
+
+
+def cart_pole_problem(transcription: Transcription) -> TrajectoryProblem:
+    """Swing-up in 2 s over 1 m with least effort."""
+    return TrajectoryProblem(
+        cart_pole(),
+        duration=2.0,
+        start=Conditions(coordinates={"slide": 0.0, "hinge": 0.0}, at_rest=True),
+        end=Conditions(coordinates={"slide": KELLY["goal"], "hinge": 3.141592653589793}, at_rest=True),
+        bounds=Bounds(drives={"slide": (-20.0, 20.0)}, joints={"slide": (-2.0, 2.0)}),
+        independent=("slide", "hinge"),
+        transcription=transcription,
+    )
+
+
+def rest_to_rest(start: dict[str, float], end: dict[str, float]) -> dict[str, Conditions]:
+    """Start and end at rest."""
+    return {"start": Conditions(coordinates=start, at_rest=True), "end": Conditions(coordinates=end, at_rest=True)}
+
+
+SEED_MOTION = rest_to_rest({"limb5_S.qx": 0.08, "limb5_S.qy": -0.05}, {"limb5_S.qx": -0.06, "limb5_S.qy": 0.07})
+SEED_DRIVES = tuple(f"limb{k}_P" for k in (1, 2, 3, 4))
+
+
+def seed(limit: float = 60.0, **settings) -> TrajectoryProblem:  # type: ignore[no-untyped-def]
+    """The seed mechanism between two orientations in general position, drives within +-limit [N]."""
+    bounds = Bounds(drives={label: (-limit, limit) for label in SEED_DRIVES})
+    mechanism = catalogue.load("three_ups_upu_s_physical")
+    return TrajectoryProblem(mechanism, **{"duration": 1.0, "bounds": bounds, **SEED_MOTION, **settings})
+
+
+MINIMUM_TIME = {"duration": (0.05, 5.0), "objectives": (Objective("time"),)}
+
+__all__ = [
+    "KELLY", "MINIMUM_TIME", "SEED_DRIVES", "SEED_MOTION", "Gravity", "cart_pole", "cart_pole_problem", "pendulum",
+    "rest_to_rest", "seed", "slider",
+]  # fmt: skip
