@@ -264,11 +264,11 @@ def test_against_pinocchio(name: str) -> None:
 
 
 def pinocchio_model(pinocchio: object, found: Model) -> tuple[object, tuple[Array, ...]]:
-    from benchmarks.pinocchio_build import _python_model
+    from benchmarks.pinocchio_build import python_model
     from benchmarks.pinocchio_tree import pinocchio_tree
 
     tree = pinocchio_tree(found.mechanism)
-    return _python_model(pinocchio, tree, len(tree.elements)), tree.states(*consistent(found)[:3])
+    return python_model(pinocchio, tree, len(tree.elements)), tree.states(*consistent(found)[:3])
 
 
 # -- forward dynamics --------------------------------------------------------------------------------------------

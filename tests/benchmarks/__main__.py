@@ -6,12 +6,14 @@ import argparse
 import json
 from pathlib import Path
 
-from . import generation, growth, inverse_dynamics
+from . import derivatives, generation, growth, inverse_dynamics, simulation
 from .timing import machine, table
 
 BENCHMARKS = {
     "inverse_dynamics": (inverse_dynamics.run, 25),
+    "derivatives": (derivatives.run, 25),
     "growth": (growth.run, 3),
+    "simulation": (simulation.run, 25),
     "generation": (generation.run, 5),
 }
 

@@ -74,7 +74,7 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
 def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) -> dict[str, Any]:
     model = derive(catalogue.load(name))
     q, v, a = consistent_states(model, load(model), STATES)
-    measure, u = _generated(model, folder, (q, v, a))
+    measure, u = generated(model, folder, (q, v, a))
     measures: dict[str, Callable[[], float]] = {OURS: measure}
     others: dict[str, Array] = {}
     operations = {OURS: model.programs["inverse_dynamics"].operations["total"]}
@@ -82,7 +82,7 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
     if platform in model.programs:
         variant = "symscrew, from the platform's motion"
         inputs = _platform_motion(model, platform, (q, v, a))
-        measures[variant], others[variant] = _generated(model, folder, inputs, platform)
+        measures[variant], others[variant] = generated(model, folder, inputs, platform)
         operations[variant] = model.programs[platform].operations["total"]
     tree = pinocchio_tree(model.mechanism)
     states = tree.states(q, v, a)
@@ -123,24 +123,24 @@ def _platform_motion(model: Model, function: str, states: tuple[Array, Array, Ar
     )
 
 
-def _generated(
+def generated(
     model: Model, folder: Path, states: tuple[Array, ...], function: str = "inverse_dynamics"
 ) -> tuple[Callable[[], float], Array]:
-    """A measurement of ns per call of the generated C, and its results (states, drives)."""
+    """A measurement of ns per call of the generated C, and its results (states, entries of all outputs)."""
     for file, text in print_c(model).items():
         (folder / file).write_text(text)
     loop = Path(__file__).with_name("timing_loop.c")
     built = folder / f"{model.name}_{function}.so"
     symbol = f"{model.name}_{function}"
     sources = [str(folder / f"{model.name}.c"), str(loop)]
-    shared = ["-shared", "-fPIC", f"-DFUNCTION={symbol}", "-o", str(built)]
+    program = model.programs[function]
+    shared = ["-shared", "-fPIC", f"-DFUNCTION={symbol}", f"-DOUTPUTS={len(program.outputs)}", "-o", str(built)]
     command = ["gcc", "-std=gnu99", *C_FLAGS, *shared, *sources, "-lm"]
     subprocess.run(command, check=True)
     library = ctypes.CDLL(str(built))
     library.time_calls.restype = ctypes.c_double
-    program = model.programs[function]
     sizes = np.array([port.size for port in (*program.inputs, *program.outputs)], dtype=np.uintp)
-    u = np.full((len(states[0]), sizes[-1]), np.nan)
+    u = np.full((len(states[0]), int(sizes[3:].sum())), np.nan)
     inputs = [np.ascontiguousarray(x) for x in states]
 
     def measure(rounds: int = 40) -> float:

@@ -60,8 +60,8 @@ def python_rnea(tree: PinocchioTree, states: tuple[np.ndarray, ...]) -> tuple[Ca
     """
     import pinocchio
 
-    model = _python_model(pinocchio, tree, len(tree.elements))
-    least = _python_model(pinocchio, tree, 1)
+    model = python_model(pinocchio, tree, len(tree.elements))
+    least = python_model(pinocchio, tree, 1)
     data, least_data = model.createData(), least.createData()
     rows = list(zip(*states, strict=True))
     first = [tuple(x[:1] for x in row) for row in rows]
@@ -79,7 +79,7 @@ def python_rnea(tree: PinocchioTree, states: tuple[np.ndarray, ...]) -> tuple[Ca
     return measure, results
 
 
-def _python_model(pinocchio: object, tree: PinocchioTree, joints: int) -> object:
+def python_model(pinocchio: object, tree: PinocchioTree, joints: int) -> object:
     """The first joints of a serial tree as a model of Pinocchio's Python package."""
     made = pinocchio.Model()  # type: ignore[attr-defined]
     joint_types = {"R": pinocchio.JointModelRZ, "P": pinocchio.JointModelPZ}  # type: ignore[attr-defined]
