@@ -59,6 +59,7 @@ def every_operation() -> Program:
             x[2],
             x[1] / (x[2] + 5),
             t.node(-3),
+            t.function("exp", x[1]),
         ]
 
     def matrix(t: Tape, x: tuple[Node, ...], unused: tuple[Node, ...]) -> list[Node]:

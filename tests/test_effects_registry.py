@@ -168,7 +168,7 @@ WRONG = [
     (effect("BaseMotion", ("t",)), "6 entries"),
     (effect("BaseMotion", twist=("t",) * 6, pose=("t",) * 6), "one of"),
     (Gravity((0, 0)), "3 components"),
-    (Gravity(("x", 0, 0)), "unknown name"),
+    (Gravity(("x", 0, 0)), "finite numbers"),
     (Gravity(input="on"), "'switch' or 'field'"),
 ]
 

@@ -238,7 +238,7 @@ def test_batch_equals_single_calls(model, generated, backend):
     assert compiled.backend == backend
     x = np.random.default_rng(0).normal(size=(4, 3, 3))
     scalars, matrix = compiled.every_operation(x, np.zeros(2))
-    assert scalars.shape == (4, 3, 14)
+    assert scalars.shape == (4, 3, 15)
     assert matrix.shape == (4, 3, 2, 3)
     one_scalars, one_matrix = compiled.every_operation(unused=np.zeros(2), x=x[2, 1])
     assert np.array_equal(scalars[2, 1], one_scalars)

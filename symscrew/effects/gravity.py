@@ -41,9 +41,7 @@ class Gravity(Effect):
         """The field as exact numbers (a float is read as its shortest decimal)."""
         if not isinstance(self.acceleration, tuple) or len(self.acceleration) != 3:
             raise DescriptionError(f"gravity: expected 3 components [m/s^2], got {shorten(self.acceleration)}")
-        x, y, z = (exact(c, where="gravity: acceleration") for c in self.acceleration)
-        for c in (x, y, z):
-            numeric(c, where="gravity: acceleration")
+        x, y, z = (_exact(c) for c in self.acceleration)
         return (x, y, z)
 
     def act(self, acting: Acting) -> None:
@@ -69,6 +67,15 @@ class Gravity(Effect):
         for pose, inertia in zip(system.pose[1:], system.inertia[1:], strict=True):
             moment = add(scale(inertia.mass, pose.translation), pose.direction(inertia.first))
             acting.store(-dot(given, moment))
+
+
+def _exact(value: Number) -> sympy.Expr:
+    try:
+        number = exact(value, where="gravity")
+        numeric(number, where="gravity")
+    except DescriptionError as error:
+        raise DescriptionError(f"gravity: expected finite numbers [m/s^2], got {shorten(value)}") from error
+    return number
 
 
 def _momentum(system: System) -> Vector:
