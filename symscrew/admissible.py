@@ -109,6 +109,9 @@ class Admissible:
         if not entries:
             return True
         inertia = np.stack(np.broadcast_arrays(*entries), axis=-1).reshape(-1, n, n)
+        inertia = inertia[np.isfinite(inertia).all(axis=(1, 2))]  # not so where a reference is singular
+        if not len(inertia):
+            return True
         scale = np.sqrt(np.abs(np.einsum("kii->ki", inertia)).max(axis=0))
         return bool(scale.all() and np.linalg.eigvalsh(inertia / np.outer(scale, scale))[:, 0].max() > MASSLESS)
 

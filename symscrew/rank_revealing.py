@@ -21,7 +21,7 @@ import numpy as np
 
 from symscrew.program import Program, evaluate
 
-RANK = 1e-9  # singular values of the closure below this part of the largest count as zero
+RANK = 1e-9  # singular values of the closure below this part of the largest, at least of 1, count as zero
 SWITCH = 1e-5  # a pivot below this, without units, hands over to the second path
 
 
@@ -101,7 +101,7 @@ def second_path(
     closure = jacobian.reshape(n, m).T * np.outer(weight, scale)
     load = force * scale
     left, sizes, right = np.linalg.svd(closure, full_matrices=True)
-    rank = int((sizes > tolerance * sizes[0]).sum())
+    rank = int((sizes > tolerance * max(sizes[0], 1.0)).sum())  # unit screws: one is their size
     inverse = (right[:rank].T / sizes[:rank]) @ left[:, :rank].T
     null = right[rank:].T
     gain = -inverse @ (weight * bias)

@@ -111,7 +111,7 @@ static int MODEL_constrained(int n, int m, const REAL *mass, const REAL *force, 
                              const REAL *bias, REAL *v, REAL *work, REAL *a, REAL *multipliers)
 {
     REAL *sizes = work, *reduced = work + n, *right = reduced + n * n, *moved = right + n;
-    REAL largest = 0.0@;
+    REAL largest = 1.0@; /* unit screws: one is their size */
     int rank = 0, free_count = 0;
     MODEL_orthogonalise(m, n, jacobian, v);
     for (int j = 0; j < n; ++j) {
@@ -189,7 +189,7 @@ INTERNAL = """\
    count and to the `found` earlier ones. */
 static void MODEL_internal_load(int n, int m, const REAL *jacobian, int found, REAL *loads)
 {
-    REAL *load = loads + found * m, best = -1.0@, largest = 0.0@;
+    REAL *load = loads + found * m, best = -1.0@, largest = 1.0@;
     for (int j = 0; j < n; ++j) {
         const REAL size = MODEL_dot(m, jacobian + j * m, jacobian + j * m);
         largest = size > largest ? size : largest;
@@ -298,9 +298,10 @@ def _with_internal_loads(
 ) -> list[str]:
     """Reactions for the multipliers found, plus the internal loads that make their sum of squares smallest."""
     a, reactions = outputs
-    real = precision.real
+    real, zero = precision.real, precision.number(0.0)
     return [
-        f"    {real} sized[{size}], shifted[{size}], loads[{m * m}], columns[{m * size}], mix[{m * m}], amount[{m}];",
+        f"    {real} sized[{size}], shifted[{size}], loads[{m * m}] = {{{zero}}}, columns[{m * size}] = {{{zero}}};",
+        f"    {real} mix[{m * m}] = {{{zero}}}, amount[{m}] = {{{zero}}};",
         f"    for (int i = 0; i < {m}; ++i) {{",
         "        multipliers[i] *= row_scale[i];",
         "    }",

@@ -184,7 +184,7 @@ def _plain(name: str, size: int) -> Port:
 def _forward_dynamics(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
     found = solved(system, effects, loops)
     text = "Accelerations of the tree from a consistent state and the drives."
-    every = guarded((*loops.guards, *found.guards), SWITCH if system.cuts else THRESHOLD)
+    every = guarded((*loops.elimination.guards, *found.guards), SWITCH if system.cuts else THRESHOLD)
     return function(system, "forward_dynamics", text, _inputs(system, found), [(a_port(system), found.a)], every)
 
 
@@ -201,7 +201,7 @@ def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> 
     text = (
         "Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives."
     )
-    guards = (*loops.guards, *found.guards, *equations.balance.guards, *more)
+    guards = (*loops.elimination.guards, *found.guards, *equations.balance.guards, *more)
     every = guarded(guards, SWITCH if system.cuts else THRESHOLD)
     outputs: list[tuple[Port, Sequence[object]]] = [(a_port(system), found.a), (port, values)]
     return function(system, "forward_dynamics_reactions", text, _inputs(system, found), outputs, every, notes)
@@ -240,7 +240,7 @@ def _close_position(system: System, loops: Loops) -> Function:
         "The shortest Newton step onto the closure: q_next closes the loops to second order in their opening at q.",
         [(q_port(system), system.inputs.q)],
         [(q_port(system, "q_next"), moved_by(system, step)), (single, [opening(system)])],
-        guarded((*loops.guards, *guards)),
+        guarded((*loops.elimination.guards, *guards)),
     )
 
 
@@ -254,5 +254,5 @@ def _close_velocity(system: System, loops: Loops) -> Function:
         "The consistent rates nearest to v (lengths divided by the characteristic length).",
         [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)],
         [(v_port(system, "v_next", "consistent rates of the tree"), system.tree_rates(closed))],
-        guarded((*loops.guards, *guards)),
+        guarded((*loops.elimination.guards, *guards)),
     )
