@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import mpmath
 import numpy as np
 import pytest
+import sympy
 from effect_oracles import Oracle, at_rest, call, input_of, inverse_only, relative
 
 from symscrew import catalogue
 from symscrew import effects as known
 from symscrew.effects import Effect, Gravity
+from symscrew.errors import DescriptionError
 from symscrew.maximal_coordinates import BodyState, cross
+from symscrew.mechanism import Parameter, Point
 from symscrew.model import Model, derive
 
 EXACT = 1e-10
@@ -237,13 +241,9 @@ def test_spring_in_a_spherical_joint_turns_back_about_the_rotation_vector() -> N
     "fields", [{"stiffness": 30}, {"stiffness": 30, "length": "0.2", "preload": 4, "cubic": 7, "damping": "1.5"}]
 )
 def test_point_spring(name: str, ends: tuple[str, str], fields: dict) -> None:
-    if name == "four_bar":
-        name = "anchored"
-    of, found = (
-        anchored() if name == "anchored" else (oracle(name), inverse(name, effect("PointSpring", *ends, **fields)))
-    )
-    if name == "anchored":
-        found = inverse_only(of.mechanism, [effect("PointSpring", *ends, **fields)])
+    spring = effect("PointSpring", *ends, **fields)
+    of = anchored() if name == "four_bar" else oracle(name)
+    found = inverse_only(of.mechanism, [spring])
     away = of.place(ends[1]) - of.place(ends[0])
     distance = np.linalg.norm(away, axis=1, keepdims=True)
     speed = ((of.velocity(ends[1]) - of.velocity(ends[0])) * away).sum(1, keepdims=True) / distance
@@ -257,17 +257,11 @@ def test_point_spring(name: str, ends: tuple[str, str], fields: dict) -> None:
 
 
 @cache
-def anchored() -> tuple[Oracle, None]:
+def anchored() -> Oracle:
     """The four-bar linkage with a named point on the ground."""
-    from dataclasses import replace
-
-    import sympy
-
-    from symscrew.mechanism import Point
-
     plain = catalogue.load("four_bar")
     point = Point("anchor", plain.ground, (sympy.Rational(1, 10), sympy.S.Zero, sympy.Rational(3, 10)))
-    return Oracle(derive(replace(plain, points={**plain.points, "anchor": point}), [])), None
+    return Oracle(derive(replace(plain, points={**plain.points, "anchor": point}), []))
 
 
 # -- inertia and simplifications ------------------------------------------------------------------------------------
@@ -334,3 +328,29 @@ def test_quasi_static_is_equilibrium_at_rest_with_friction_as_it_moves() -> None
     force = of.along("slider_P", -5 * of.rate("slider_P"))
     assert relative(drives(found), of.solve(force, gravity=G, states=at_rest(of.states)).drives) < EXACT
     assert "forward_dynamics" not in found.programs
+
+
+# -- values that are run-time parameters -----------------------------------------------------------------------------
+
+
+def test_values_may_be_run_time_parameters() -> None:
+    """Friction, a spring's rest and a payload given by parameters: inputs p of the code, equal to the numbers."""
+    plain = catalogue.load(CRANK)
+    names = {"c": "0.7", "rest": "0.03", "more": "2"}
+    parameters = {n: Parameter(n, sympy.Rational(v), run_time=True) for n, v in names.items()}
+    open_ended = replace(plain, parameters={**plain.parameters, **parameters})
+
+    def effects(c: str, rest: str, more: str) -> list[Effect]:
+        return [
+            Gravity(),
+            effect("ViscousFriction", "slider_P", c),
+            effect("JointSpring", "slider_P", 20, f"2*{rest}"),
+            effect("Payload", "rod", f"{more}/2", ("0.1", 0, "0.2"), ("0.1", "0.1", "0.1")),
+        ]
+
+    found = inverse_only(open_ended, effects("c", "rest", "more"))
+    for values in ([0.7, 0.03, 2.0], [0.2, -0.1, 5.0]):
+        baked = inverse_only(plain, effects(*(str(v) for v in values)))
+        assert relative(drives(found, p=values), drives(baked)) < EXACT
+    with pytest.raises(DescriptionError, match="at least 0"):
+        inverse_only(open_ended, [effect("ViscousFriction", "slider_P", "-c")])
