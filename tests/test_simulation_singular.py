@@ -82,7 +82,7 @@ def test_adaptive_steps_through_ten_singular_positions() -> None:
         run = run_of("n_four_bar", scene_of("n_four_bar", tolerance=tolerance))
         assert run.ok
         error = error_of("n_four_bar", run)
-        assert error < max(before, 5e-9)  # crossings cost digits: about 1e-9 is what is left
+        assert error < max(before, 1e-8)  # ten crossings cost digits: a few 1e-9 are what is left
         before = error
         assert run.closure_error.max() < 1e-12
         assert [c.t for c in run.crossings] == pytest.approx(expected, abs=1e-5)

@@ -30,8 +30,8 @@ from symscrew.simulation.programs import Plant, plant
 REAL_TIME = ("euler", "semi_implicit_euler", "rk4", "rk8")
 
 
-def loop_plant(scene: Scene) -> Plant:
-    """The programs of the loop: drives from outside unless the scene commands them."""
+def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
+    """The programs of the loop: drives from outside unless the scene commands them, and `outside` inputs of effects."""
     if scene.integrator.method not in REAL_TIME:
         raise DescriptionError(
             f"integrator.method: a loop for real time needs a fixed step, got {scene.integrator.method}; expected one "
@@ -42,14 +42,15 @@ def loop_plant(scene: Scene) -> Plant:
     model = derive(scene.mechanism, scene.effects)
     held = bool(model.system.drives) and not scene.drives
     values = list(parameter_values(scene, model).values())
-    return plant(model, controller(scene, model, held=held), held=held, parameters=values, work=False)  # type: ignore[arg-type]
+    made = controller(scene, model, held=held)
+    return plant(model, made, held=held, parameters=values, work=False, outside=outside)  # type: ignore[arg-type]
 
 
 def print_loop(scene: Scene) -> dict[str, str]:
     """File name to text: `<scene>_loop.h`, `<scene>_loop.c`."""
     made = loop_plant(scene)
     start = initial_state(scene, made.model, made.parameters)
-    return {f"{scene.name}_loop.h": _header(scene, made, start), f"{scene.name}_loop.c": _source(scene, made)}
+    return {f"{scene.name}_loop.h": _header(scene, made, start), f"{scene.name}_loop.c": loop_source(scene, made)}
 
 
 def emit(scene: Scene, folder: Path) -> list[Path]:
@@ -101,12 +102,14 @@ def _header(scene: Scene, made: Plant, start: tuple) -> str:  # type: ignore[typ
     return "\n".join(lines)
 
 
-def _source(scene: Scene, made: Plant) -> str:
+def loop_source(scene: Scene, made: Plant, *, standalone: bool = False) -> str:
+    """The loop's C; `standalone` is a part of a larger file, without the loop's own header."""
     files, name = generated(made), made.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
     method = METHODS[scene.integrator.method]
     head = [
-        f'#include "{scene.name}_loop.h"', "#include <math.h>", "#include <stddef.h>", "#include <string.h>", code,
+        "" if standalone else f'#include "{scene.name}_loop.h"',
+        "#include <math.h>", "#include <stddef.h>", "#include <string.h>", code,
         constants(made), f"#define METHOD {method}", f"#define LOOP_STEP {scene.name}_step", "#define NEEDS_CARE 1004",
         "#define COUNT_EVALUATION (void)0", table_code(list(scene.tables.values())) or NO_TABLES, adapters(made),
     ]  # fmt: skip

@@ -52,9 +52,9 @@ def _table(name: str, rows: Sequence[tuple[int, int]]) -> str:
     return f"static const int {name}[{max(len(rows), 1)}][2] = {{{body}}};"
 
 
-def _vector(name: str, values: np.ndarray) -> str:
+def _vector(name: str, values: np.ndarray, storage: str = "static const") -> str:
     body = ", ".join(decimal(float(v)) for v in values) or "1.0"
-    return f"static const double {name}[{max(len(values), 1)}] = {{{body}}};"
+    return f"{storage} double {name}[{max(len(values), 1)}] = {{{body}}};"
 
 
 def constants(plant: Plant) -> str:
@@ -74,7 +74,7 @@ def constants(plant: Plant) -> str:
     reals = {
         "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-4 * plant.pivot,
         "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.1, "SPACING": 0.03,
-        "REACH": 0.6, "CAREFUL_TOLERANCE": 3e-11,
+        "REACH": 0.6, "CAREFUL_TOLERANCE": 4e-12,
     }  # fmt: skip
     lines = [f"#define {name} {value}" for name, value in numbers.items()]
     lines += [f"#define {name} {decimal(float(value))}" for name, value in reals.items()]
@@ -83,7 +83,10 @@ def constants(plant: Plant) -> str:
         _table("SPHERES", spheres),
         _vector("UNIT", plant.units),
         _vector("ROW_SCALE", plant.rows),
-        _vector("PARAMETERS", plant.parameters),
+        "#if !defined(PARAMETERS_STORAGE)",
+        "#define PARAMETERS_STORAGE static const",
+        "#endif",
+        _vector("PARAMETERS", plant.parameters, "PARAMETERS_STORAGE"),
     ]
     return "\n".join([*lines, ""])
 
@@ -92,12 +95,14 @@ def adapters(plant: Plant) -> str:
     """C that calls the generated functions by the names that the kernels use."""
     name = plant.model.name
     commanded = list(plant.inputs.outputs)
+    outside = next((port.size for port in plant.slopes.inputs if port.name == "s"), 0) - plant.tables
     lines = [
         "static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
         "                     double *x_dot)",
         "{",
-        "    double s[NS + 1] = {0.0};",
+        f"    double s[NS + {outside + 1}] = {{0.0}};",
         "    tables_at(t, s);",
+        *(f"    s[NS + {k}] = OUTSIDE_INPUTS[{k}];" for k in range(outside)),
         f"    int outcome = {name}_slopes(&t, q, v, x, u, s, PARAMETERS, a, x_dot);",
         "    if (outcome != 1) {",
         "        return outcome;",

@@ -222,7 +222,8 @@ static size_t crossings_within(Simulation *s, double rate_at_end, Crossing *foun
     const double steepest = fmax(fabs(s->pivot_rate), fabs(rate_at_end));
     double left = step->t, low = s->pivot, low_rate = s->pivot_rate, q[NQ1], v[NV1], x[NX1];
     size_t met = 0;
-    if (NR == 0 || FREE == 0 || s->pivot + step->pivot > 2.0 * step->h * steepest) {
+    const int near = fmin(s->pivot, step->pivot) < 0.5 * PIVOT && s->pivot + step->pivot < 1.5 * step->h * steepest;
+    if (NR == 0 || FREE == 0 || !(near || step->careful)) {
         return 0;
     }
     for (int i = 1; i <= PIECES && met < room; ++i) {
@@ -361,7 +362,8 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         const double end = s->method == DOP853 || times[*written] - step->t - step->h > 1e-9 * step->h
                                ? step->t + step->h
                                : times[*written];
-        const double rate = NR && FREE ? pivot_rate(step->q, step->v) : 0.0;
+        const int regular = step->pivot > 0.5 * PIVOT && !step->careful; /* a secant will do */
+        const double rate = regular ? (step->pivot - s->pivot) / step->h : pivot_rate(step->q, step->v);
         *met += crossings_within(s, rate, crossings + *met, room - *met);
         while (*written < count && times[*written] <= end) {
             double pivot;
