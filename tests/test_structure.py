@@ -16,7 +16,7 @@ PACKAGE = Path(symscrew.__file__).parent
 
 STAGES = (
     ("errors", "joints", "mechanism", "screws"),
-    ("expressions", "names", "reader", "limbs", "validation", "builder", "description"),
+    ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "starter", "usage"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("operations", "tape", "differentiation", "program", "rank_revealing", "jacobians"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
@@ -26,8 +26,8 @@ STAGES = (
     ("functions", "quantities"),
     ("model", "scene", "inertial_parameters"),
     ("export", "manifest", "compiled", "generation", "verification", "embedded"),
-    ("simulation",),
-    ("motion", "outline", "drawing", "plots", "optimisation", "accuracy", "cost", "demo", "console", "view", "cli"),
+    ("simulation", "fmu"),
+    ("motion", "outline", "drawing", "plots", "optimisation", "accuracy", "cost", "demo", "console", "view", "report", "workspace", "commands", "cli"),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 

@@ -198,7 +198,7 @@ def _one(model: str, symbol: str, program: Program | Iteration, precision: Preci
     lines += [*wrapped_code(f"return {symbol}({here});", "        "), "    }"]
     sized = [(name, port, k) for k, (name, port) in enumerate(zip(names, ports, strict=True)) if port.size]
     read = len(program.inputs)
-    lines += [f"    {precision.real} {name}_one[{port.size}];" for name, port, _ in sized]
+    lines += [f"    {precision.real} {name}_one[{port.size}] = {{{precision.number(0.0)}}};" for name, port, _ in sized]
     lines += [
         text
         for name, port, k in sized

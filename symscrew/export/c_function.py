@@ -176,18 +176,18 @@ def function(printed: Printed, signature: str, second: str = "") -> list[str]:
     """A function of one state: its lane with a stride of 1, checked; `second` is its way out of small pivots."""
     program, precision = printed.program, printed.precision
     real, count = precision.real, len(printed.angles.gathered)
-    group = precision.group
+    group, zero = precision.group, precision.number(0.0)
     lines = [signature, "{"]
     if count:
         size = -(-count // group) * group
         lines += [
-            f"    {real} angle[{size}], sine[{size}], cosine[{size}];",
+            f"    {real} angle[{size}] = {{{zero}}}, sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
             *wrapped_code(f"{printed.symbol}_angles({', '.join(['1', *printed.handed(outputs=False), 'angle'])});"),
             *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
             *calls(printed.model, count, precision),
         ]
     if program.guards:
-        lines += [f"    {real} pivot[{len(program.guards)}];"]
+        lines += [f"    {real} pivot[{len(program.guards)}] = {{{zero}}};"]
     handed = ["1", *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
     call = f"{printed.symbol}_lane({', '.join(handed)});"
     if not checked_slots(program):

@@ -1,0 +1,66 @@
+"""`symscrew embedded NAME`: what functions cost on a microcontroller, as a table and as embedded.json."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+from pathlib import Path
+
+USUAL = (
+    "inverse_dynamics",
+    "inverse_dynamics_platform",
+    "joint_reactions",
+    "forward_dynamics",
+    "forward_dynamics_independent",
+    "assemble",
+)
+COLUMNS = ("flash", "frame", "stack", "instructions", "error")
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The options of the command."""
+    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
+    command.add_argument("--core", nargs="+", choices=("m4f", "m7"), default=["m4f", "m7"], help="default: both")
+    command.add_argument("--precision", choices=("single", "double"), help="default: single on m4f, double on m7")
+    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics and assembly; all: every one")
+    command.add_argument("--out", metavar="FILE.json", help="also write the numbers here")
+    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the table")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure, print, write."""
+    from symscrew import catalogue
+    from symscrew.console import Progress, table
+    from symscrew.embedded import measure
+    from symscrew.model import derive
+
+    progress = Progress()
+    mechanism = catalogue.find(options.mechanism)
+    with progress.step(f"derive {mechanism.name}"):
+        model = derive(mechanism)
+    functions = options.function or [name for name in USUAL if name in model.programs]
+    functions = list(model.programs) if functions == ["all"] else functions
+    found = []
+    for core in dict.fromkeys(options.core):
+        precision = options.precision or ("single" if core == "m4f" else "double")
+        with progress.step(f"compile for {core}, {precision} precision, and run on the emulator"):
+            found.append(measure(model, core, precision, functions))
+    text = json.dumps(found, indent=1) + "\n"
+    if options.json:
+        print(text, end="")
+    else:
+        header = ("core", "precision", "function", "flash [B]", "frame [B]", "stack [B]", "instructions", "error")
+        rows = [
+            [one["core"], one["precision"], name, *(str(entry[column]) for column in COLUMNS)]
+            for one in found
+            for name, entry in one["functions"].items()
+        ]
+        print(table(header, rows))
+    if options.out:
+        path = Path(options.out)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        staged = path.with_name(f".{path.name}.part")
+        staged.write_text(text, encoding="utf-8")
+        os.replace(staged, path)
+    return 0

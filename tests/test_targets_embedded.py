@@ -1,0 +1,122 @@
+"""Generated C on Cortex-M4F and M7 under an emulator, and under tools that read it for errors."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from model_states import model
+
+from symscrew import embedded
+from symscrew.cli import main
+from symscrew.embedded import EmbeddedError, measure, missing_tools
+from symscrew.errors import DescriptionError
+from symscrew.export.c import print_c, print_source
+from symscrew.export.c_precision import PRECISIONS
+
+EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
+
+
+def needs(tool: str) -> pytest.MarkDecorator:
+    return pytest.mark.skipif(shutil.which(tool) is None, reason=f"{tool} is not installed")
+
+
+@pytest.mark.tools
+@EMULATED
+@pytest.mark.parametrize("core, precision", [("m4f", "single"), ("m4f", "double"), ("m7", "single"), ("m7", "double")])
+@pytest.mark.parametrize("name", ["four_bar", "ur5"])
+def test_every_function_gives_the_same_numbers_there(name: str, core: str, precision: str) -> None:
+    limit = 1e-4 if precision == "single" else 1e-12
+    found = measure(model(name), core, precision)
+    assert set(found["functions"]) == set(model(name).programs)
+    for function, entry in found["functions"].items():
+        assert entry["error"] < limit, function
+        assert 0 < entry["flash"] < 50_000 and entry["instructions"] > 0 and 0 < entry["stack"] < 20_000, function
+
+
+@pytest.mark.tools
+@EMULATED
+def test_counts_are_repeatable_and_of_the_right_size() -> None:
+    """Double precision on a core without it costs many times as much; counts do not depend on the run."""
+    chosen = ["inverse_dynamics", "mass_matrix"]
+    found = model("ur5")
+    single, again, double = (measure(found, "m4f", p, chosen)["functions"] for p in ("single", "single", "double"))
+    assert single == again
+    for name in chosen:
+        operations = found.programs[name].operations["total"]
+        assert operations < single[name]["instructions"] < 8 * operations
+        assert double[name]["instructions"] > 5 * single[name]["instructions"]
+
+
+@pytest.mark.tools
+@EMULATED
+def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    file = tmp_path / "embedded.json"
+    arguments = ["embedded", "four_bar", "--core", "m4f", "--function", "inverse_dynamics", "--out", str(file)]
+    assert main(arguments) == 0
+    printed = capsys.readouterr().out
+    (entry,) = json.loads(file.read_text())
+    assert entry["core"] == "Cortex-M4F" and entry["precision"] == "single"
+    assert str(entry["functions"]["inverse_dynamics"]["instructions"]) in printed
+    assert main([*arguments[:4], "--function", "inverse"]) == 2
+    assert "no function 'inverse'" in capsys.readouterr().err
+
+
+def test_missing_tools_are_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(embedded.shutil, "which", lambda tool: None)
+    with pytest.raises(EmbeddedError, match="apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi"):
+        measure(model("four_bar"), "m4f")
+    assert main(["embedded", "four_bar", "--out", str(tmp_path / "no.json")]) == 1
+    assert "qemu-system-arm" in capsys.readouterr().err and not list(tmp_path.iterdir())
+    with pytest.raises(DescriptionError, match="expected a core among m4f, m7"):
+        measure(model("four_bar"), "m0")
+
+
+# -- what code for such machines must not do ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s_physical", "ur5"])
+def test_no_heap_no_recursion_bounded_loops(name: str) -> None:
+    source = re.sub(r'/\*.*?\*/|"[^"]*"', "", print_source(model(name)), flags=re.DOTALL)
+    assert not re.search(r"\b(malloc|calloc|realloc|free|alloca|goto|while|setjmp|printf)\b", source)
+    assert not re.search(r"^ +(?:double|int) [^=;]*\[[^]]*[a-z]", source, re.MULTILINE), "an array of variable length"
+    bodies = re.findall(r"^[\w ]*?\*?(\w+)\(([^;{}]*)\)\n\{\n(.*?)^\}", source, re.M | re.S)
+    assert len(bodies) > 20
+    order = {function: k for k, (function, _, _) in enumerate(bodies)}
+    for function, _, body in bodies:
+        called = {other for other in re.findall(r"\b(\w+)\(", body) if other in order}
+        assert all(order[other] < order[function] for other in called), f"{function} calls itself or what follows"
+        for head in re.findall(r"\bfor \((.*?)\) \{", body):
+            first, condition, step = head.split(";")
+            counter = re.match(r"(?:size_t|int) (\w+)|(\w+)", first.strip())
+            assert counter and re.search(r"[<>]", condition) and re.search(r"\+\+|--|\+=|\*=", step), head
+
+
+@pytest.mark.tools
+@needs("gcc")
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_the_analyzer_of_gcc_finds_nothing(precision: str, tmp_path: Path) -> None:
+    """State by state, as on a microcontroller: it does not follow loops that fill blocks of eight states."""
+    for file, text in print_c(model("four_bar"), precision=PRECISIONS[precision]).items():
+        (tmp_path / file).write_text(text)
+    flags = ["-std=c99", "-O1", "-fanalyzer", "-Wall", "-Wextra", "-Wvla", "-Werror", "-DFOUR_BAR_STATE_BY_STATE"]
+    command = ["gcc", *flags, "-c", "four_bar.c", "-o", "a.o"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.tools
+@needs("cppcheck")
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_cppcheck_finds_nothing(precision: str, tmp_path: Path) -> None:
+    for file, text in print_c(model("four_bar"), precision=PRECISIONS[precision]).items():
+        (tmp_path / file).write_text(text)
+    command = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,portability", "--error-exitcode=1"]
+    done = subprocess.run([*command, "four_bar.c"], capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
