@@ -23,6 +23,17 @@ OPTIONS = (
     "points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass", "com", "inertia",
     "tip_point",
 )  # fmt: skip
+OTHER_LETTERS = {
+    "B": ("S", "ball"),
+    "G": ("S", "ball"),
+    "K": ("U", "Cardan"),
+    "T": ("U", "Hooke"),
+    "L": ("P", "linear"),
+    "D": ("P", "sliding"),
+    "Z": ("C", "cylindrical"),
+    "F": ("E", "planar"),
+}
+"""Letters that other texts use for a joint, ours, and a name."""
 MAX_JOINTS = 30
 MAX_COUNT = 100
 
@@ -69,6 +80,8 @@ def parse_limb_string(text: str, *, where: str = "limb") -> LimbType:
         if letter not in LETTERS:
             upper = letter.upper()
             cure = f"write {upper!r}" if upper in LETTERS else "known: " + ", ".join(LETTERS)
+            if upper in OTHER_LETTERS:
+                cure = "did you mean {!r} ({} joint)?".format(*OTHER_LETTERS[upper]) + f" {cure}"
             raise DescriptionError(f"{where}: unknown joint letter {letter!r} in {shorten(text)}; {cure}")
         freedom = JOINT_TYPES[letter].freedom
         if len(stars) > freedom:

@@ -1,0 +1,76 @@
+"""How the command line speaks: its parser, examples for every command, and what it says to bad options."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any, NoReturn
+
+from symscrew.errors import did_you_mean
+
+FAILED = 1
+TARGETS = ("c", "casadi", "numpy", "external", "markdown")
+USUAL = ("c", "casadi", "numpy")
+
+EXAMPLES = {
+    "list": ("symscrew list", "symscrew list --json | jq -r '.[].name'"),
+    "demo": ("symscrew demo", "symscrew demo --out figures"),
+    "new": (
+        "symscrew new wrist --limbs 3-UPS+UPU+S",
+        "symscrew new arm --limbs RRRRRR",
+        "symscrew new table --limbs 3-RRR",
+    ),
+    "generate": (
+        "symscrew generate three_ups_upu_s --out seed",
+        "symscrew generate wrist.toml --out wrist --target c --derivatives",
+        "symscrew generate ur5 --out ur5_single --precision single",
+    ),
+    "check": ("symscrew check seed", "symscrew check generated/"),
+    "mobility": (
+        "symscrew mobility three_ups_upu_s",
+        "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
+        "symscrew mobility wrist.toml --expect 2 && echo as designed",
+    ),
+    "cost": ("symscrew cost examples/scenes/falling_platform.toml", "symscrew cost scene.toml --plot bill.png"),
+    "convert": ("symscrew convert robot.urdf --out robot.toml", "symscrew convert ur5 --out ur5.xml"),
+    "simulate": (
+        "symscrew simulate examples/scenes/falling_platform.toml --out run.npz --plot run.png",
+        "symscrew simulate scene.toml --emit-c loop",
+    ),
+    "draw": ("symscrew draw three_ups_upu_s --out seed.png",),
+    "view": ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html"),
+    "report": (
+        "symscrew report three_ups_upu_s --out seed.html",
+        "symscrew report wrist.toml --out wrist.md --effects-bill scene.toml --accuracy study",
+    ),
+    "workspace": (
+        "symscrew workspace three_ups_upu_s --over x=-0.2:0.2:41 y=-0.2:0.2:41 --out seed_map",
+        "symscrew workspace ur5 --over 'shoulder_lift=-90deg:0deg:61' 'elbow=0deg:150deg:61' --out map.npz",
+        "symscrew workspace wrist.toml --over R=0.4:0.6:5 --tolerance r=0.001 --samples 1000 --out study",
+    ),
+    "doctor": ("symscrew doctor", "symscrew doctor --json"),
+}
+"""Command lines that show what a command is for; shown below its options."""
+
+
+class UsageError(ValueError):
+    """Bad input that the command line itself finds."""
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line on stderr and exit code 2, with the nearest names of commands and choices."""
+
+    def error(self, message: str) -> NoReturn:
+        """End with the message."""
+        raise UsageError(f"{message}; see {self.prog} --help")
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            what = "/".join(action.option_strings) or action.metavar or action.dest
+            near = did_you_mean(str(value), [str(c) for c in action.choices])
+            raise argparse.ArgumentError(None, f"{what}: unknown {str(value)[:60]!r}; {near}")
+
+    def add_examples(self, name: str) -> None:
+        """Show the examples of a command below its help."""
+        self.formatter_class = argparse.RawDescriptionHelpFormatter
+        if name in EXAMPLES:
+            self.epilog = "examples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
