@@ -19,6 +19,7 @@ PACKAGES = {
     "numpy": "evaluation",
     "tqdm": "progress",
     "matplotlib": "figures of demo and draw",
+    "scipy": "simulate: stiff scenes, contacts with events, runs without a C compiler",
     "mujoco": "an oracle of the tests",
     "pytest": "tests",
     "pin": "an opponent of the benchmarks",

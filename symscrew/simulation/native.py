@@ -138,7 +138,8 @@ def source(plant: Plant, tables: str = "") -> str:
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
-    kernels = [kernel_text(file) for file in ("manifold.c", "branch.c", "steps.c", "adaptive.c", "simulation.c")]
+    parts = ("manifold.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "simulation.c")
+    kernels = [kernel_text(file) for file in parts]
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
     head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations"]
     return "\n".join([*head, kernel_text("dop853_error.h"), tables or NO_TABLES, adapters(plant), *kernels])

@@ -222,7 +222,7 @@ def _regular(model: Model, units: np.ndarray, rows: np.ndarray) -> tuple[int, fl
     given = [np.repeat(system.parameter_values[None], len(q), 0)] if len(jacobian.inputs) > 1 else []
     values = model("closure_jacobian", q, *given)[0][0].reshape(len(q), len(units), len(rows)).transpose(0, 2, 1)
     found = [row_pivots(matrix * rows[:, None] * units) for matrix in values]
-    rank = max(int((p > 1e-7 * p[0]).sum()) for p in found if len(p))
+    rank = max((int((p > 1e-7 * p[0]).sum()) for p in found if len(p)), default=0)
     pivots = sorted(p[rank - 1] for p in found if len(p) >= rank and rank)
     return rank, float(pivots[len(pivots) // 2]) if pivots else 1.0
 

@@ -185,8 +185,8 @@ static void row_space(const Opening *o, const double (*against)[NV1], int count,
         }
         f->rank = r + 1;
     }
-    if (RANK == 0) {
-        f->smallest = 0.0;
+    if (RANK == 0) { /* no row restricts the tree: none can be lost */
+        f->smallest = PIVOT;
     }
 }
 
