@@ -209,6 +209,13 @@ def simulate_scene(options: argparse.Namespace) -> int:
     return run(options)
 
 
+def pack_unit(options: argparse.Namespace) -> int:
+    """`symscrew fmu`."""
+    from symscrew.fmu.command import run
+
+    return run(options)
+
+
 def optimise_trajectory(options: argparse.Namespace) -> int:
     """`symscrew optimise`."""
     from symscrew.optimisation.command import run

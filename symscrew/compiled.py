@@ -216,13 +216,15 @@ def find_compiler() -> str | None:
     return next((path for path in map(shutil.which, COMPILERS) if path), None)
 
 
-def compile_c(source: Path, library: Path, *, compiler: str | None = None, flags: Sequence[str] = ()) -> None:
-    """Compile a C file into a shared library, for this processor where the compiler knows it."""
+def compile_c(
+    source: Path, library: Path, *, compiler: str | None = None, flags: Sequence[str] = (), native: bool = True
+) -> None:
+    """Compile a C file into a shared library, for this processor (`native`) where the compiler knows it."""
     command = compiler or find_compiler()
     if command is None:
         raise CompileError(f"no C compiler ({', '.join(COMPILERS)}); install one or use backend='casadi'")
-    for native in (("-march=native",), ()):
-        arguments = [command, *FLAGS, *native, *flags, str(source), "-o", str(library), "-lm"]
+    for machine in (("-march=native",), ()) if native else ((),):
+        arguments = [command, *FLAGS, *machine, *flags, str(source), "-o", str(library), "-lm"]
         result = subprocess.run(arguments, capture_output=True, text=True, check=False)
         if result.returncode == 0:
             return

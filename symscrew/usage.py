@@ -36,6 +36,10 @@ EXAMPLES = {
         "symscrew simulate examples/scenes/falling_platform.toml --out run.npz --plot run.png",
         "symscrew simulate scene.toml --emit-c loop",
     ),
+    "fmu": (
+        "symscrew fmu examples/scenes/hanging_platform.toml --out platform.fmu",
+        "symscrew fmu ur5 --out ur5.fmu --fmi 2",
+    ),
     "draw": ("symscrew draw three_ups_upu_s --out seed.png",),
     "view": ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html"),
     "report": (
