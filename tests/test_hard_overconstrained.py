@@ -114,16 +114,9 @@ def test_a_redundant_row_taken_as_a_pivot_is_what_the_samples_prevent(monkeypatc
     """
     assert len(derive(bricard("square"), DOWN).programs["velocity"].inputs[1].labels) == 1
     monkeypatch.setattr(elimination, "NEGLIGIBLE", 0.0)
-    try:
-        found = derive(bricard("square"), DOWN)
-    except Exception as error:  # noqa: BLE001 - whatever fails, it must not be a right model
-        assert str(error)
-        return
-    q, v, _ = found.system.sample_states
-    (a,), status = found("forward_dynamics", q[1], v[1])
-    good = good_model()
-    (expected,), _ = good("forward_dynamics", q[1], v[1])
-    assert found.programs["forward_dynamics"].regular != 4 or status > 0 or relative(a, expected) > 1e-6
+    found = derive(bricard("square"), DOWN)
+    assert found.programs["forward_dynamics"].regular == 5
+    assert "independent coordinates y: none" in found.notes
 
 
 @cache
@@ -185,8 +178,8 @@ def test_accelerations_are_unique_and_right(name: str) -> None:
     assert solution.residual.max() < 1e-10
     assert (solution.reaction_redundancy >= 1).all()  # overconstrained, yet the drives are unique
     assert not solution.drive_redundancy.any()
-    expected = [precise.doubles(precise.accelerations(found, q[k], v[k], u[k], found.programs["forward_dynamics"].regular))
-                for k in (1, 2)]  # fmt: skip
+    rank = found.programs["forward_dynamics"].regular
+    expected = [precise.doubles(precise.accelerations(found, q[k], v[k], u[k], rank)) for k in (1, 2)]
     assert relative(a[1:3], np.array(expected)) < 1e-11
 
 
