@@ -86,20 +86,32 @@ class Study:
 
 
 def measured(
-    setups: Sequence[Setup], *, repeats: int, seconds: float, progress: Progress | None = None, text: str = ""
+    setups: Sequence[Setup],
+    *,
+    repeats: int,
+    seconds: float,
+    progress: Progress | None = None,
+    text: str = "",
+    longest: float = math.inf,
 ) -> tuple[Point, ...]:
     """Every setup once, then A B C A B C ... until each has `repeats` repeats or `seconds` are over.
 
     A disturbance so meets all of them. Each has at least three repeats; from then on those that take longest are
     left out first, when the time is over. The first run of a setup counts for its error alone: caches and pages are
-    not there yet.
+    not there yet. After a first run of more than `longest` seconds the later settings of its curve are not run, and stay
+    in the table as such.
     """
     shown = progress or Progress(quiet=True)
     start = time.perf_counter()
     laps: list[list[float]] = [[] for _ in setups]
     errors: list[float | None] = [None] * len(setups)
     failures = [""] * len(setups)
+    slow_curves: dict[str, float] = {}
     for k in shown.bar(range(len(setups)), f"{text}: first runs"):
+        if setups[k].curve in slow_curves:
+            failures[k] = f"not run: the setting before took {slow_curves[setups[k].curve]:.1f} s"
+            continue
+        begin = time.perf_counter()
         try:
             first = setups[k].run()
             errors[k] = float(setups[k].error())
@@ -109,6 +121,8 @@ def measured(
                 laps[k].append(first)
         except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
             failures[k] = str(error) or type(error).__name__
+        if time.perf_counter() - begin > longest:
+            slow_curves[setups[k].curve] = time.perf_counter() - begin
     for done in shown.bar(range(repeats), f"{text}: repeats"):
         over = time.perf_counter() - start > seconds
         if over and done >= LEAST_ROUNDS:

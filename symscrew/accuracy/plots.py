@@ -19,6 +19,9 @@ from symscrew.plots import DPI, style
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F")
 MARKERS = "osD^vP*X<>dhp"
 FLOOR = 1e-17  # errors that are zero are drawn here
+NONE = 1e-12  # errors below come from rounding: the same model
+MOST_CURVES = 8
+PEERS = {"generatedC": "bare generated C", "exudyn": "Exudyn", "mujoco": "MuJoCo"}
 SVG = {"svg.hashsalt": "symscrew", "svg.fonttype": "path"}
 
 
@@ -41,39 +44,101 @@ def save(study: Study, directory: Path) -> list[Path]:
 
 
 def work_precision(study: Study) -> Figure:
-    """Error over cost; where the points tell a step h, also over h."""
+    """Error over cost; a frame per panel of the points, and where points tell a step h, one more over h."""
+    if study.cost_unit == "operations":
+        return _operations_figure(study)
+    panels = list(dict.fromkeys(str(p.facts.get("panel", "")) for p in study.points))
     stepped = any("h" in p.facts for p in study.points)
-    curves = study.curves
-    rows = -(-len(curves) // (3 if stepped else 2))
+    count = len(panels) + stepped
+    rows = max(len(_of_panel(study, panel)) for panel in panels)
+    rows = rows if count > 1 and panels != [""] else -(-rows // (3 if count > 1 else 1))
     with style():
-        made = Figure(figsize=(7.0 if stepped else 5.2, 3.1 + 0.17 * rows), layout="constrained")
+        made = Figure(figsize=((0.6 + 3.1 * count) if count > 1 else 5.0, 2.7 + 0.145 * rows), layout="constrained")
         FigureCanvasAgg(made)
-        axes = made.subplots(1, 2 if stepped else 1, sharey=True, squeeze=False)[0]
-        for k, (name, points) in enumerate(curves.items()):
-            look = _look(k, points)
-            _draw(axes[0], [(*_cost(p, study), p) for p in points if _drawn(p, study)], look, name)
-            if stepped:
-                found = [p for p in points if "h" in p.facts and p.error is not None]
-                ends = [(float(p.facts["h"]), 0.0, 0.0, p) for p in found]
-                _draw(axes[1], ends, look, name)
+        axes = made.subplots(1, count, sharey=True, sharex=panels != [""], squeeze=False)[0]
+        kinds: dict[str, int] = {}
+        for axis, panel in zip(axes, panels, strict=False):
+            for name, points in _of_panel(study, panel).items():
+                text = name.removeprefix(f"{panel}, ")
+                k = kinds.setdefault(text, len(kinds))
+                _draw(axis, [(*_cost(p, study), p) for p in points if _drawn(p, study)], _look(k, points), text)
+                if stepped:
+                    found = [p for p in points if "h" in p.facts and p.error is not None]
+                    _draw(axes[-1], [(float(p.facts["h"]), 0.0, 0.0, p) for p in found], _look(k, points), text)
+            axis.set_xlabel(f"{study.cost_label}  [{study.cost_unit}]")
         axes[0].set_ylabel(study.error_label)
-        axes[0].set_xlabel(_abscissa(study))
         if stepped:
-            axes[1].set_xlabel("step $h$  [s]")
+            axes[-1].set_xlabel("step $h$  [s]")
         for axis in axes:
             _finish(axis)
         _reference_line(axes, study)
-        if study.cost_unit == "operations" or study.name == "precision":
+        if panels == [""]:
+            handles, labels = axes[0].get_legend_handles_labels()
+            made.legend(handles, labels, loc="outside upper center", ncols=3 if count > 1 else 1)
+        else:
+            for axis, panel in zip(axes, panels, strict=False):
+                axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), title=panel, alignment="left", fontsize=6.8)
+        if study.name == "precision":
             _annotate(axes[0], study)
-        handles, labels = axes[0].get_legend_handles_labels()
-        made.legend(handles, labels, loc="outside upper center", ncols=3 if stepped else 2)
     return made
 
 
-def _abscissa(study: Study) -> str:
-    if study.cost_unit == "operations":
-        return study.cost_label
-    return f"{study.cost_label}  [{study.cost_unit}]"
+def _of_panel(study: Study, panel: str) -> dict[str, list[Point]]:
+    """Curves of a panel that have a point to draw; of many peers the fastest at any error, in groups."""
+    found = {
+        name: points
+        for name, points in study.curves.items()
+        if str(points[0].facts.get("panel", "")) == panel and any(_drawn(p, study) for p in points)
+    }
+    if len(found) <= MOST_CURVES:
+        return found
+    groups: dict[str, list[Point]] = {}
+    for name, points in found.items():
+        group = name.split()[0]
+        groups.setdefault(f"{PEERS.get(group, group)}: best of all settings", []).extend(points)
+    return {name: _envelope(points) for name, points in groups.items()}
+
+
+def _envelope(points: Sequence[Point]) -> list[Point]:
+    """The fastest point at every error."""
+    best: dict[float, Point] = {}
+    for point in points:
+        assert point.error is not None and point.cost is not None
+        other = best.get(point.error)
+        if other is None or other.cost is None or point.cost.median < other.cost.median:
+            best[point.error] = point
+    return [best[error] for error in sorted(best, reverse=True)]
+
+
+def _operations_figure(study: Study) -> Figure:
+    """Error over operations: a colour per curve, a marker per setting; what has no error is a line."""
+    settings = list(dict.fromkeys(p.setting for p in study.points if _drawn(p, study) and (p.error or 0) > NONE))
+    with style():
+        made = Figure(figsize=(6.4, 3.3), layout="constrained")
+        FigureCanvasAgg(made)
+        axis = made.subplots()
+        for k, (name, points) in enumerate(study.curves.items()):
+            for point in [p for p in points if _drawn(p, study)]:
+                x = _cost(point, study)[0]
+                if (point.error or 0.0) <= NONE:
+                    axis.axvline(x, color=COLOURS[k], linewidth=0.9, linestyle=(0, (5, 2)))
+                    axis.annotate(
+                        f"{name}: {point.setting}", (x, 0.03), xycoords=("data", "axes fraction"), rotation=90,
+                        xytext=(-3, 0), textcoords="offset points", ha="right", va="bottom", fontsize=7,
+                        color=COLOURS[k],
+                    )  # fmt: skip
+                    continue
+                marker = MARKERS[settings.index(point.setting) % len(MARKERS)]
+                axis.plot(x, point.error, marker=marker, color=COLOURS[k], linestyle="none", markersize=5.5)
+        axis.set_ylabel(study.error_label.replace(" / ", "\n/ "))
+        axis.set_xlabel(study.cost_label)
+        _finish(axis)
+        for k, setting in enumerate(settings):
+            axis.plot([], [], marker=MARKERS[k % len(MARKERS)], color="#505050", linestyle="none", label=setting)
+        for k, name in enumerate(study.curves):
+            axis.plot([], [], color=COLOURS[k], linewidth=3, label=name)
+        made.legend(loc="outside right upper")
+    return made
 
 
 def _look(k: int, points: Sequence[Point]) -> dict[str, Any]:
