@@ -159,13 +159,23 @@ def parser() -> argparse.ArgumentParser:
     _mechanism(picture)
     picture.add_argument("--out", metavar="FILE.png", required=True, help="the picture")
 
+    report = _command(verbs, "report", commands.report_mechanism, "one document on a mechanism, to read or to print")
+    _mechanism(report)
+    report.add_argument("--out", metavar="FILE", required=True, help="the report: .html (one file) or .md")
+    _effects(report)
+    report.add_argument("--accuracy", metavar="DIR", help="results of `symscrew accuracy` to include")
+    report.add_argument("--scene", metavar="SCENE", help="a scene whose bill of effects to include")
+    report.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
+
     view = _command(verbs, "view", commands.view_mechanism, "a page with the mechanism in 3-D: to turn, move and play")
     view.add_argument("mechanism", metavar="NAME|FILE|RUN.npz", help="a mechanism, or a recorded motion to play")
     view.add_argument("--out", metavar="FILE.html", help="the page; without it the page is opened in the browser")
     _gravity(view)
     view.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
+    from symscrew.benchmark.command import add_options as add_benchmark
     from symscrew.embedded.command import add_options
 
+    add_benchmark(_command(verbs, "benchmark", commands.run_benchmark, "time of functions, beside other libraries"))
     add_options(
         _command(verbs, "embedded", commands.measure_embedded, "what functions cost on a microcontroller, emulated")
     )

@@ -240,6 +240,14 @@ def draw_mechanism(options: argparse.Namespace) -> int:
     return 0
 
 
+def report_mechanism(options: argparse.Namespace) -> int:
+    """`symscrew report`."""
+    _need_matplotlib()
+    from symscrew.report.command import run
+
+    return run(options, _chosen_effects)
+
+
 def view_mechanism(options: argparse.Namespace) -> int:
     """`symscrew view`."""
     from symscrew.console import Progress
@@ -260,6 +268,13 @@ def view_mechanism(options: argparse.Namespace) -> int:
         _writable(str(Path(options.out).parent))
         print(write_page(model, options.out, motion))
     return 0
+
+
+def run_benchmark(options: argparse.Namespace) -> int:
+    """`symscrew benchmark`."""
+    from symscrew.benchmark.command import run
+
+    return run(options)
 
 
 def measure_embedded(options: argparse.Namespace) -> int:

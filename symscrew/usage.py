@@ -24,6 +24,11 @@ EXAMPLES = {
         "symscrew generate wrist.toml --out wrist --target c --derivatives",
         "symscrew generate ur5 --out ur5_single --precision single",
     ),
+    "benchmark": (
+        "symscrew benchmark ur5 --against pinocchio mujoco --plot times.png",
+        "symscrew benchmark three_ups_upu_s --function inverse_dynamics --throughput",
+    ),
+    "embedded": ("symscrew embedded three_ups_upu_s --core m4f --out embedded.json",),
     "check": ("symscrew check seed", "symscrew check generated/"),
     "mobility": (
         "symscrew mobility three_ups_upu_s",
@@ -44,7 +49,7 @@ EXAMPLES = {
     "view": ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html"),
     "report": (
         "symscrew report three_ups_upu_s --out seed.html",
-        "symscrew report wrist.toml --out wrist.md --effects-bill scene.toml --accuracy study",
+        "symscrew report wrist.toml --out wrist.md --scene scene.toml --accuracy study",
     ),
     "workspace": (
         "symscrew workspace three_ups_upu_s --over x=-0.2:0.2:41 y=-0.2:0.2:41 --out seed_map",

@@ -25,9 +25,9 @@ STAGES = (
     ("equilibrium", "drives", "reactions", "tree_dynamics", "articulated", "admissible"),
     ("functions", "quantities"),
     ("model", "scene", "inertial_parameters"),
-    ("export", "manifest", "compiled", "generation", "verification", "embedded"),
+    ("export", "manifest", "compiled", "generation", "verification"),
     ("simulation", "fmu"),
-    ("motion", "outline", "drawing", "plots", "optimisation", "accuracy", "cost", "demo", "console", "view", "report", "workspace", "commands", "cli"),
+    ("motion", "outline", "drawing", "plots", "optimisation", "accuracy", "cost", "demo", "console", "embedded", "benchmark", "view", "report", "workspace", "commands", "cli"),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 

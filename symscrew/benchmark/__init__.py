@@ -1,0 +1,210 @@
+"""Time of generated functions: single calls, batches in both layouts, and other libraries on the same states.
+
+All variants of a function are timed in turns, so that a disturbance of the machine meets all of them. A peer
+is timed after its results agree; one that cannot be compared is named with the reason.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew.benchmark.timing import Times, interleaved
+from symscrew.compiled import CompileError, compile_c, find_compiler
+from symscrew.errors import DescriptionError
+from symscrew.export.c import print_c
+from symscrew.model import Model
+from symscrew.program import Iteration, evaluate
+
+USUAL = (
+    "inverse_dynamics",
+    "inverse_dynamics_platform",
+    "joint_reactions",
+    "mass_matrix",
+    "forward_dynamics",
+    "forward_dynamics_independent",
+)
+STATES = 256
+COUNTS = (1, 8, 1000, 1_000_000)
+AGREEMENT = 1e-9
+MOST_ARRAYS = 8
+Measure = Callable[[], float]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One variant of a function: ns per state, and the relative difference from the reference evaluator or ours."""
+
+    function: str
+    variant: str
+    operations: int | None
+    times: Times
+    agreement: float
+
+    def as_json(self) -> dict[str, Any]:
+        """Plain values."""
+        return {**self.__dict__, "times": self.times.as_json()}
+
+
+class Compiled:
+    """The generated functions and the loops that time them, in two libraries."""
+
+    def __init__(self, model: Model, functions: Sequence[str], *, threads: bool = False) -> None:
+        """Compile; raises CompileError."""
+        if find_compiler() is None:
+            raise CompileError("no C compiler to compile what is to be timed; install gcc")
+        self.model = replace(model, programs={name: model.programs[name] for name in functions})
+        with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+            folder = Path(temporary)
+            for file, text in print_c(self.model).items():
+                (folder / file).write_text(text, encoding="utf-8")
+            (folder / "loops.c").write_bytes(resources.files(__package__).joinpath("loops.c").read_bytes())
+            compile_c(folder / "loops.c", folder / "loops.so")
+            flags = ["-fopenmp"] if threads else []
+            compile_c(folder / f"{model.name}.c", folder / "functions.so", flags=flags)
+            self.loops, self.code = ctypes.CDLL(str(folder / "loops.so")), ctypes.CDLL(str(folder / "functions.so"))
+        self.loops.time_single.restype = self.loops.time_engine.restype = ctypes.c_double
+
+    def function(self, name: str, suffix: str = "") -> Any:
+        """A function of the generated code."""
+        return getattr(self.code, f"{self.model.name}_{name}{suffix}")
+
+
+def pointer(array: np.ndarray) -> ctypes.c_void_p:
+    """Where an array is."""
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def pointers(arrays: Sequence[np.ndarray]) -> Any:
+    """Where arrays are, padded to the arity of the loops."""
+    places = [a.ctypes.data for a in arrays]
+    places += [places[0]] * (MOST_ARRAYS - len(places))
+    return (ctypes.c_void_p * MOST_ARRAYS)(*places)
+
+
+def states(model: Model, function: str, count: int) -> list[np.ndarray]:
+    """The function's test states, repeated up to `count`, in C order."""
+    given = [np.atleast_2d(x) for x in model.test_inputs[function]]
+    return [np.ascontiguousarray(np.resize(x, (count, x.shape[1]))) for x in given]
+
+
+def difference(expected: np.ndarray, got: np.ndarray) -> float:
+    """Largest difference over the largest entry."""
+    return float(np.abs(got - expected).max(initial=0.0) / max(np.abs(expected).max(initial=0.0), 1e-12))
+
+
+def single(compiled: Compiled, name: str, count: int = STATES) -> tuple[Measure, list[np.ndarray]]:
+    """ns per single call, in a loop over states, and its results."""
+    program = compiled.model.programs[name]
+    ports = (*program.inputs, *program.outputs)
+    if len(ports) > MOST_ARRAYS:
+        raise DescriptionError(f"{name}: expected at most {MOST_ARRAYS} arrays to be timed, got {len(ports)}")
+    results = [np.full((count, max(p.size, 1)), np.nan) for p in program.outputs]
+    arrays = [*states(compiled.model, name, count), *results]
+    sizes = (ctypes.c_size_t * MOST_ARRAYS)(*[p.size for p in ports])
+    places, function = pointers(arrays), compiled.function(name)
+
+    def measure(rounds: int = 20, kept: Sequence[np.ndarray] = arrays) -> float:
+        return compiled.loops.time_single(function, ctypes.c_size_t(rounds), ctypes.c_size_t(count), sizes, places)
+
+    measure(1)
+    return measure, results
+
+
+def batch(compiled: Compiled, name: str, count: int, *, columns: bool) -> tuple[Measure, list[np.ndarray]]:
+    """ns per state of one call of a batch function, and its results (states, size)."""
+    import time
+
+    program = compiled.model.programs[name]
+    given = states(compiled.model, name, count)
+    results = [np.full((count, p.size), np.nan) for p in program.outputs]
+    if columns:
+        given, results = [np.ascontiguousarray(x.T) for x in given], [np.ascontiguousarray(x.T) for x in results]
+    function = compiled.function(name, "_batch_soa" if columns else "_batch")
+    places = [pointer(a) for a in (*given, *results)]
+    counts = [ctypes.c_size_t(count)] * (2 if columns else 1)
+    rounds = max(1, 20_000 // count)
+
+    def measure(kept: Sequence[np.ndarray] = (*given, *results)) -> float:
+        start = time.perf_counter()
+        for _ in range(rounds):
+            function(*counts, *places, None)
+        return (time.perf_counter() - start) * 1e9 / (rounds * count)
+
+    measure()
+    return measure, [r.T for r in results] if columns else results
+
+
+def run(
+    model: Model, functions: Sequence[str], peers: Sequence[str] = (), *, repeats: int = 25
+) -> tuple[list[Row], list[str]]:
+    """Rows of all variants of all functions, and what could not be compared.
+
+    Raises:
+        DescriptionError: no such function.
+        CompileError: no compiler, or it refused the code.
+        RuntimeError: results differ, so that times mean nothing.
+    """
+    from symscrew.benchmark.peers import PEERS
+
+    known = [name for name, program in model.programs.items() if not isinstance(program, Iteration)]
+    unknown = [name for name in functions if name not in known]
+    if unknown:
+        raise DescriptionError(f"{model.name} has no function {unknown[0]!r}; it has {', '.join(known)}")
+    compiled, rows, notes = Compiled(model, functions), [], []
+    for name in functions:
+        program = model.programs[name]
+        assert not isinstance(program, Iteration)
+        expected, _ = evaluate(program, states(model, name, STATES))
+        measures: dict[str, Measure] = {}
+        agreement: dict[str, float] = {}
+        for variant in ("one state", "batch, one after the other", "batch, side by side"):
+            columns = variant.endswith("side")
+            made = single(compiled, name) if variant == "one state" else batch(compiled, name, STATES, columns=columns)
+            measures[variant] = made[0]
+            agreement[variant] = max(
+                (difference(a, b) for a, b, p in zip(expected, made[1], program.outputs, strict=True) if p.size),
+                default=0.0,
+            )
+        for peer in peers:
+            found = PEERS[peer](compiled, name, expected)
+            if isinstance(found, str):
+                notes.append(f"{name}, {peer}: {found}")
+                continue
+            for variant, (measure, got) in found.items():
+                measures[variant], agreement[variant] = measure, difference(expected[0], got)
+        bad = {v: e for v, e in agreement.items() if not e < AGREEMENT}
+        if bad:
+            raise CompileError(f"{name}: results differ, nothing is timed: {bad}")
+        times = interleaved(measures, repeats)
+        total = program.operations["total"]
+        rows += [Row(name, v, None if ":" in v else total, t, agreement[v]) for v, t in times.items()]
+    return rows, notes
+
+
+def throughput(
+    model: Model, function: str, *, counts: Sequence[int] = COUNTS, repeats: int = 5
+) -> list[dict[str, Any]]:
+    """ns per state of batches of 1, 8, 1e3 and 1e6 states in both layouts, on one thread and on all."""
+    found: list[dict[str, Any]] = []
+    libraries = {"one thread": Compiled(model, [function])}
+    with contextlib.suppress(CompileError):  # without OpenMP there is one thread
+        libraries["threads"] = Compiled(model, [function], threads=True)
+    for count in counts:
+        entry: dict[str, Any] = {"states": count}
+        measures = {
+            f"{layout}, {how}": batch(library, function, count, columns=layout == "side by side")[0]
+            for how, library in libraries.items()
+            for layout in ("one after the other", "side by side")
+        }
+        entry |= {variant: t.as_json() for variant, t in interleaved(measures, repeats).items()}
+        found.append(entry)
+    return found

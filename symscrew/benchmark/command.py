@@ -1,0 +1,101 @@
+"""`symscrew benchmark NAME`: times as a table, as JSON, as a plot."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from symscrew.benchmark import Row
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The options of the command."""
+    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
+    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics, reactions, mass matrix")
+    command.add_argument("--against", nargs="+", choices=("pinocchio", "mujoco"), default=[], help="other libraries")
+    command.add_argument("--repeats", type=int, default=25, help="interleaved repeats (default: 25)")
+    command.add_argument("--throughput", action="store_true", help="also batches of 1, 8, 1000 and 1000000 states")
+    command.add_argument("--plot", metavar="FILE.png", help="medians and quartiles as a picture")
+    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure, print, draw."""
+    from symscrew import catalogue
+    from symscrew.benchmark import USUAL, throughput
+    from symscrew.benchmark import run as measure
+    from symscrew.console import Progress, table
+    from symscrew.errors import DescriptionError
+    from symscrew.model import derive
+
+    if options.repeats < 1:
+        raise DescriptionError(f"--repeats: expected a positive number, got {options.repeats}")
+    if options.plot and Path(options.plot).suffix != ".png":
+        raise DescriptionError(f"--plot: expected a file name that ends in .png, got {options.plot!r}")
+    if options.plot and importlib.util.find_spec("matplotlib") is None:
+        raise DescriptionError("--plot needs matplotlib: pip install 'symscrew[plot]'")
+    progress = Progress()
+    mechanism = catalogue.find(options.mechanism)
+    with progress.step(f"derive {mechanism.name}"):
+        model = derive(mechanism)
+    functions = options.function or [name for name in USUAL if name in model.programs]
+    with progress.step(f"compile and time {', '.join(functions)}"):
+        rows, notes = measure(model, functions, options.against, repeats=options.repeats)
+    batches: list[dict[str, Any]] = []
+    if options.throughput:
+        with progress.step(f"throughput of {functions[0]}"):
+            batches = throughput(model, functions[0])
+    if options.json:
+        content = {"rows": [row.as_json() for row in rows], "throughput": batches, "notes": notes}
+        print(json.dumps({"mechanism": mechanism.name, **content}, indent=1))
+    else:
+        header = ("function", "variant", "operations", "least ns", "median ns (quartiles)", "difference")
+        print(table(header, [_cells(row) for row in rows]))
+        for note in notes:
+            print(f"not compared: {note}")
+        if batches:
+            variants = [key for key in batches[0] if key != "states"]
+            print(f"\n{functions[0]}, ns per state of one call from Python")
+            cells = [[str(b["states"]), *(f"{b[v]['median']:.3g}" for v in variants)] for b in batches]
+            print(table(("states", *variants), cells))
+    if options.plot:
+        print(_plot(rows, Path(options.plot), mechanism.name), file=sys.stderr if options.json else sys.stdout)
+    return 0
+
+
+def _cells(row: Row) -> list[str]:
+    operations = "" if row.operations is None else str(row.operations)
+    return [row.function, row.variant, operations, f"{row.times.least:.3g}", row.times.text, f"{row.agreement:.0e}"]
+
+
+def _plot(rows: Sequence[Row], path: Path, name: str) -> Path:
+    """Medians with quartiles, one bar per variant, grouped by function, on a logarithmic scale."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 0.9 + 0.3 * len(rows)), layout="constrained")
+    axes = figure.add_subplot()
+    variants = list(dict.fromkeys(row.variant for row in rows))
+    for place, row in enumerate(rows):
+        median = row.times.median
+        spread = [[median - row.times.lower], [row.times.upper - median]]
+        axes.barh(place, median, xerr=spread, color=f"C{variants.index(row.variant) % 10}", height=0.8)
+    axes.set_yticks(range(len(rows)), [f"{row.function}: {row.variant.split(': ')[-1]}" for row in rows], fontsize=8)
+    axes.invert_yaxis()
+    axes.set_xscale("log")
+    axes.set_xlabel("time per state [ns], median and quartiles")
+    axes.set_title(name)
+    axes.grid(True, axis="x", alpha=0.3)
+    FigureCanvasAgg(figure)
+    staged = path.with_name(f".{path.stem}.part.png")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(staged, dpi=120)
+    os.replace(staged, path)
+    return path
