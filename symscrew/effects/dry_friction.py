@@ -23,7 +23,8 @@ class DryFriction(Effect):
 
     `mode` "smooth": F = -L s_dot / sqrt(s_dot^2 + v0^2) with `velocity` v0 > 0, of full level well above v0, viscous
     with L/v0 below: it creeps, and does not stick. `mode` "event": the force is the input `friction_<name>` for a
-    simulation with stick and slip; `contacts` says its law. Dissipates: power -|F s_dot| [W]; no energy.
+    simulation with stick and slip; `contacts` says its law; `static` without `stribeck_velocity` then drops to Fc
+    at once where it slips. Dissipates: power -|F s_dot| [W]; no energy.
 
     The reaction depends on the friction in turn. Both are computed in turn `passes` times, beginning with the reactions
     of the same state and accelerations (inverse dynamics) or drives (forward dynamics) without load-dependent
@@ -80,13 +81,15 @@ class DryFriction(Effect):
         load = acting.number(self.load, f"{what}: load", least=0)
         if self.mode not in ("smooth", "event"):
             raise DescriptionError(f"{what}: expected as mode 'smooth' or 'event', got {shorten(self.mode)}")
-        if (self.static is None) != (self.stribeck_velocity is None):
+        sudden = self.mode == "event" and self.stribeck_velocity is None
+        if (self.static is None) != (self.stribeck_velocity is None) and not sudden:
             raise DescriptionError(f"{what}: expected both 'static' and 'stribeck_velocity', or none, got one")
         rate = acting.rate(self.joint, k)
         rise = wide = None
         if self.static is not None:
             rise = acting.number(self.static, f"{what}: static", least=0) - coulomb
-            wide = acting.number(self.stribeck_velocity, f"{what}: stribeck_velocity", above=0)
+            if not sudden:
+                wide = acting.number(self.stribeck_velocity, f"{what}: stribeck_velocity", above=0)
             if acting.value(self.static, what) < acting.value(self.coulomb, what):
                 raise DescriptionError(f"{what}: expected static >= coulomb, got {self.static} and {self.coulomb}")
         if self.mode == "event":
