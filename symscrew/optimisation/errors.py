@@ -140,7 +140,7 @@ def _cost_error(
     )).ravel() @ family.weights  # fmt: skip
     quadrature = abs(float(cost.ravel() @ weight) - float(coarse))
     excess, beyond = _excess(trajectory, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)
-    return residual_part + quadrature + float(excess @ weight), max(float(over.max(initial=0.0)), beyond)
+    return residual_part + quadrature + float(excess @ weight), max(float(over[low < high].max(initial=0.0)), beyond)
 
 
 def _excess(

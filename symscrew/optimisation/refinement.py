@@ -7,6 +7,8 @@ import numpy as np
 from symscrew.optimisation.result import Trajectory
 
 MOST_PARTS = 4
+MARGIN = 0.5  # of the wanted error is aimed at
+SWITCHING = 2.5
 MOST_INTERVALS = 2000
 
 
@@ -23,9 +25,10 @@ def refined(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[floa
         return None
     scheme = trajectory.transcribed.scheme
     order = (scheme.degree if scheme else 2) + 1
-    # with drives free between the points the error of a smooth part falls with the power `order`
-    parts = np.clip(np.ceil((per / dynamic) ** (1.0 / order)), 1, MOST_PARTS).astype(int)
-    parts = np.where((per > dynamic) & (parts < 2), 2, parts)
+    # a smooth part's error falls with the power `order`, that of an interval in which a drive switches with the first
+    ratio = np.maximum(per / (MARGIN * dynamic), 1e-12)
+    parts = np.clip(np.ceil(ratio ** (1.0 / order)), 1, MOST_PARTS).astype(int)
+    parts = np.where(ratio > SWITCHING**order, MOST_PARTS, parts)
     mesh = trajectory.transcribed.mesh
     if parts.max() == 1 or parts.sum() > MOST_INTERVALS:
         return None

@@ -139,11 +139,11 @@ class _Stepper:
         start = found.sampled(np.array([0.0]))
         state = np.concatenate([start.q[0], start.v[0], start.x[0]])
         states, p = [state], found.parameter_values
-        folded = self.step.mapaccum(steps)
+        folded, drives = self.step.mapaccum(steps), found.nodal_drives
         for k in range(len(mesh) - 1):
             length = mesh[k + 1] - mesh[k]
             t = mesh[k] + length * np.arange(steps) / steps
-            values = np.tile(found.arrays["u"][k].T, (1, steps))
+            values = np.tile(drives[k].T, (1, steps))
             many = [np.full((1, steps), x) for x in (length / steps, mesh[k], length)]
             moved = folded(state, t[None], many[0], values, many[1], many[2], np.repeat(p[:, None], steps, 1))
             state = np.array(moved)[:, -1]

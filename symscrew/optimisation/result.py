@@ -118,7 +118,14 @@ class Trajectory:
     @property
     def drives_at_points(self) -> np.ndarray:
         """Drives at `points`: (points, drives)."""
-        return self.arrays["u"].reshape(-1, len(self.drive_labels))
+        return self.nodal_drives.reshape(-1, len(self.drive_labels))
+
+    @property
+    def nodal_drives(self) -> np.ndarray:
+        """Drives at the points of every interval: (intervals, points, drives)."""
+        scheme = self.transcribed.scheme
+        u = self.arrays["u"]
+        return u if scheme is None else np.einsum("ij,njk->nik", scheme.control, u)
 
     @property
     def drive_labels(self) -> tuple[str, ...]:
@@ -168,7 +175,8 @@ class Trajectory:
             "y_2": mixed(second, "y_2"),
             "x": arrays["x"][k],
         }
-        for name in ("u", "positive_power", "distribution", "x_1"):
+        result["u"] = mixed(scheme.bernstein(s), "u")
+        for name in ("positive_power", "distribution", "x_1"):
             if name in arrays:
                 result[name] = mixed(second, name)
         if "x_1" in arrays:

@@ -35,6 +35,7 @@ class Shooting(Collocation):
                 "transcription.method: shooting takes neither via conditions, a rule for the drives, nor the "
                 "objectives energy and jerk; use collocation"
             )
+        self.scheme = None  # type: ignore[assignment]
         self.mesh = mesh_of(model)
         self.steps = np.diff(self.mesh)
         self.point_tau = self.mesh[:-1, None]

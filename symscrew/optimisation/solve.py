@@ -26,7 +26,7 @@ from symscrew.optimisation.sparse import Program, assemble, cost_of
 from symscrew.optimisation.transcription import Collocation, Transcribed
 
 Progress = Callable[[str], None]
-MOST_REFINEMENTS = 8
+MOST_REFINEMENTS = 6
 
 
 @dataclass(frozen=True)
@@ -97,8 +97,14 @@ def solve(
             model.problem, transcription=replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         )
         model = PointModel(finer, model.equations, model.scales)
-        trajectory = replace(_once(model, found.guess, trajectory, say, began), refinements=count)
+        again = _once(model, found.guess, trajectory, say, time.perf_counter())
+        trajectory = replace(again, refinements=count, statistics=_sum(trajectory.statistics, again.statistics))
     return trajectory
+
+
+def _sum(before: Statistics, after: Statistics) -> Statistics:
+    times = {name: before.times.get(name, 0.0) + seconds for name, seconds in after.times.items()}
+    return Statistics(before.iterations + after.iterations, times)
 
 
 def transcribe(model: PointModel) -> Transcribed:
@@ -114,6 +120,7 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
     unknowns = transcribed.unknowns
     _check_bounds(transcribed)
     arrays = warm_arrays(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
+    arrays["u"] = _control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
     if guess.trouble and warm is None:
         return _not_started(transcribed, start, guess.trouble, time.perf_counter() - began)
@@ -142,6 +149,15 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
         np.array(answer["lam_x"]).ravel(), float(answer["f"]) * scale, scale, ok, status,
         Statistics(iterations, times), reasons,
     )  # fmt: skip
+
+
+def _control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
+    """Coefficients of the drives' polynomials from their values at the points (points, drives)."""
+    if transcribed.scheme is None:
+        return u
+    n, k = transcribed.point_tau.shape
+    inverse = np.linalg.inv(transcribed.scheme.control)
+    return np.einsum("ij,njm->nim", inverse, u.reshape(n, k, -1)).reshape(n * k, -1)
 
 
 def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str, seconds: float) -> Trajectory:

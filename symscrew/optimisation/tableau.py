@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from math import comb
 
 import numpy as np
 from numpy.polynomial import legendre, polynomial
@@ -52,6 +53,21 @@ class Tableau:
     def basis(self, s: np.ndarray) -> np.ndarray:
         """Lagrange polynomials through the nodes at s (n,): shape (n, K)."""
         return _powers(s, self.degree) @ _lagrange(self.nodes)
+
+    def bernstein(self, s: np.ndarray) -> np.ndarray:
+        """Bernstein polynomials of degree K - 1 at s (n,): shape (n, K).
+
+        Drives are polynomials with these coefficients (control points): where all control points keep a bound,
+        the polynomial keeps it everywhere between.
+        """
+        s, top = np.asarray(s, dtype=float)[:, None], self.degree - 1
+        j = np.arange(self.degree)
+        return np.array([comb(top, k) for k in j]) * s**j * (1 - s) ** (top - j)
+
+    @property
+    def control(self) -> np.ndarray:
+        """Values at the nodes from control points: shape (K, K)."""
+        return self.bernstein(self.nodes)
 
     def rate_at(self, s: np.ndarray) -> np.ndarray:
         """Integrals of the Lagrange polynomials from 0 to s: shape (n, K)."""

@@ -174,7 +174,9 @@ class Collocation:
                 terms.add(rows["x"], known.index["x_1"][:, j : j + 1], h * scheme.rate[:, j, None])
             if "y_3" in rows:
                 terms.add(rows["y_3"], second, scheme.slope()[:, j, None] / h)
-        for name in ("y_2", "z", "u", "positive_power", "distribution", "x_1"):
+            if "u" in rows:
+                terms.add(rows["u"], known.index["u"][:, j : j + 1], scheme.control[:, j, None])
+        for name in ("y_2", "z", "positive_power", "distribution", "x_1"):
             if name in rows:
                 terms.add(rows[name], known.index[name])
         place.common(terms)
@@ -354,25 +356,36 @@ class LinearRows:
         self.terms.values.append(values[chosen])
 
     def _drive_rates(self) -> None:
-        """Mean slopes between successive points: |u_(i+1) - u_i| <= limit (tau_(i+1) - tau_i) T."""
-        model, duration = self.of.model, self.of.problem.duration
-        tau = self.of.point_tau.ravel()
-        gaps = np.diff(tau)[:, None]
+        """Rates of the drives' polynomials by their control points; no jumps between intervals."""
+        model, scheme = self.of.model, self.of.scheme
         for k, label in enumerate(model.drive_labels):
             if label not in self.of.problem.bounds.drive_rates:
                 continue
-            u = self.known.index["u"][..., k].ravel()
-            size = model.scales.u[k]
-            for sign, limit in zip((1, -1), self.of.problem.bounds.drive_rates[label], strict=True):
-                if not np.isfinite(limit):
-                    continue
-                fixed = 0.0 if isinstance(duration, tuple) else limit * gaps * duration / size
-                low, high = (fixed, np.inf) if sign > 0 else (-np.inf, fixed)
-                row = self.new([f"rate of drive {label}"], tau[1:], low, high)
-                self.terms.add(row[:, 0], u[1:], 1 / size)
-                self.terms.add(row[:, 0], u[:-1], -1 / size)
-                if isinstance(duration, tuple):
-                    self.terms.add(row, self.known.index["T"], -limit * gaps / size)
+            u = self.known.index["u"][..., k]
+            if scheme is None or scheme.degree == 1:
+                gaps = np.diff(self.of.point_tau[:, 0])
+                self._steps(label, u[:-1, 0], u[1:, 0], gaps, self.of.point_tau[1:, 0], model.scales.u[k])
+                continue
+            for j in range(scheme.degree - 1):
+                gaps = self.of.steps / (scheme.degree - 1)
+                self._steps(label, u[:, j], u[:, j + 1], gaps, self.of.point_tau[:, j + 1], model.scales.u[k])
+            row = self.new([f"no jump of drive {label}"], self.of.mesh[1:-1])
+            self.terms.add(row[:, 0], u[1:, 0], 1 / model.scales.u[k])
+            self.terms.add(row[:, 0], u[:-1, -1], -1 / model.scales.u[k])
+
+    def _steps(self, label: str, first: np.ndarray, last: np.ndarray, gaps: np.ndarray, tau: np.ndarray, size: float) -> None:
+        """lower gap T <= last - first <= upper gap T."""
+        duration = self.of.problem.duration
+        for sign, limit in zip((1, -1), self.of.problem.bounds.drive_rates[label], strict=True):
+            if not np.isfinite(limit):
+                continue
+            fixed = 0.0 if isinstance(duration, tuple) else (limit * gaps * duration / size)[:, None]
+            low, high = (fixed, np.inf) if sign > 0 else (-np.inf, fixed)
+            row = self.new([f"rate of drive {label}"], tau, low, high)
+            self.terms.add(row[:, 0], last, 1 / size)
+            self.terms.add(row[:, 0], first, -1 / size)
+            if isinstance(duration, tuple):
+                self.terms.add(row[:, 0], self.known.index["T"][0], -limit * gaps / size)
 
     def _peak(self) -> None:
         model = self.of.model
