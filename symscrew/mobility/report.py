@@ -263,10 +263,10 @@ def page(found: Mobility) -> str:
         f"<tr><td>{html.escape(what)}</td><td>{html.escape(value)}</td></tr>" for what, value in key_figures(found)
     ]
     parts.append("</table>")
-    formulas = _mathml(found)
+    known = formulas(found)
     for heading, facts in sections(found):
         parts.append(f"<h2>{html.escape(heading)}</h2>\n<ul>")
-        parts += [f"<li>{_with(fact, formulas, html.escape)}</li>" for fact in facts]
+        parts += [f"<li>{_with(fact, known, html.escape)}</li>" for fact in facts]
         parts.append("</ul>")
     return "\n".join([*parts, "</body></html>\n"])
 
@@ -302,20 +302,26 @@ def _typed(found: Mobility) -> dict[str, str]:
     return result
 
 
-def _mathml(found: Mobility) -> dict[str, str]:
+def mathml(expression: sympy.Expr) -> str:
+    """An expression as MathML."""
+    return f"<math>{_presented(expression)}</math>"
+
+
+def _presented(expression: sympy.Expr) -> str:
+    from sympy.printing.mathml import mathml as printed
+
+    text = str(printed(expression, printer="presentation")).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
+    for function in ("sin", "cos"):
+        text = text.replace(f"<mi>{function}</mi>", f'<mspace width="0.15em"/><mi>{function}</mi>')
+    return text
+
+
+def formulas(found: Mobility) -> dict[str, str]:
     """LaTeX of every formula of the report -> MathML."""
-    from sympy.printing.mathml import mathml
-
-    def presented(expression: sympy.Expr) -> str:
-        text = str(mathml(expression, printer="presentation")).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
-        for function in ("sin", "cos"):
-            text = text.replace(f"<mi>{function}</mi>", f'<mspace width="0.15em"/><mi>{function}</mi>')
-        return text
-
     vectors, loci, single = _expressions(found)
     result: dict[str, str] = {}
     for vector in vectors:
-        cells = [presented(c) for c in vector]
+        cells = [_presented(c) for c in vector]
         if sum(len(sympy.latex(c)) for c in vector) > LONG:
             rows = "".join(f"<mtr><mtd>{cell}</mtd></mtr>" for cell in cells)
             result[_screw(vector)] = f"<math><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></math>"
@@ -323,8 +329,8 @@ def _mathml(found: Mobility) -> dict[str, str]:
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
         result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
     for expression in loci:
-        result[f"{sympy.latex(expression)} = 0"] = f"<math>{presented(expression)}<mo>=</mo><mn>0</mn></math>"
-    result.update({sympy.latex(e): f"<math>{presented(e)}</math>" for e in single})
+        result[f"{sympy.latex(expression)} = 0"] = f"<math>{_presented(expression)}<mo>=</mo><mn>0</mn></math>"
+    result.update({sympy.latex(e): f"<math>{_presented(e)}</math>" for e in single})
     return result
 
 

@@ -1,0 +1,330 @@
+"""What stands in a report, section by section."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import sympy
+
+from symscrew import __version__
+from symscrew.console import Progress
+from symscrew.cost import Bill
+from symscrew.joints import JOINT_TYPES
+from symscrew.mechanism import Joint, Mechanism
+from symscrew.mobility import analyse_mobility
+from symscrew.mobility.analysis import Mobility
+from symscrew.mobility.report import formulas, key_figures, mathml, sections
+from symscrew.model import Model
+from symscrew.program import Iteration
+from symscrew.report import margins
+from symscrew.report.document import Block, Bullets, Document, Picture, Section, Table, Text
+from symscrew.report.studies import accuracy_section, bill_section
+from symscrew.workspace.configurations import Call
+
+LONG_SCREW = 160
+SIGNIFICANT = ("inverse_dynamics", "forward_dynamics", "joint_reactions")
+
+
+def document(
+    model: Model,
+    *,
+    call: Call | None = None,
+    times: Mapping[str, tuple[float, float, float]] | None = None,
+    accuracy: Path | None = None,
+    bill: Bill | None = None,
+    progress: Progress | None = None,
+) -> Document:
+    """The report of a model.
+
+    Args:
+        model: the mechanism with the effects that act on it.
+        call: evaluates its functions; default: the model itself, which takes longer.
+        times: quartiles of nanoseconds per call by function, where they were measured.
+        accuracy: a directory that `symscrew accuracy` wrote.
+        bill: what the effects of a scene cost.
+        progress: for messages.
+
+    Raises:
+        DescriptionError: a directory without results.
+    """
+    progress = progress or Progress(quiet=True)
+    mechanism = model.mechanism
+    with progress.step("mobility"):
+        found = analyse_mobility(mechanism)
+        mobility = _mobility(found)
+        known = formulas(found)
+    screws, more = _screws(mechanism)
+    made = [
+        Section("Overview", tuple(_overview(model, found))),
+        *mobility,
+        Section("Joint screws", tuple(screws)),
+        Section("Size and cost of the model", tuple(_size(model, times or {}))),
+        Section("Generated functions", tuple(_functions(model, times or {}))),
+    ]
+    with progress.step("singularities"):
+        made.append(Section("Singularities", tuple(_singularities(model, found, call or model))))
+    if accuracy is not None:
+        made += accuracy_section(accuracy)
+    if bill is not None:
+        made.append(bill_section(bill))
+    if model.notes:
+        made.append(Section("Notes", (Bullets(tuple(model.notes)),)))
+    subtitle = "; ".join(t for t in (mechanism.description, mechanism.source) if t) or "Report of a mechanism"
+    footer = f"symscrew {__version__}. SI units; vectors in absolute axes, screws at the origin O."
+    return Document(f"Mechanism {model.name}", subtitle, tuple(made), {**known, **more}, footer)
+
+
+# -- overview and mobility --------------------------------------------------------------------------------
+
+
+def _overview(model: Model, found: Mobility) -> list[Block]:
+    mechanism = model.mechanism
+    driven = [f"{n} ({JOINT_TYPES[j.type].name})" for n, j in mechanism.joints.items() if j.driven]
+    count = sum(len(j.driven) for j in mechanism.joints.values())
+    facts = [
+        ("bodies that move", str(len(mechanism.bodies) - (mechanism.ground in mechanism.bodies))),
+        ("joints", f"{len(mechanism.joints)}: {_kinds(mechanism)}"),
+        ("independent loops", str(len(found.network.chords))),
+        ("finite mobility", "not decided" if found.finite.dof is None else str(found.finite.dof)),
+        ("drives", f"{count}: {', '.join(driven)}" if driven else "none"),
+        ("effects in the dynamics", ", ".join(type(e).__name__ for e in model.effects) or "none"),
+        ("characteristic length", f"{model.system.length:.6g} m (divides lengths where they meet angles)"),
+    ]
+    rows = tuple((what, value) for what, value in facts)
+    blocks: list[Block] = [_picture(mechanism), Table(("", ""), rows)]
+    blocks += [Text(f"Warning: {warning}", "warning") for warning in mechanism.warnings]
+    if mechanism.parameters:
+        lines = tuple(
+            (
+                f"${sympy.latex(p.symbol)}$",
+                _number(float(p.value)),
+                p.unit,
+                p.description,
+                "input" if p.run_time else "baked in",
+            )
+            for p in mechanism.parameters.values()
+        )
+        blocks.append(Table(("parameter", "value", "unit", "", "in the code"), lines, frozenset({1})))
+    masses = [
+        (n, *(_number(float(mechanism.number(x))) for x in (b.mass, *b.com)))
+        for n, b in mechanism.bodies.items()
+        if b.mass is not None and b.com is not None
+    ]
+    if masses:
+        header = ("body", "mass [kg]", "centre of mass x [m]", "y [m]", "z [m]")
+        blocks.append(Table(header, tuple(masses), frozenset({1, 2, 3, 4}), "Masses, in the reference configuration"))
+    return blocks
+
+
+def _kinds(mechanism: Mechanism) -> str:
+    kinds: dict[str, int] = {}
+    for joint in mechanism.joints.values():
+        kinds[JOINT_TYPES[joint.type].name] = kinds.get(JOINT_TYPES[joint.type].name, 0) + 1
+    return ", ".join(f"{count} {kind}" for kind, count in kinds.items())
+
+
+def _picture(mechanism: Mechanism) -> Picture:
+    from symscrew.drawing import mechanism_figure
+
+    return Picture(
+        "mechanism", svg(mechanism_figure(mechanism)), "Reference configuration, absolute axes at O.", width=62
+    )
+
+
+def svg(figure: Any) -> bytes:
+    """A figure as SVG text, letters as outlines, equal for equal figures."""
+    import matplotlib
+
+    from symscrew.plots import style
+
+    out = io.BytesIO()
+    with style(), matplotlib.rc_context({"svg.hashsalt": "symscrew", "svg.fonttype": "path"}):
+        figure.savefig(out, format="svg", bbox_inches="tight", pad_inches=0.04, metadata={"Date": None})
+    return out.getvalue()
+
+
+def _mobility(found: Mobility) -> list[Section]:
+    table = Table(("", ""), tuple(key_figures(found)))
+    result = [Section("Mobility", (table,))]
+    for title, lines in sections(found):
+        if title.startswith("How far from"):
+            continue  # the section on singularities has them
+        result.append(Section("In words" if title == "Mobility" else title, (Bullets(tuple(lines)),), level=3))
+    return result
+
+
+# -- screws -----------------------------------------------------------------------------------------------
+
+
+def _screws(mechanism: Mechanism) -> tuple[list[Block], dict[str, str]]:
+    """Unit screws of all joints in the reference configuration, in the parameters; with the formulas' MathML."""
+    intro = (
+        "Unit screws $(\\omega ; v_O)$ at the origin O in the reference configuration, from parent to child: a rotation "
+        "about $e$ through $r$ is $(e ; r \\times e)$, a translation along $e$ is $(0 ; e)$."
+    )
+    known = {
+        "(\\omega ; v_O)": "<math><mo>(</mo><mi>&#x3C9;</mi><mo>;</mo><msub><mi>v</mi><mi>O</mi></msub><mo>)</mo></math>",
+        "e": "<math><mi>e</mi></math>",
+        "r": "<math><mi>r</mi></math>",
+        "(e ; r \\times e)": "<math><mo>(</mo><mi>e</mi><mo>;</mo><mi>r</mi><mo>&#xD7;</mo><mi>e</mi><mo>)</mo></math>",
+        "(0 ; e)": "<math><mo>(</mo><mn>0</mn><mo>;</mo><mi>e</mi><mo>)</mo></math>",
+    }
+    known |= {sympy.latex(p.symbol): mathml(p.symbol) for p in mechanism.parameters.values()}
+    groups = {limb.name: list(limb.joints) for limb in mechanism.limbs.values()}
+    listed = {name for names in groups.values() for name in names}
+    rest = [name for name in mechanism.joints if name not in listed]
+    if rest:
+        groups["other joints" if groups else "joints"] = rest
+    blocks: list[Block] = [Text(intro)]
+    for title, names in groups.items():
+        rows = []
+        for name in names:
+            joint = mechanism.joints[name]
+            for k, screw in enumerate(_unit_screws(joint)):
+                text, markup = _screw(screw, mechanism)
+                known[text] = markup
+                rows.append(
+                    (f"{name}{f'.{k}' if JOINT_TYPES[joint.type].freedom > 1 else ''}", _motion(joint, k), f"${text}$")
+                )
+        blocks.append(Table(("joint", "motion", "unit screw"), tuple(rows), caption=title))
+    return blocks, known
+
+
+def _motion(joint: Joint, k: int) -> str:
+    kind = {"R": "rotation", "P": "translation", "H": "screw motion", "S": "rotation"}[
+        JOINT_TYPES[joint.type].freedoms[k].kind
+    ]
+    return f"{kind}{', driven' if k in joint.driven else ''}"
+
+
+def _unit_screws(joint: Joint) -> list[sympy.Matrix]:
+    point, kind = sympy.Matrix(joint.point), JOINT_TYPES[joint.type]
+    if joint.type == "free":
+        axes = [sympy.Matrix(e) for e in sympy.eye(3).tolist()]
+    elif joint.type == "E":
+        normal = sympy.Matrix(joint.axes[0])
+        first = normal.cross(sympy.Matrix([0, 0, 1]))
+        first = first if any(first) else sympy.Matrix([1, 0, 0])
+        first = first / first.norm()
+        axes = [first, normal.cross(first), normal]
+    else:
+        axes = [sympy.Matrix(a) for a in joint.axes]
+    screws, spherical = [], 0
+    for motion in kind.freedoms:
+        if motion.kind == "S":
+            axis = sympy.Matrix([int(k == spherical % 3) for k in range(3)])
+            spherical += 1
+        else:
+            assert motion.axis is not None
+            axis = axes[motion.axis]
+        if motion.kind == "P":
+            screws.append(sympy.Matrix([0, 0, 0, *axis]))
+        else:
+            moment = point.cross(axis) + (joint.pitch * axis if motion.kind == "H" else 0 * axis)
+            screws.append(sympy.Matrix([*axis, *moment]))
+    return screws
+
+
+def _screw(screw: sympy.Matrix, mechanism: Mechanism) -> tuple[str, str]:
+    """(LaTeX, MathML) of a screw; in numbers where the symbols would be long."""
+    entries = [sympy.simplify(c) for c in screw]
+    if sum(len(sympy.latex(c)) for c in entries) > LONG_SCREW:
+        entries = [sympy.Float(f"{float(mechanism.number(c)):.6g}") if c else c for c in entries]
+        entries = [sympy.Integer(c) if c == int(c) else c for c in entries]
+    text = (
+        r"\left("
+        + ", ".join(map(sympy.latex, entries[:3]))
+        + r";\; "
+        + ", ".join(map(sympy.latex, entries[3:]))
+        + r"\right)"
+    )
+    cells = [mathml(c).removeprefix("<math>").removesuffix("</math>") for c in entries]
+    comma = '<mo separator="true">,</mo>'
+    return text, f"<math><mo>(</mo>{comma.join(cells[:3])}<mo>;</mo>{comma.join(cells[3:])}<mo>)</mo></math>"
+
+
+# -- size, functions --------------------------------------------------------------------------------------
+
+
+def _size(model: Model, times: Mapping[str, tuple[float, float, float]]) -> list[Block]:
+    tree = model.system.tree
+    rows = [
+        ("coordinates q, rates v of the tree", f"{len(tree.q)}, {len(tree.v)}"),
+        (
+            "closure constraints",
+            f"{sum(len(c.rows) for c in model.system.cuts)} at {len(model.system.cuts)} cut joints",
+        ),
+        ("run-time parameters", str(len(model.system.parameter_values))),
+        ("functions", str(len(model.programs))),
+        ("operations of all functions", str(sum(p.operations["total"] for p in model.programs.values()))),
+    ]
+    for name in SIGNIFICANT:
+        if name in model.programs:
+            time = f"; {_time(times[name])} ns" if name in times else ""
+            rows.append((name, f"{model.programs[name].operations['total']} operations{time}"))
+    note = "Operations: each +, -, x, /, root, sine or cosine and comparison counts 1, status checks included."
+    if times:
+        note += (
+            " Times: nanoseconds per call in compiled C, one state of a batch of 64, median (quartiles) of 41 rounds on "
+            "this machine."
+        )
+    return [Table(("", ""), tuple(rows)), Text(note, "note")]
+
+
+def _time(quartiles: tuple[float, float, float]) -> str:
+    low, middle, high = quartiles
+    return f"{_short(middle)} ({_short(low)} \u2026 {_short(high)})"
+
+
+def _short(value: float) -> str:
+    return f"{value:.0f}" if value >= 100 else f"{value:.1f}"
+
+
+def _functions(model: Model, times: Mapping[str, tuple[float, float, float]]) -> list[Block]:
+    rows = []
+    for name, program in model.programs.items():
+        inputs = ", ".join(p.name for p in program.inputs)
+        outputs = ", ".join(f"{p.name} [{' x '.join(map(str, p.shape))}]" for p in program.outputs)
+        per = " per step" if isinstance(program, Iteration) else ""
+        row = (f"{name}({inputs})", outputs, f"{program.operations['total']}{per}")
+        rows.append((*row, _time(times[name])) if times else row)
+    header = ("function (inputs)", "outputs [size]", "operations", *(("ns per call",) if times else ()))
+    return [Table(header, tuple(rows), frozenset({2, 3}))]
+
+
+# -- singularities ----------------------------------------------------------------------------------------
+
+
+def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
+    blocks: list[Block] = [
+        Text(
+            "A margin is a volume of screws or wrenches with lengths divided by the characteristic length: it is 0 "
+            "exactly at a singularity of its kind, and signed ones change their sign there. Limb: joint screws of a limb become "
+            "dependent. Constraint: a freedom appears whatever the drives do. Actuation: a freedom is left with these "
+            "drives locked."
+        )
+    ]
+    values = found.singularities.margins or ()
+    rows = tuple((v.kind, v.name, _number(v.value), v.form, "singular here" if v.singular else "") for v in values)
+    if rows:
+        header = ("kind", "of", "margin", "form", "")
+        blocks.append(Table(header, rows, frozenset({2}), "In the reference configuration"))
+    else:
+        blocks.append(Text("This mechanism has no margins: no limb and no loop whose rank could be lost."))
+    figure = margins.figure(model, call)
+    if figure is not None:
+        text = (
+            "Signed margins relative to the reference configuration along each independent coordinate, the others at "
+            "rest: 0 is a singularity. Curves end where the loops cannot be closed."
+        )
+        blocks.append(Picture("margins", svg(figure), text))
+    return blocks
+
+
+def _number(value: float) -> str:
+    text = f"{float(np.float64(value)):.5g}"
+    return "0" if text in ("-0", "0") else text.replace("-", "\u2212")

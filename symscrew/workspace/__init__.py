@@ -1,0 +1,1 @@
+"""Maps over independent coordinates and parameters: workspace, design studies, tolerances; see `command`."""

@@ -1,0 +1,108 @@
+"""Configurations of many cases at once: each walks alone from the reference configuration to where it is wanted.
+
+A case's result depends on its own coordinates and parameters only, not on its neighbours, so that a sweep gives the
+same numbers however it is cut and wherever its pieces run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from symscrew.compiled import CompiledModel
+from symscrew.model import Model
+
+Array = np.ndarray
+Call = Callable[..., tuple[Sequence[Array], Array]]
+"""(function, arrays (cases, size)) -> results and status (cases), 0 where it worked."""
+
+
+def calls_of(compiled: CompiledModel) -> Call:
+    """A compiled model's functions as a `Call`."""
+
+    def call(name: str, *arrays: Array) -> tuple[Sequence[Array], Array]:
+        *results, status = compiled[name](*arrays, check=False)  # type: ignore[misc]
+        flat = [r.reshape(len(r), -1) if r.ndim < 3 else np.moveaxis(r, 2, 1).reshape(len(r), -1) for r in results]
+        return flat, status
+
+    return call
+
+
+STEPS = 16
+
+
+def independent_labels(model: Model) -> tuple[str, ...]:
+    """Labels of the independent coordinates y; of all coordinates for an open chain."""
+    if "assemble" in model.programs:
+        return tuple(model.programs["assemble"].inputs[0].labels)
+    return tuple(c.label for c in model.system.tree.q)
+
+
+def reference_coordinates(model: Model) -> Array:
+    """y in the reference configuration."""
+    labels = [c.label for c in model.system.tree.q]
+    return model.system.reference[[labels.index(label) for label in independent_labels(model)]]
+
+
+def walk(
+    model: Model, call: Call, y: Array, parameters: Array | None = None, *, steps: int = STEPS, watch: bool = True
+) -> tuple[Array, Array, dict[str, Array]]:
+    """Configurations q (cases, nq) at independent coordinates y (cases, ny), by equal steps from the reference.
+
+    Args:
+        model: the model.
+        call: its functions, interpreted or compiled.
+        y: wanted coordinates.
+        parameters: run-time parameters (cases, np), walked to from their values in the description; None if none.
+        steps: of the walk.
+        watch: whether to look at the margins on the way.
+
+    Returns:
+        q, NaN where the loops cannot be closed; status of the last assembly; and per signed margin
+        ("constraint platform" ...) its least value along the walk relative to that at the start: at or below 0
+        a singularity was passed.
+    """
+    count = len(y)
+    start = np.repeat(reference_coordinates(model)[None, :], count, 0)
+    p0 = np.repeat(model.system.parameter_values[None, :], count, 0)
+    p1 = p0 if parameters is None else parameters
+    q, status = np.repeat(model.system.reference[None, :], count, 0), np.zeros(count, dtype=int)
+    extra = (p0,) if p0.shape[1] else ()
+    first = signed_margins(model, call, q, extra) if watch else {}
+    least = {name: np.ones(count) for name in first}
+    for k in range(1, steps + 1):
+        part = k / steps
+        extra = ((1 - part) * p0 + part * p1,) if p0.shape[1] else ()
+        target = (1 - part) * start + part * y if k < steps else y
+        if "assemble" in model.programs:
+            results, new = call("assemble", target, q, *extra)
+            q = np.where((new == 0)[:, None] & (status == 0)[:, None], results[0], np.nan)
+            status = np.where(status == 0, new, status)
+        else:
+            q = target.copy()
+        for name, value in (signed_margins(model, call, q, extra) if watch else {}).items():
+            with np.errstate(divide="ignore", invalid="ignore"):
+                least[name] = np.fmin(least[name], value / first[name])
+    return q, status, least
+
+
+def signed_margins(model: Model, call: Call, q: Array, extra: Sequence[Array]) -> dict[str, Array]:
+    """Margins that change sign through a singularity, by kind and name, where they are not 0 in the reference."""
+    found = {}
+    for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
+        if kind not in model.programs:
+            continue
+        port = model.programs[kind].outputs[0]
+        signed = _signed(port.description)
+        values = call(kind, q, *extra)[0][0].reshape(len(q), -1)
+        for k, label in enumerate(port.labels):
+            if label in signed:
+                found[f"{kind.split('_')[0]} {label}"] = values[:, k]
+    return found
+
+
+def _signed(description: str) -> set[str]:
+    """Names of the signed volumes in the text of a margins' port."""
+    parts = [p for p in description.split("; ") if p.startswith("signed volume: ")]
+    return {name for p in parts for name in p.removeprefix("signed volume: ").split(", ")}
