@@ -31,10 +31,14 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
         if q is not None:
             break
     if q is None:
+        opened = np.array(system.reference)
+        opened[list(target)] = list(target.values())
+        gap = np.abs(closure.at(opened)[0]).max(initial=0.0)
         raise DescriptionError(
             "initial.coordinates: the loops of "
-            f"{model.name} cannot be closed with {_shown(scene.initial.coordinates)}; check the values, or give only "
-            "independent coordinates: the others are assembled"
+            f"{model.name} cannot be closed with {_shown(scene.initial.coordinates)}: they stay open by {gap:.3g} "
+            f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
+            "only independent coordinates: the others are assembled"
         )
     known = {c.label: k for k, c in enumerate(system.tree.v)}
     return q, _rates(closure, q, dict(_labelled(scene.initial.rates, known, "initial.rates")), scene)
@@ -50,6 +54,8 @@ def _labelled(values, known, where):  # type: ignore[no-untyped-def]
     for label, value in values.items():
         if label not in known:
             raise DescriptionError(f"{where}: there is no {label!r}; {did_you_mean(label, known)}")
+        if not np.isfinite(value):
+            raise DescriptionError(f"{where}: expected a finite number for {label}, got {value!r}")
         yield known[label], value
 
 
