@@ -148,8 +148,8 @@ def _excess(
 ) -> tuple[np.ndarray, float]:
     """How much the Hamiltonian exceeds its minimum over the drives' bounds (n,), and how far drives leave bounds."""
     total, beyond = np.zeros(len(u)), 0.0
-    if trajectory.problem.drive_rule != "free":
-        return total, beyond
+    if trajectory.problem.drive_rule != "free" or trajectory.problem.bounds.drive_rates or "peak" in trajectory.model.kinds:
+        return total, beyond  # drives are tied to each other over time: no pointwise minimum
     for j, label in enumerate(trajectory.drive_labels):
         low, high = trajectory.model.drive_range(label)
         h, c = slope[:, j], curvature[:, j]

@@ -165,7 +165,8 @@ class PointModel:
         blocks = self.blocks(moving=True)
         at = self.state(blocks)
         rows = [*at.closure_rows(), *at.dynamic_rows(), *at.rule_rows(), *at.bound_rows()]
-        return PointFunction(blocks, tuple(rows), at.integrand(rows))
+        integrand = at.integrand(rows)  # may add rows
+        return PointFunction(blocks, tuple(rows), integrand)
 
     def observation(self, conditions: Conditions, where: str) -> PointFunction:
         """A point at which conditions hold that are not linear in y and its rates."""
