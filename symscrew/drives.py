@@ -69,16 +69,20 @@ def solve_symmetric(
     """x from a symmetric positive definite matrix by L D L^T; `scales` are the unit scales of the diagonal."""
     n = len(matrix)
     lower: list[list[Node]] = [[tape.zero] * n for _ in range(n)]
+    filled: list[list[int]] = [[] for _ in range(n)]  # places of a row of `lower` that are not zero
     diagonal: list[Node] = []
     guards = []
     for j in range(n):
-        d = matrix[j][j] - _sum(tape, (lower[j][k] * (lower[j][k] * diagonal[k]) for k in range(j)))
+        d = matrix[j][j] - _sum(tape, (lower[j][k] * (lower[j][k] * diagonal[k]) for k in filled[j]))
         diagonal.append(d)
         if d.value is None:
             guards.append(Guard(d, scales[j]))
         for i in range(j + 1, n):
-            entry = matrix[i][j] - _sum(tape, (lower[i][k] * (lower[j][k] * diagonal[k]) for k in range(j)))
+            common = (k for k in filled[i] if lower[j][k] is not tape.zero)
+            entry = matrix[i][j] - _sum(tape, (lower[i][k] * (lower[j][k] * diagonal[k]) for k in common))
             lower[i][j] = entry * (1 / d)
+            if lower[i][j] is not tape.zero:
+                filled[i].append(j)
     forward: list[Node] = []
     for i in range(n):
         forward.append(right[i] - _sum(tape, (lower[i][k] * forward[k] for k in range(i))))

@@ -8,7 +8,7 @@ the characteristic length), and every component that they touch is reported as n
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -180,19 +180,27 @@ def _smallest(
         force, moment = joint.columns[column]
         return [tape.node(c) for c in (*force, *scale(weight, moment))]
 
-    stacked = {c: [n for joint in found for n in components(joint, c)] for c in (ONE, *free)}
+    stacked = {c: _sparse(n for joint in found for n in components(joint, c)) for c in (ONE, *free)}
 
-    def inner(x: Sequence[Node], y: Sequence[Node]) -> Node:
+    def inner(x: Mapping[int, Node], y: Mapping[int, Node]) -> Node:
         total = tape.zero
-        for a, b in zip(x, y, strict=True):
-            total = total + a * b
+        for k in x if len(x) < len(y) else y:  # both ascend
+            if k in x and k in y:
+                total = total + x[k] * y[k]
         return total
 
-    normal = [[inner(stacked[a], stacked[b]) for b in free] for a in free]
+    n = len(free)
+    upper = {(i, j): inner(stacked[free[i]], stacked[free[j]]) for i in range(n) for j in range(i, n)}
+    normal = [[upper[min(i, j), max(i, j)] for j in range(n)] for i in range(n)]
     right = [-inner(stacked[a], stacked[ONE]) for a in free]
     scales = [1.0 / max(1e-30, magnitude(tape, normal[i][i], 1.0)[1]) for i in range(len(free))]
     values, guards = solve_symmetric(tape, normal, right, scales)
     return dict(zip(free, values, strict=True)), guards
+
+
+def _sparse(entries: Iterable[Node]) -> dict[int, Node]:
+    """The entries that are not zero, by place."""
+    return {k: node for k, node in enumerate(entries) if node is not node.tape.zero}
 
 
 def _not_unique(setting: Setting, joint: JointWrench, free: Sequence[Column]) -> list[str]:
