@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from symscrew import __version__, commands
-from symscrew.usage import FAILED, TARGETS, Parser, UsageError
+from symscrew.usage import FAILED, LIMIT, OVER, TARGETS, TOLERANCE, Parser, UsageError
 
 BAD_INPUT, INTERRUPTED = 2, 130
 
@@ -166,6 +166,22 @@ def parser() -> argparse.ArgumentParser:
     report.add_argument("--accuracy", metavar="DIR", help="results of `symscrew accuracy` to include")
     report.add_argument("--scene", metavar="SCENE", help="a scene whose bill of effects to include")
     report.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
+
+    maps = _command(verbs, "workspace", commands.map_workspace, "maps over coordinates and parameters, tolerances")
+    _mechanism(maps)
+    maps.add_argument("--over", nargs="+", action="extend", metavar="COORD=FROM:TO:N", help=OVER)
+    maps.add_argument("--out", metavar="DIR|FILE", required=True, help="a new folder, or a file: .npz or .csv")
+    maps.add_argument("--limit", nargs="+", action="extend", metavar="RESULT=MIN:MAX", help=LIMIT)
+    maps.add_argument("--tolerance", nargs="+", action="extend", metavar="PARAM=SIGMA", help=TOLERANCE)
+    maps.add_argument("--samples", type=int, default=100, metavar="N", help="per place, with --tolerance; default 100")
+    maps.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; default 0")
+    maps.add_argument("--expect-tilt", metavar="ANGLE", help="exit 1 unless this tilt is reached in every direction")
+    maps.add_argument("--stiffness", default="1e6", metavar="K", help="of a drive [N/m]; default 1e6")
+    maps.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
+    _effects(maps)
+    maps.add_argument("--processes", type=int, metavar="N", help="default: one per core")
+    maps.add_argument("--dask", metavar="ADDRESS", help="of a Dask scheduler, to run there: tcp://host:8786")
+    maps.add_argument("--json", action="store_true", help="the summary as JSON")
 
     view = _command(verbs, "view", commands.view_mechanism, "a page with the mechanism in 3-D: to turn, move and play")
     view.add_argument("mechanism", metavar="NAME|FILE|RUN.npz", help="a mechanism, or a recorded motion to play")

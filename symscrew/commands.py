@@ -248,6 +248,13 @@ def report_mechanism(options: argparse.Namespace) -> int:
     return run(options, _chosen_effects)
 
 
+def map_workspace(options: argparse.Namespace) -> int:
+    """`symscrew workspace`."""
+    from symscrew.workspace.command import run
+
+    return run(options, _chosen_effects)
+
+
 def view_mechanism(options: argparse.Namespace) -> int:
     """`symscrew view`."""
     from symscrew.console import Progress

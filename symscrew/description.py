@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -63,15 +63,17 @@ _STRUCTURE = re.compile(
 )
 
 
-def load(path: str | Path) -> Mechanism:
+def load(path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
     """The validated mechanism described by the TOML file at `path`.
+
+    `run_time`: parameters that become run-time inputs, whatever the file says.
 
     Raises:
         DescriptionError: the file cannot be read or does not describe a mechanism.
     """
     file = Path(path)
     try:
-        return loads(read_text(file))
+        return loads(read_text(file), run_time=run_time)
     except DescriptionError as error:
         raise DescriptionError(f"{file.name}: {error}") from error
 
@@ -88,9 +90,15 @@ def read_text(file: Path) -> str:
         raise DescriptionError("expected a text file in UTF-8 with a TOML description") from error
 
 
-def loads(text: str) -> Mechanism:
-    """The validated mechanism that the TOML `text` describes; raises DescriptionError."""
-    return _build(read_tables(text))
+def loads(text: str, *, run_time: Sequence[str] = ()) -> Mechanism:
+    """The validated mechanism that the TOML `text` describes; `run_time` as in `load`; raises DescriptionError."""
+    tables = read_tables(text)
+    known = tables.get("parameters", {})
+    for name in run_time:
+        if not isinstance(known, dict) or not isinstance(known.get(name), dict):
+            raise DescriptionError(f"parameters: there is no {shorten(name)}; {did_you_mean(name, known)}")
+        known[name]["run_time"] = True
+    return _build(tables)
 
 
 def read_tables(text: str) -> dict[str, Any]:

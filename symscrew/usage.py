@@ -11,6 +11,16 @@ FAILED = 1
 TARGETS = ("c", "casadi", "numpy", "external", "markdown")
 USUAL = ("c", "casadi", "numpy")
 
+OVER = (
+    "an axis: an independent coordinate, a parameter, tilt (of the platform's z-axis) or azimuth (of the tilt's "
+    "axis); numbers in m, mm, rad, deg"
+)
+LIMIT = (
+    "what is allowed of a joint (limb1_P=-50mm:50mm), a drive at rest ('drive limb1_P=-500:500' [N, N m]), "
+    "condition, margin or another result"
+)
+TOLERANCE = "a parameter with the standard deviation of its normal distribution"
+
 EXAMPLES = {
     "list": ("symscrew list", "symscrew list --json | jq -r '.[].name'"),
     "demo": ("symscrew demo", "symscrew demo --out figures"),
@@ -52,9 +62,9 @@ EXAMPLES = {
         "symscrew report wrist.toml --out wrist.md --scene scene.toml --accuracy study",
     ),
     "workspace": (
-        "symscrew workspace three_ups_upu_s --over x=-0.2:0.2:41 y=-0.2:0.2:41 --out seed_map",
-        "symscrew workspace ur5 --over 'shoulder_lift=-90deg:0deg:61' 'elbow=0deg:150deg:61' --out map.npz",
-        "symscrew workspace wrist.toml --over R=0.4:0.6:5 --tolerance r=0.001 --samples 1000 --out study",
+        "symscrew workspace three_ups_upu_s --over tilt=0:20deg:21 azimuth=0:360deg:73 --expect-tilt 10deg --out seed",
+        "symscrew workspace ur5 --over elbow=-150deg:150deg:121 --out elbow.csv",
+        "symscrew workspace wrist.toml --over R=0.4:0.6:21 --tolerance r=1mm --samples 1000 --out study",
     ),
     "doctor": ("symscrew doctor", "symscrew doctor --json"),
 }

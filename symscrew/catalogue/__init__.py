@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from symscrew import description, interchange
@@ -27,20 +28,26 @@ def load(name: str) -> Mechanism:
     return description.load(_FOLDER / f"{name}.toml")
 
 
-def find(name_or_path: str | Path) -> Mechanism:
+def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
     """A mechanism by its name in the catalogue or by the path of a .toml, .urdf, .xml or .mjcf file.
+
+    `run_time`: parameters that become run-time inputs, whatever the description says.
 
     Raises:
         DescriptionError: neither, or the file does not describe a mechanism.
     """
     text = str(name_or_path)
     if text in names():
-        return load(text)
+        return description.load(_FOLDER / f"{text}.toml", run_time=run_time)
     path = Path(text)
     if "\0" not in text and (path.suffix in (".toml", *interchange.READ) or path.is_file()):
         if not path.is_file():
             raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a description of a mechanism")
-        return (interchange if path.suffix in interchange.READ else description).load(path)
+        if path.suffix in interchange.READ:
+            if run_time:
+                raise DescriptionError(f"{shorten(text, 200)} has no parameters; convert it to .toml and add them")
+            return interchange.load(path)
+        return description.load(path, run_time=run_time)
     raise DescriptionError(
         f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
         f"{did_you_mean(text, names())}"

@@ -36,11 +36,11 @@ def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-
         raise DescriptionError(f"--scene: is about {scene.mechanism.name}, but the report about {mechanism.name}")
     with progress.step(f"derive {mechanism.name}"):
         model = derive(mechanism, effects)
-    call, measured = None, {}
+    call, measured = None, dict[str, tuple[float, float, float]]()
     if not options.no_timing:
         with progress.step("compile"):
             compiled = load(model)
-        call, measured = calls_of(compiled), times(model, compiled, progress)
+        call, measured = calls_of(compiled), dict(times(model, compiled, progress))
     bill = scene_bill(scene, timed=not options.no_timing, progress=progress) if scene is not None else None
     accuracy = Path(options.accuracy) if options.accuracy else None
     made = document(model, call=call, times=measured, accuracy=accuracy, bill=bill, progress=progress)

@@ -8,13 +8,20 @@ from typing import Any
 import numpy as np
 
 from symscrew.model import Model
-from symscrew.workspace.configurations import Call, independent_labels, reference_coordinates, signed_margins, walk
+from symscrew.workspace.configurations import (
+    Call,
+    independent_labels,
+    reference_coordinates,
+    start_margins,
+    walk,
+    watched_margins,
+)
 
 HALF, COUNT, MOST = {"rad": 1.2, "m": 0.6, "1": 0.5}, 61, 6
 
 
 def figure(model: Model, call: Call) -> Any:
-    """Signed margins over each independent coordinate (at most six); None where there are none.
+    """Margins over each independent coordinate (at most six); None where there are none.
 
     `call` evaluates the model's functions, interpreted (the model itself) or compiled.
     """
@@ -24,8 +31,8 @@ def figure(model: Model, call: Call) -> Any:
 
     labels, start = independent_labels(model), reference_coordinates(model)
     units = {c.label: c.unit for c in model.system.tree.q}
-    first = signed_margins(model, call, model.system.reference[None, :], _parameters(model, 1))
-    names = [name for name, value in first.items() if abs(value[0]) > 1e-9][: len(COLOURS)]
+    first = start_margins(model, call)
+    names = list(first)[-len(COLOURS) :]
     if not names or not labels:
         return None
     shown = range(min(len(labels), MOST))
@@ -65,5 +72,5 @@ def _along(model: Model, call: Call, k: int, values: np.ndarray, names: Sequence
     y[:, k] = values
     with np.errstate(all="ignore"):
         q, _, _ = walk(model, call, y, watch=False)
-        found = signed_margins(model, call, q, _parameters(model, len(values)))
+        found = watched_margins(model, call, q, _parameters(model, len(values)))
     return [found[name] / first[name] for name in names]

@@ -14,7 +14,7 @@ from symscrew import __version__
 from symscrew.console import Progress
 from symscrew.cost import Bill
 from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Joint, Mechanism
+from symscrew.mechanism import Joint, Mechanism, Parameter
 from symscrew.mobility import analyse_mobility
 from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.report import formulas, key_figures, mathml, sections
@@ -71,8 +71,9 @@ def document(
         made += accuracy_section(accuracy)
     if bill is not None:
         made.append(bill_section(bill))
-    if model.notes:
-        made.append(Section("Notes", (Bullets(tuple(model.notes)),)))
+    notes = tuple(note for note in model.notes if note not in mechanism.warnings)
+    if notes:
+        made.append(Section("Notes", (Bullets(notes),)))
     subtitle = "; ".join(t for t in (mechanism.description, mechanism.source) if t) or "Report of a mechanism"
     footer = f"symscrew {__version__}. SI units; vectors in absolute axes, screws at the origin O."
     return Document(f"Mechanism {model.name}", subtitle, tuple(made), {**known, **more}, footer)
@@ -96,7 +97,8 @@ def _overview(model: Model, found: Mobility) -> list[Block]:
     ]
     rows = tuple((what, value) for what, value in facts)
     blocks: list[Block] = [_picture(mechanism), Table(("", ""), rows)]
-    blocks += [Text(f"Warning: {warning}", "warning") for warning in mechanism.warnings]
+    if mechanism.warnings:
+        blocks.append(Text("Look at: " + "; ".join(mechanism.warnings), "warning"))
     if mechanism.parameters:
         lines = tuple(
             (
@@ -118,6 +120,10 @@ def _overview(model: Model, found: Mobility) -> list[Block]:
         header = ("body", "mass [kg]", "centre of mass x [m]", "y [m]", "z [m]")
         blocks.append(Table(header, tuple(masses), frozenset({1, 2, 3, 4}), "Masses, in the reference configuration"))
     return blocks
+
+
+def _when(parameter: Parameter) -> str:
+    return "input" if parameter.run_time else "baked in"
 
 
 def _kinds(mechanism: Mechanism) -> str:
@@ -163,11 +169,12 @@ def _mobility(found: Mobility) -> list[Section]:
 def _screws(mechanism: Mechanism) -> tuple[list[Block], dict[str, str]]:
     """Unit screws of all joints in the reference configuration, in the parameters; with the formulas' MathML."""
     intro = (
-        "Unit screws $(\\omega ; v_O)$ at the origin O in the reference configuration, from parent to child: a rotation "
-        "about $e$ through $r$ is $(e ; r \\times e)$, a translation along $e$ is $(0 ; e)$."
+        "Unit screws $(\\omega ; v_O)$ at the origin O in the reference configuration, from parent to child: "
+        "a rotation about $e$ through $r$ is $(e ; r \\times e)$, a translation along $e$ is $(0 ; e)$."
     )
     known = {
-        "(\\omega ; v_O)": "<math><mo>(</mo><mi>&#x3C9;</mi><mo>;</mo><msub><mi>v</mi><mi>O</mi></msub><mo>)</mo></math>",
+        "(\\omega ; v_O)": "<math><mo>(</mo><mi>&#x3C9;</mi><mo>;</mo><msub><mi>v</mi><mi>O</mi></msub>"
+        "<mo>)</mo></math>",
         "e": "<math><mi>e</mi></math>",
         "r": "<math><mi>r</mi></math>",
         "(e ; r \\times e)": "<math><mo>(</mo><mi>e</mi><mo>;</mo><mi>r</mi><mo>&#xD7;</mo><mi>e</mi><mo>)</mo></math>",
@@ -269,8 +276,8 @@ def _size(model: Model, times: Mapping[str, tuple[float, float, float]]) -> list
     note = "Operations: each +, -, x, /, root, sine or cosine and comparison counts 1, status checks included."
     if times:
         note += (
-            " Times: nanoseconds per call in compiled C, one state of a batch of 64, median (quartiles) of 41 rounds on "
-            "this machine."
+            " Times: nanoseconds per call in compiled C, one state of a batch of 64, median (quartiles) of 41 rounds "
+            "on this machine."
         )
     return [Table(("", ""), tuple(rows)), Text(note, "note")]
 
@@ -303,9 +310,9 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
     blocks: list[Block] = [
         Text(
             "A margin is a volume of screws or wrenches with lengths divided by the characteristic length: it is 0 "
-            "exactly at a singularity of its kind, and signed ones change their sign there. Limb: joint screws of a limb become "
-            "dependent. Constraint: a freedom appears whatever the drives do. Actuation: a freedom is left with these "
-            "drives locked."
+            "exactly at a singularity of its kind, and signed ones change their sign there. Limb: joint screws of a "
+            "limb become dependent. Constraint: a freedom appears whatever the drives do. Actuation: a freedom is left "
+            "with these drives locked."
         )
     ]
     values = found.singularities.margins or ()
@@ -318,8 +325,8 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
     figure = margins.figure(model, call)
     if figure is not None:
         text = (
-            "Signed margins relative to the reference configuration along each independent coordinate, the others at "
-            "rest: 0 is a singularity. Curves end where the loops cannot be closed."
+            "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 is "
+            "a singularity. Curves end where the loops cannot be closed."
         )
         blocks.append(Picture("margins", svg(figure), text))
     return blocks

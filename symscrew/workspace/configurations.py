@@ -22,7 +22,8 @@ def calls_of(compiled: CompiledModel) -> Call:
     """A compiled model's functions as a `Call`."""
 
     def call(name: str, *arrays: Array) -> tuple[Sequence[Array], Array]:
-        *results, status = compiled[name](*arrays, check=False)  # type: ignore[misc]
+        found: tuple[Array, ...] = compiled[name](*arrays, check=False)  # type: ignore[assignment]
+        *results, status = found
         flat = [r.reshape(len(r), -1) if r.ndim < 3 else np.moveaxis(r, 2, 1).reshape(len(r), -1) for r in results]
         return flat, status
 
@@ -30,6 +31,7 @@ def calls_of(compiled: CompiledModel) -> Call:
 
 
 STEPS = 16
+SINGULAR = 1e-9
 
 
 def independent_labels(model: Model) -> tuple[str, ...]:
@@ -59,9 +61,9 @@ def walk(
         watch: whether to look at the margins on the way.
 
     Returns:
-        q, NaN where the loops cannot be closed; status of the last assembly; and per signed margin
-        ("constraint platform" ...) its least value along the walk relative to that at the start: at or below 0
-        a singularity was passed.
+        q, NaN where the loops cannot be closed; status of the last assembly; and per watched margin
+        ("constraint platform" ...) its least value along the walk relative to the reference: at or below 0 a
+        singularity was passed.
     """
     count = len(y)
     start = np.repeat(reference_coordinates(model)[None, :], count, 0)
@@ -69,7 +71,7 @@ def walk(
     p1 = p0 if parameters is None else parameters
     q, status = np.repeat(model.system.reference[None, :], count, 0), np.zeros(count, dtype=int)
     extra = (p0,) if p0.shape[1] else ()
-    first = signed_margins(model, call, q, extra) if watch else {}
+    first = start_margins(model, call) if watch else {}
     least = {name: np.ones(count) for name in first}
     for k in range(1, steps + 1):
         part = k / steps
@@ -81,28 +83,31 @@ def walk(
             status = np.where(status == 0, new, status)
         else:
             q = target.copy()
-        for name, value in (signed_margins(model, call, q, extra) if watch else {}).items():
-            with np.errstate(divide="ignore", invalid="ignore"):
-                least[name] = np.fmin(least[name], value / first[name])
+        now = watched_margins(model, call, q, extra) if watch else {}
+        for name, value in first.items():
+            least[name] = np.fmin(least[name], now[name] / value)
     return q, status, least
 
 
-def signed_margins(model: Model, call: Call, q: Array, extra: Sequence[Array]) -> dict[str, Array]:
-    """Margins that change sign through a singularity, by kind and name, where they are not 0 in the reference."""
+def watched_margins(model: Model, call: Call, q: Array, extra: Sequence[Array]) -> dict[str, Array]:
+    """Margins of every limb, of the constraints and of the drives together, by kind and name [1].
+
+    Sets of a few drives, which lose their hold without harm while the others keep theirs, are left out.
+    """
     found = {}
     for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
         if kind not in model.programs:
             continue
-        port = model.programs[kind].outputs[0]
-        signed = _signed(port.description)
+        labels = model.programs[kind].outputs[0].labels
         values = call(kind, q, *extra)[0][0].reshape(len(q), -1)
-        for k, label in enumerate(port.labels):
-            if label in signed:
-                found[f"{kind.split('_')[0]} {label}"] = values[:, k]
+        for k, label in enumerate(labels[:1] if kind == "actuation_margins" else labels):
+            found[f"{kind.split('_')[0]} {label}"] = values[:, k]
     return found
 
 
-def _signed(description: str) -> set[str]:
-    """Names of the signed volumes in the text of a margins' port."""
-    parts = [p for p in description.split("; ") if p.startswith("signed volume: ")]
-    return {name for p in parts for name in p.removeprefix("signed volume: ").split(", ")}
+def start_margins(model: Model, call: Call) -> dict[str, float]:
+    """The watched margins in the reference configuration; those that are zero there are left out."""
+    values = model.system.parameter_values
+    extra = (values[None, :],) if len(values) else ()
+    found = watched_margins(model, call, model.system.reference[None, :], extra)
+    return {name: float(value[0]) for name, value in found.items() if abs(value[0]) > SINGULAR}
