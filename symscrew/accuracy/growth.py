@@ -57,7 +57,9 @@ def study(
 ) -> Study:
     """Time per simulated second, operations, and seconds to derive and compile, for N = 1 ... 40."""
     if not subject.model.name.startswith("n_four_bar"):
-        raise DescriptionError("--study growth: expected the scene of the N four-bar (examples/benchmarks/n_four_bar.toml)")
+        raise DescriptionError(
+            "--study growth: expected the scene of the N four-bar (examples/benchmarks/n_four_bar.toml)"
+        )
     if find_compiler() is None:
         raise DescriptionError("--study growth: it is of generated C, and there is no C compiler")
     setups, rows = [], []

@@ -87,8 +87,8 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         raise DescriptionError(f"--study momentum: {model.name} cannot be studied, {reason}")
     states = _chosen(subject.states)
     with progress.step("momentum: reference in 60 digits"):
-        exact = _reference(model, states)
-    to_drives = _drive_map(model, states)
+        exact = reference_rates(model, states)
+    to_drives = drive_map(model, states)
     drives = np.einsum("nij,nj->ni", to_drives, exact)
     setups: list[Setup] = []
 
@@ -138,6 +138,11 @@ def _screws(model: Model) -> Program:
     return only(program, ("momenta",))
 
 
+def momenta_of(model: Model, q: Array, v: Array) -> Array:
+    """Momentum screws of all bodies (n, 6 bodies)."""
+    return _screws(model)(q, v)[0]
+
+
 def _second(model: Model, q: Array, v: Array, a: Array) -> Array:
     """Second time derivative of q: that of q_dot = B(q) v, which is bilinear in q and v."""
     return coordinate_rates(model, q, a) + coordinate_rates(model, coordinate_rates(model, q, v), v) * _turning(model)
@@ -162,7 +167,8 @@ def neighbour(model: Model, states: States, h: float) -> tuple[Array, Array]:
     return q, states.v + h * states.a
 
 
-def _reference(model: Model, states: States) -> Array:
+def reference_rates(model: Model, states: States) -> Array:
+    """Rates of the momentum screws (n, 6 bodies), differentiated in 60 digits."""
     import mpmath
 
     context, program = mpmath.mp.clone(), _screws(model)
@@ -185,7 +191,7 @@ def _reference(model: Model, states: States) -> Array:
     return np.array(rows)
 
 
-def _drive_map(model: Model, states: States) -> Array:
+def drive_map(model: Model, states: States) -> Array:
     """u = map (dM/dt - force screws), (n, drives, 6 bodies): by virtual power on the admissible motions.
 
     Sum over bodies of twist o (dM/dt - F) = sum of drive rates u for every admissible motion; among all solutions
@@ -211,7 +217,8 @@ def _drive_map(model: Model, states: States) -> Array:
     return np.linalg.pinv(np.swapaxes(driven, 1, 2), rcond=1e-10) @ np.swapaxes(paired, 1, 2)
 
 
-def _analytic_drives(model: Model, states: States) -> Array:
+def drives_of(model: Model, states: States) -> Array:
+    """Drives (n, drives) by the generated inverse dynamics."""
     program = model.programs["inverse_dynamics"]
     known = {"q": states.q, "v": states.v, "a": states.a}
     n = len(states.q)
@@ -224,7 +231,7 @@ def _analytic_drives(model: Model, states: States) -> Array:
 
 def _gravity_part(model: Model, states: States, exact: Array, to_drives: Array) -> Array:
     """What forces other than inertia add to the drives."""
-    return _analytic_drives(model, states) - np.einsum("nij,nj->ni", to_drives, exact)
+    return drives_of(model, states) - np.einsum("nij,nj->ni", to_drives, exact)
 
 
 def _check(model: Model, states: States, exact: Array, to_drives: Array) -> float:

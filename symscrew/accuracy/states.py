@@ -19,7 +19,7 @@ from symscrew.scene import Scene
 
 Array = np.ndarray
 INSTANTS = 201
-MOTION_STEPS = 5000
+MOTION_STEPS = 2000
 REACH = 0.15  # of random configurations: rad, or of the characteristic length
 
 
