@@ -204,9 +204,20 @@ def _solver(problem: TrajectoryProblem, program: Program, warm: bool) -> ca.Func
     else:
         options |= dict(given.options)
         if given.name == "sqpmethod":
-            options |= {"hess_lag": program.hessian, "max_iter": given.iterations}
+            options |= {"hess_lag": _symmetric(program.hessian), "max_iter": given.iterations}
             options |= {"print_header": False, "print_iteration": False, "print_status": False}
-    return ca.nlpsol("trajectory", given.name, nlp, options)
+    try:
+        return ca.nlpsol("trajectory", given.name, nlp, options)
+    except RuntimeError as error:
+        reason = str(error).splitlines()[-1]
+        raise DescriptionError(f"solver: {given.name} does not take these options: {reason}") from error
+
+
+def _symmetric(hessian: ca.Function) -> ca.Function:
+    """The whole Hessian from its upper part."""
+    inputs = hessian.mx_in()
+    names = [hessian.name_in(), ["hess_gamma_x_x"]]
+    return ca.Function(hessian.name(), inputs, [ca.triu2symm(hessian(*inputs))], *names)
 
 
 def _times(
