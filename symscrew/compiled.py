@@ -33,6 +33,8 @@ from symscrew.program import STATUS, Port
 
 COMPILERS = ("cc", "gcc", "clang")
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", "-fPIC")
+# of gcc: without it the register allocation of a long function takes most of the time, for no faster code
+SPILLS = "--param=lra-max-considered-reload-pseudos=5"
 Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]
 
 
@@ -223,7 +225,8 @@ def compile_c(
     command = compiler or find_compiler()
     if command is None:
         raise CompileError(f"no C compiler ({', '.join(COMPILERS)}); install one or use backend='casadi'")
-    for machine in (("-march=native",), ()) if native else ((),):
+    own: tuple[str, ...] = ("-march=native",) if native else ()
+    for machine in dict.fromkeys(((*own, SPILLS), own, ())):
         arguments = [command, *FLAGS, *machine, *flags, str(source), "-o", str(library), "-lm"]
         result = subprocess.run(arguments, capture_output=True, text=True, check=False)
         if result.returncode == 0:
