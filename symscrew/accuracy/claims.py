@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from symscrew.accuracy.load_sharing import loaded, redundancy, sharing
+from symscrew.accuracy.load_sharing import Table, loaded, redundancy, sharing
 from symscrew.accuracy.loops import caller, compiled, loop_code, one_file
 from symscrew.accuracy.measuring import Setup, Stopwatch, Study, measured
 from symscrew.accuracy.momentum import drive_map, drives_of, momenta_of, neighbour, reference_rates
@@ -208,7 +208,7 @@ def _over_a_step(model: Model, states: States, programs, timed: Timed) -> list[S
     return setups
 
 
-def _operations(model: Model, programs: dict[str, Program]) -> tuple[list[str], list[list[str]]]:
+def _operations(model: Model, programs: dict[str, Program]) -> Table:
     kinds = ("add", "mul", "div", "sqrt", "trig", "total")
     rows = [[name, *(str(p.operations[k]) for k in kinds)] for name, p in programs.items()]
     whole = model.programs["inverse_dynamics"]

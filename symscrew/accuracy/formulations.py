@@ -155,8 +155,8 @@ def _source(model: Model, plant: Plant, scene: Scene, programs: Mapping, places:
     independent, spheres = places
     name = model.name
     lines = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", one_file(model, programs)]
-    lines += [native.constants(plant), native.table_code(list(scene.tables.values())) or native.NO_TABLES]
-    lines += [native.adapters(plant), _list("INDEPENDENT", independent), _list("OF_SPHERE", spheres)]
+    lines += [*_constants(plant), native.table_code(list(scene.tables.values())) or native.NO_TABLES]
+    lines += [*_adapters(plant), _list("INDEPENDENT", independent), _list("OF_SPHERE", spheres)]
     parameters = plant.sizes["p"] > 0
     p = ", PARAMETERS" if parameters else ""
     if "penalty_terms" in programs:
@@ -182,11 +182,69 @@ def _source(model: Model, plant: Plant, scene: Scene, programs: Mapping, places:
             f"static int assembled_at(const double *y, const double *guess, double *q) {{ return {first}; }}",
             f"static int rates_of(const double *q, const double *y_dot, double *v) {{ return {second}; }}",
         ]
-    kernel = resources.files("symscrew.accuracy").joinpath("kernels/formulations.c").read_text(encoding="utf-8")
+    folder = resources.files("symscrew.accuracy").joinpath("kernels")
+    closure, kernel = (folder.joinpath(f).read_text(encoding="utf-8") for f in ("closure.c", "formulations.c"))
     stages = native.kernel_text("dop853_stages.c")
-    lines += [native.kernel_text("dop853_error.h"), native.kernel_text("manifold.c")]
+    lines += [native.kernel_text("dop853_error.h"), closure]
     lines.append(kernel.replace('#include "dop853_stages.c"', stages))
     return "\n".join([*lines, ""])
+
+
+def _constants(plant: Plant) -> list[str]:
+    """Sizes and units that the kernels read."""
+    tree, sizes = plant.system.tree, plant.sizes
+    links = tree.links[1:]
+    spheres = [(li.q.start, li.v.start) for li in links if li.motion.kind == "S"]
+    plain = [(li.q.start, li.v.start) for li in links if li.motion.kind not in "SF"]
+    nq, nv, nr = sizes["q"], sizes["v"], len(plant.rows)
+    numbers = {
+        "NQ": nq, "NV": nv, "NX": sizes["x"], "NS": plant.tables, "NR": nr, "RANK": plant.rank, "FREE": nv - plant.rank,
+        "NQ1": max(nq, 1), "NV1": max(nv, 1), "RANK1": max(plant.rank, 1), "PLAIN_COUNT": len(plain),
+        "SPHERE_COUNT": len(spheres),
+    }  # fmt: skip
+    lines = [f"#define {name} {value}" for name, value in numbers.items()]
+    for name, pairs in (("PLAIN", plain), ("SPHERES", spheres)):
+        body = ", ".join(f"{{{a}, {b}}}" for a, b in pairs) or "{0, 0}"
+        lines.append(f"static const int {name}[{max(len(pairs), 1)}][2] = {{{body}}};")
+    for name, values in (("UNIT", plant.units), ("ROW_SCALE", plant.rows), ("PARAMETERS", plant.parameters)):
+        body = ", ".join(decimal(float(v)) for v in values) or "1.0"
+        lines.append(f"static const double {name}[{max(len(values), 1)}] = {{{body}}};")
+    return lines
+
+
+def _adapters(plant: Plant) -> list[str]:
+    """Generated functions by the names that the kernels use: forces_at and closure_at."""
+    name, commanded = plant.model.name, list(plant.inputs.outputs)
+    known = {"q": "q", "v": "v", "x": "x", "t": "&t", "p": "PARAMETERS"}
+    arguments = [known.get(p.name, f"{p.name}_command") for p in plant.forward.inputs]
+    results = [{"a": "a"}.get(p.name, f"spare_{p.name}") for p in plant.forward.outputs]
+    lines = [
+        "static int forces_at(double t, const double *q, const double *v, const double *x, double *a, double *x_dot)",
+        "{",
+        "    double s[NS + 1], u[1] = {0.0};",
+        "    tables_at(t, s);",
+        f"    const int outcome = {name}_slopes(&t, q, v, x, u, s, PARAMETERS, a, x_dot);",
+        "    if (outcome != 1) {",
+        "        return outcome;",
+        "    }",
+        *(f"    double {port.name}[{max(port.size, 1)}];" for port in commanded),
+        *(f"    double spare_{p.name}[{max(p.size, 1)}];" for p in plant.forward.outputs if p.name != "a"),
+    ]
+    if commanded:
+        given = ", ".join(p.name for p in commanded)
+        lines.append(f"    if ({name}_inputs(&t, q, v, x, u, s, PARAMETERS, {given}) != 0) {{")
+        lines += ["        return 2;", "    }"]
+    lines += ["    memset(x_dot, 0, sizeof(double) * NX);"]
+    lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
+    if plant.closure is not None:
+        p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
+        lines += [
+            "static int closure_at(const double *q, double *residual, double *jacobian)",
+            "{",
+            f"    return {name}_closure_both(q{p}, residual, jacobian);",
+            "}",
+        ]
+    return lines
 
 
 def _list(name: str, values: tuple[int, ...]) -> str:

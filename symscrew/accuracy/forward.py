@@ -78,7 +78,7 @@ def study(
         "forward",
         f"Simulation of {scene.name}",
         points,
-        reference.error_label if reference is not None else "largest error of the coordinates (lengths by the characteristic length)",
+        reference.error_label if reference is not None else "largest error of the coordinates [rad, m/m]",
         "time per simulated second",
         "ms",
         text,

@@ -78,7 +78,7 @@ def study(
     columns = np.array(rows, dtype=float)
     times = np.array([1e3 * p.cost.median if p.cost else np.nan for p in points])
     table = [
-        [*(f"{x:g}" for x in row[:4]), *(f"{x:.2f}" for x in row[4:]), f"{t:.3g}", f"{p.error:.1e}" if p.error is not None else p.failure]
+        [*(f"{x:g}" for x in row[:4]), *(f"{x:.2f}" for x in row[4:]), f"{t:.3g}", p.failure or f"{p.error:.1e}"]
         for row, t, p in zip(columns, times, points, strict=True)
     ]  # fmt: skip
     sizes, upper = np.array(SIZES, dtype=float), slice(len(SIZES) // 2, None)

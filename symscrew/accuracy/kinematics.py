@@ -68,8 +68,8 @@ def study(
         "largest joint position error [rad, m]",
         "time per simulated second",
         "ms",
-        f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z solved with the "
-        "rates; its difference to closed-form inverse kinematics of its platform's poses",
+        f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z solved with "
+        "the rates; its difference to closed-form inverse kinematics of its platform's poses",
         own,
         watch.seconds,
         left_out,
@@ -77,7 +77,7 @@ def study(
             f"Motion of section 5 of the source paper, {DURATION:g} s; all {motion.exact.shape[1]} displacements at "
             f"{OUTPUTS} instants. S = blockdiag, {6 * len(model.mechanism.limbs)} x {motion.exact.shape[1]}.",
             "Twists and poses of the platform are given to all methods beforehand and not timed.",
-            f"Largest omega_z that the limbs demand: {np.abs(motion.twist(np.linspace(0, DURATION, 1001))[:, 2]).max():.3e} "
+            f"Largest omega_z that the limbs demand: {np.abs(motion.twist(_times(1000))[:, 2]).max():.3e} "
             "rad/s; curves with omega_z = 0 do as the paper does and end at what this leaves.",
         ),
     )

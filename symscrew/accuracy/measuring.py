@@ -98,8 +98,8 @@ def measured(
 
     A disturbance so meets all of them. Each has at least three repeats; from then on those that take longest are
     left out first, when the time is over. The first run of a setup counts for its error alone: caches and pages are
-    not there yet. After a first run of more than `longest` seconds the later settings of its curve are not run, and stay
-    in the table as such.
+    not there yet. After a first run of more than `longest` seconds the later settings of its curve are not run, and
+    stay in the table as such.
     """
     shown = progress or Progress(quiet=True)
     start = time.perf_counter()

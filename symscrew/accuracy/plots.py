@@ -129,7 +129,9 @@ def _operations_figure(study: Study) -> Figure:
                     )  # fmt: skip
                     continue
                 marker = MARKERS[settings.index(point.setting) % len(MARKERS)]
-                axis.plot(x, point.error, marker=marker, color=COLOURS[k], linestyle="none", markersize=5.5)
+                axis.plot(
+                    x, float(point.error or 0.0), marker=marker, color=COLOURS[k], linestyle="none", markersize=5.5
+                )
         axis.set_ylabel(study.error_label.replace(" / ", "\n/ "))
         axis.set_xlabel(study.cost_label)
         _finish(axis)

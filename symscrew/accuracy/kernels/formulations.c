@@ -1,5 +1,5 @@
 /* The equations of a closed chain in several formulations, integrated by RK4 with fixed steps or by DOP853 with error
- * control. Stands on manifold.c (opening, row_space, shortest, settle) and on the adapters forces_at, terms_at,
+ * control. Stands on closure.c (opened, orthonormal, shortest, projected) and on the adapters forces_at, terms_at,
  * assembled_at, rates_of of the generated functions.
  *
  *   NONE        q' = v, v' = a(q, v): accelerations that fulfil the twice differentiated closure
@@ -23,39 +23,13 @@ typedef struct {
     long evaluations;
 } March;
 
-static void coordinate_rates(const double *q, const double *v, double *q_dot)
-{
-    for (int i = 0; i < PLAIN_COUNT; ++i) {
-        q_dot[PLAIN[i][0]] = v[PLAIN[i][1]];
-    }
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
-        const double *w = v + SPHERES[i][1], *r = q + SPHERES[i][0];
-        double *o = q_dot + SPHERES[i][0];
-        o[0] = -0.5 * (w[0] * r[1] + w[1] * r[2] + w[2] * r[3]);
-        o[1] = 0.5 * (r[0] * w[0] - w[1] * r[3] + w[2] * r[2]);
-        o[2] = 0.5 * (r[0] * w[1] - w[2] * r[1] + w[0] * r[3]);
-        o[3] = 0.5 * (r[0] * w[2] - w[0] * r[2] + w[1] * r[1]);
-    }
-}
-
-static void normalise(double *q)
-{
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
-        double *o = q + SPHERES[i][0];
-        const double scale = 1.0 / sqrt(o[0] * o[0] + o[1] * o[1] + o[2] * o[2] + o[3] * o[3]);
-        for (int k = 0; k < 4; ++k) {
-            o[k] *= scale;
-        }
-    }
-}
-
 #if NR
 static int penalised(const March *m, double t, const double *q, const double *v, const double *x, double *a)
 {
     static double mass[NV * NV], matrix[NV][NV];
     double force[NV], bias[NR], speed[NR], right[NV];
-    Opening o;
-    if (terms_at(t, q, v, x, mass, force, bias) > 0 || opening(q, &o) != 0) {
+    Closure o;
+    if (terms_at(t, q, v, x, mass, force, bias) > 0 || opened(q, &o) != 0) {
         return FAILED;
     }
     closure_rates(&o, v, speed);
@@ -112,7 +86,7 @@ static int derivative(March *m, double t, const double *y, double *dy)
             return FAILED;
         }
         memcpy(m->guess, q, sizeof q);
-        const int outcome = valid(forces_at(t, q, v, x, NULL, a, dy + 2 * FREE));
+        const int outcome = valid(forces_at(t, q, v, x, a, dy + 2 * FREE));
         if (outcome != 0) {
             return outcome;
         }
@@ -132,7 +106,7 @@ static int derivative(March *m, double t, const double *y, double *dy)
     const double *x = y + NQ + NV;
     double *x_dot = dy + NQ + NV;
     int outcome;
-    outcome = valid(forces_at(t, q, v, x, NULL, a, x_dot));
+    outcome = valid(forces_at(t, q, v, x, a, x_dot));
     if (outcome != 0) {
         return outcome;
     }
@@ -145,20 +119,19 @@ static int derivative(March *m, double t, const double *y, double *dy)
         }
     }
     if (m->formulation == BAUMGARTE || m->formulation == STABILISED) {
-        Opening o;
-        Rows f;
+        Closure o;
         double right[NR], d[NV1];
-        if (opening(q, &o) != 0) {
+        if (opened(q, &o) != 0) {
             return FAILED;
         }
-        row_space(&o, NULL, 0, RANK_FLOOR, &f);
+        orthonormal(&o);
         closure_rates(&o, v, right);
         if (m->formulation == BAUMGARTE) {
             for (int i = 0; i < NR; ++i) {
                 right[i] = -2.0 * m->gain * right[i] - m->gain * m->gain * o.residual[i];
             }
         }
-        shortest(&f, right, d);
+        shortest(&o, right, d);
         for (int k = 0; k < NV; ++k) {
             if (m->formulation == BAUMGARTE) {
                 a[k] += d[k] * UNIT[k];
@@ -232,7 +205,7 @@ int march(int formulation, int method, double gain, double alpha, double h, doub
     March *m = &march_state;
     const int size = formulation == MINIMAL ? 2 * FREE + NX : NSTATE;
     const long most = *steps;
-    double step = h, pivot;
+    double step = h;
     memset(m, 0, sizeof *m);
     m->formulation = formulation;
     m->gain = gain;
@@ -240,7 +213,6 @@ int march(int formulation, int method, double gain, double alpha, double h, doub
     m->t = times[0];
     memcpy(m->start, start, sizeof(double) * (size_t)size);
     memcpy(m->guess, guess, sizeof(double) * NQ);
-    (void)pivot;
     *steps = 0;
     for (size_t n = 0; n < count; ++n) {
         const double end = times[n];
@@ -285,9 +257,11 @@ int march(int formulation, int method, double gain, double alpha, double h, doub
             if (formulation != MINIMAL) {
                 normalise(m->start);
             }
-            if (formulation == PROJECTION && settle(m->start, m->start + NQ, &pivot) != 0) {
+#if NR
+            if (formulation == PROJECTION && projected(m->start, m->start + NQ) != 0) {
                 return FAILED;
             }
+#endif
         }
         if (formulation == MINIMAL) {
 #if NR
