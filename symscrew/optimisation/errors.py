@@ -103,27 +103,48 @@ def _acceleration_error(trajectory: Trajectory, blocks: dict[str, np.ndarray], t
     return np.nan_to_num(error, nan=np.inf) / trajectory.duration**2
 
 
+def costates(trajectory: Trajectory) -> np.ndarray:
+    """Multipliers of the rows at the points as functions of relative time: (points, rows)."""
+    family = trajectory.transcribed.families[0]
+    count = len(family.function.rows)
+    own = trajectory.multipliers[: family.count * count] * trajectory.cost_scale
+    return own.reshape(family.count, count) / family.weights[:, None]
+
+
+def switching(trajectory: Trajectory) -> np.ndarray:
+    """Slope of the Hamiltonian by every drive at the points: (points, drives).
+
+    By Pontryagin's principle a drive stands on its lower bound where its slope is positive, on its upper one where
+    it is negative; the bounds of other quantities and rates of drives left aside.
+    """
+    family = trajectory.transcribed.families[0]
+    function = _hamiltonian(family.function).map(family.count)
+    found = function(_stacked(trajectory, family.function, trajectory.point_blocks(), family.tau), costates(trajectory).T)
+    return np.array(found[2]).T
+
+
+def _hamiltonian(point: PointFunction) -> ca.Function:
+    """(arguments, multipliers) -> rows, integrand, slope of the Hamiltonian by u, curvature of the integrand by u."""
+    lam, u, integrand = ca.SX.sym("lam", len(point.rows)), point.blocks["u"], ca.SX(point.integrand)
+    g = ca.vertcat(ca.SX(0, 1), *[r.value / r.scale for r in point.rows])
+    slope = ca.gradient(ca.dot(lam, g) + integrand, u)
+    curvature = ca.diag(ca.hessian(integrand, u)[0])
+    return ca.Function("hamiltonian", [point.arguments, lam], [g, integrand, slope, curvature])
+
+
 def _cost_error(
     trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.ndarray, weight: np.ndarray
 ) -> tuple[float, float]:
     """Estimated error of the cost, and the largest violation of a bound, scaled."""
     transcribed = trajectory.transcribed
     family, scheme = transcribed.families[0], transcribed.scheme
-    rows = family.function.rows
+    rows, z = family.function.rows, family.function.arguments
     scale = np.array([r.scale for r in rows])
     low, high = (np.array([getattr(r, name) for r in rows]) / scale for name in ("lower", "upper"))
-    lam = ca.SX.sym("lam", len(rows))
-    z = family.function.arguments
-    g = ca.vertcat(ca.SX(0, 1), *[r.value / r.scale for r in rows])
     integrand = ca.SX(family.function.integrand)
-    u = family.function.blocks["u"]
-    slope = ca.gradient(ca.dot(lam, g) + integrand, u)
-    curvature = ca.diag(ca.hessian(integrand, u)[0])
-    function = ca.Function("dense", [z, lam], [g, integrand, slope, curvature])
+    function = _hamiltonian(family.function)
     n, per = len(tau), len(tau) // (len(transcribed.mesh) - 1)
-    at_points = (trajectory.multipliers[: family.count * len(rows)] * trajectory.cost_scale).reshape(
-        family.count, len(rows)
-    ) / family.weights[:, None]
+    at_points = costates(trajectory)
     k = np.repeat(np.arange(len(transcribed.mesh) - 1), per)
     s = (tau - transcribed.mesh[k]) / np.diff(transcribed.mesh)[k]
     basis = scheme.basis(s)
@@ -135,9 +156,8 @@ def _cost_error(
     off = np.where(values < low[:, None], values - low[:, None], np.where(values > high[:, None], over, 0.0))
     per_interval = ((dense.T * off) * weight).reshape(len(rows), -1, per).sum(axis=2)
     residual_part = SAFETY * float(np.abs(per_interval).sum())
-    coarse = np.array(ca.Function("cost", [z], [integrand]).map(family.count)(
-        _stacked(trajectory, family.function, {**trajectory.blocks(family.tau), "z": trajectory.arrays["z"].reshape(family.count, -1)}, family.tau)
-    )).ravel() @ family.weights  # fmt: skip
+    at_nodes = _stacked(trajectory, family.function, trajectory.point_blocks(), family.tau)
+    coarse = np.array(ca.Function("cost", [z], [integrand]).map(family.count)(at_nodes)).ravel() @ family.weights
     quadrature = abs(float(cost.ravel() @ weight) - float(coarse))
     excess, beyond = _excess(trajectory, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)
     return residual_part + quadrature + float(excess @ weight), max(float(over[low < high].max(initial=0.0)), beyond)

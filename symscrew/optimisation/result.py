@@ -152,11 +152,15 @@ class Trajectory:
 
     # -- interpolation -----------------------------------------------------------------------------------------
 
-    def blocks(self, tau: np.ndarray) -> dict[str, np.ndarray]:
-        """The unknowns of a point at relative times (n,), by their polynomials; without z."""
+    def blocks(self, tau: np.ndarray, interval: np.ndarray | None = None) -> dict[str, np.ndarray]:
+        """The unknowns of a point at relative times (n,), by their polynomials; without z.
+
+        `interval` (n,) says whose polynomials are meant at the ends of intervals; default: the later one's.
+        """
         tau = np.atleast_1d(np.asarray(tau, dtype=float))
         mesh, arrays = self.transcribed.mesh, self.arrays
-        k = np.clip(np.searchsorted(mesh, tau, side="right") - 1, 0, len(mesh) - 2)
+        found = np.clip(np.searchsorted(mesh, tau, side="right") - 1, 0, len(mesh) - 2)
+        k = found if interval is None else interval
         h = (mesh[k + 1] - mesh[k])[:, None]
         s = (tau - mesh[k]) / h[:, 0]
         scheme = self.transcribed.scheme
@@ -185,6 +189,12 @@ class Trajectory:
             slopes = second @ scheme.slope()  # the slope is a polynomial through its values at the nodes
             result["y_3"] = mixed(slopes, "y_2") / h
         return result
+
+    def point_blocks(self) -> dict[str, np.ndarray]:
+        """The unknowns of all points, z included: (points, ...)."""
+        tau = self.transcribed.point_tau
+        blocks = self.blocks(tau.ravel(), np.repeat(np.arange(len(tau)), tau.shape[1]))
+        return {**blocks, "z": self.arrays["z"].reshape(tau.size, -1)}
 
     def configurations(self, tau: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """q (n, nq) assembled at ascending relative times, and where that succeeded (n,)."""

@@ -234,8 +234,9 @@ def warm_arrays(warm: Trajectory, transcribed: Transcribed) -> dict[str, np.ndar
     """Unknowns of a transcription from an earlier trajectory of the same mechanism."""
     mesh, points = transcribed.mesh, transcribed.point_tau
     at_mesh = warm.blocks(mesh)
-    inside = warm.blocks(points.ravel())
+    same = np.array_equal(mesh, warm.transcribed.mesh)
     # the end of an interval belongs to it, not to the next one
+    inside = warm.blocks(points.ravel(), np.repeat(np.arange(len(points)), points.shape[1]) if same else None)
     q, _ = warm.configurations(points.ravel(), inside["y"])
     layout = transcribed.model.equations.layout
     result = {**inside, "z": q[:, list(layout.z)]}
@@ -245,8 +246,6 @@ def warm_arrays(warm: Trajectory, transcribed: Transcribed) -> dict[str, np.ndar
             result[name] = warm.arrays[name]
     if "T" not in result:
         result["T"] = np.array([warm.duration])
-    if not transcribed.scheme:
-        result["z"] = q[:, list(layout.z)]
     return result
 
 
