@@ -88,7 +88,7 @@ def formulated(model: Model, plant: Plant, scene: Scene, start: tuple, watch: St
     spheres: tuple[int, ...] = ()
     assemble = model.programs.get("assemble")
     if plant.closure is not None:
-        programs["closure_both"] = replace(plant.closure, name="closure_both")
+        programs |= {name: model.programs[name] for name in ("closure", "closure_jacobian")}
         kinds += ["projection", "Baumgarte", "stabilised (Gear-Gupta-Leimkuhler)"]
         terms = penalty_terms(model, plant)
         programs["penalty_terms"] = terms if terms is not None else _nothing(plant)
@@ -237,11 +237,14 @@ def _adapters(plant: Plant) -> list[str]:
     lines += ["    memset(x_dot, 0, sizeof(double) * NX);"]
     lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
     if plant.closure is not None:
-        p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
+        calls = []
+        for function, result in (("closure", "residual"), ("closure_jacobian", "jacobian")):
+            own = any(port.name == "p" for port in plant.model.programs[function].inputs)
+            calls.append(f"{name}_{function}(q{', PARAMETERS' if own else ''}, {result})")
         lines += [
             "static int closure_at(const double *q, double *residual, double *jacobian)",
             "{",
-            f"    return {name}_closure_both(q{p}, residual, jacobian);",
+            f"    return {' | '.join(calls)};",
             "}",
         ]
     return lines
