@@ -325,8 +325,8 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
     figure = margins.figure(model, call)
     if figure is not None:
         text = (
-            "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 is "
-            "a singularity. Curves end where the loops cannot be closed."
+            "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 "
+            "is a singularity. Curves end where the loops cannot be closed."
         )
         blocks.append(Picture("margins", svg(figure), text))
     return blocks

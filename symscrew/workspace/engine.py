@@ -87,7 +87,7 @@ def dask(plan: Plan, chunks: Iterable[int], scheduler: str) -> Iterator[tuple[in
     with client:
         waiting = iter(list(chunks))
         numbers: dict[object, int] = {}
-        queue = as_completed()
+        queue = as_completed(loop=client.loop)
 
         def submit() -> None:
             chunk = next(waiting, None)

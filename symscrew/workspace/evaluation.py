@@ -216,8 +216,8 @@ def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array,
     """Condition number and stiffness of the platform's motion, with lengths divided by the characteristic length.
 
     With an orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
-    A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that of M with
-    sliding drives divided by L; the stiffness K = M^T diag(k) M has as eigenvalues the least and largest stiffness
+    A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that
+    of M with sliding drives divided by L, infinite where R is singular; the stiffness K = M^T diag(k) M has as eigenvalues the least and largest stiffness
     [N m] against a unit of such a twist.
     """
     system = model.system
@@ -242,6 +242,7 @@ def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array,
         diagonal = np.abs(np.diagonal(R, axis1=1, axis2=2))
         regular = diagonal.min(axis=1) > 1e-9 * diagonal.max(axis=1)
         place = np.flatnonzero(good)[regular]
+        condition[good] = np.inf
         M = drives[place] @ np.linalg.inv(R[regular])
         scaled = M / np.where(slides, length, 1.0)[:, None]
         values = np.linalg.svd(scaled, compute_uv=False)
