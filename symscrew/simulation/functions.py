@@ -93,9 +93,10 @@ class Functions:
         if self._library is None:
             (residual, jacobian), _ = evaluate(plant.closure, arrays)
         else:
-            residual, jacobian = np.empty(m), np.empty(m * n)
+            residual, jacobian = np.empty(m), np.empty(len(plant.entries))
             self._call("closure_both", arrays, [residual, jacobian])
-        matrix = jacobian.reshape(n, m).T
+        matrix = np.zeros((m, n))
+        matrix[plant.entries[:, 0], plant.entries[:, 1]] = jacobian
         return residual * plant.rows, matrix * plant.rows[:, None] * plant.units
 
     def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:

@@ -64,11 +64,15 @@ def constants(plant: Plant) -> str:
     plain = [(link.q.start, link.v.start) for link in tree.links[1:] if link.motion.kind not in "SF"]
     nq, nv, nx, nr = sizes["q"], sizes["v"], sizes["x"], len(plant.rows)
     passive = int(plant.works)
+    live = sorted({int(row) for row, _ in plant.entries})
+    place = {row: k for k, row in enumerate(live)}
+    words = max(1, -(-len(live) // 64))
     numbers = {
         "NQ": nq, "NV": nv, "NX": nx, "NU": sizes["u"], "NS": plant.tables, "NR": nr, "RANK": plant.rank,
         "FREE": nv - plant.rank, "NY": 2 * nv + nx, "PASSIVE": passive, "PLAIN_COUNT": len(plain),
         "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
-        "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "MOST_CORRECTIONS": 12,
+        "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "LIVE": len(live), "LIVE1": max(len(live), 1),
+        "WORDS": words, "ENTRIES": len(plant.entries), "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": 12,
         "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
     }  # fmt: skip
     reals = {
@@ -83,12 +87,34 @@ def constants(plant: Plant) -> str:
         _table("SPHERES", spheres),
         _vector("UNIT", plant.units),
         _vector("ROW_SCALE", plant.rows),
+        *(_pattern(plant, live, place, words) if nr else ()),
         "#if !defined(PARAMETERS_STORAGE)",
         "#define PARAMETERS_STORAGE static const",
         "#endif",
         _vector("PARAMETERS", plant.parameters, "PARAMETERS_STORAGE"),
     ]
     return "\n".join([*lines, ""])
+
+
+def _pattern(plant: Plant, live: Sequence[int], place: dict[int, int], words: int) -> list[str]:
+    """Where the closure's Jacobian has entries, and which of its live rows share a column."""
+    columns: dict[int, set[int]] = {}
+    for row, column in plant.entries.tolist():
+        columns.setdefault(column, set()).add(place[row])
+    near = [0] * max(len(live), 1)
+    for rows in columns.values():
+        together = sum(1 << row for row in rows)
+        for row in rows:
+            near[row] |= together
+    masks = [[(bits >> (64 * w)) & (2**64 - 1) for w in range(words)] for bits in near]
+    body = ", ".join("{" + ", ".join(f"{mask}ULL" for mask in row) + "}" for row in masks)
+    places = ", ".join(str(place.get(row, 0)) for row in range(len(plant.rows)))
+    return [
+        _table("ENTRY", [(row, column) for row, column in plant.entries.tolist()]),
+        f"static const int LIVE_ROW[{max(len(live), 1)}] = {{{', '.join(map(str, live)) or '0'}}};",
+        f"static const int PLACE[{len(plant.rows)}] = {{{places}}};",
+        f"static const unsigned long long NEAR[{len(near)}][{words}] = {{{body}}};",
+    ]
 
 
 def adapters(plant: Plant) -> str:

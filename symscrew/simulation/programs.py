@@ -8,7 +8,7 @@ them), values of the scene's tables at t, run-time parameters. Ports that a scen
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -28,7 +28,8 @@ class Plant:
 
     `slopes`: (t, q, v, x, u, s, p) -> a, x_dot. `inputs`: the same -> u_command and the effects' inputs.
     `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small.
-    `closure`: q, p -> residual, jacobian, or None without loops. `units`, `rows`: what divides rates and closure
+    `closure`: q, p -> residual, the Jacobian's entries that are not always zero, or None without loops; `entries`:
+    their rows and columns (n, 2). `units`, `rows`: what divides rates and closure
     rows to make them plain numbers. `rank`: independent rows of the closure in regular configurations. `pivot`: the
     smallest pivot of the closure's rows that regular configurations have. `works`: whether the last state is the
     work done by drives and effects.
@@ -48,6 +49,7 @@ class Plant:
     parameters: np.ndarray
     tables: int
     outside: tuple[str, ...] = ()
+    entries: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), dtype=int))
 
     @property
     def system(self) -> System:
@@ -107,13 +109,13 @@ def plant(
     values = system.parameter_values if parameters is None else np.asarray(parameters, dtype=float)
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
     rows = np.array([1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows])
-    closure, rank, pivot = _closure(model), 0, 1.0
+    (closure, entries), rank, pivot = _closure(model), 0, 1.0
     if closure is not None:
         rank, pivot = _regular(model, units, rows)
     inputs = _inputs(ports, forward, controller, counts, outside)
     return Plant(
         model, slopes, inputs, forward, closure, labels, units, rows, rank, pivot, bool(work), values, tables,
-        tuple(outside),
+        tuple(outside), entries,
     )  # fmt: skip
 
 
@@ -203,15 +205,25 @@ def _renamed(port: Port) -> Port:
     return Port(f"{port.name}_command", port.shape, port.units, port.labels, port.description)
 
 
-def _closure(model: Model) -> Program | None:
-    """Residual and Jacobian of the closure in one program."""
+def _closure(model: Model) -> tuple[Program | None, np.ndarray]:
+    """Residual and Jacobian of the closure in one program, and which entries the Jacobian has."""
     parts = [model.programs.get(name) for name in ("closure", "closure_jacobian")]
     first, second = parts
     if not isinstance(first, Program) or not isinstance(second, Program) or not first.outputs[0].size:
-        return None
+        return None, np.zeros((0, 2), dtype=int)
     linker = Linker(first.inputs)
-    outputs = [(program.outputs[0], linker.call(program, {})[program.outputs[0].name]) for program in (first, second)]
-    return linker.program("closure_both", "How far the loops are open, and the closure Jacobian.", outputs)
+    (residual,), (jacobian,) = (tuple(linker.call(program, {}).values()) for program in (first, second))
+    kept = [k for k, value in enumerate(jacobian) if isinstance(value, int) or value != 0.0]
+    count, whole = len(residual), second.outputs[0]
+    units, labels = (
+        tuple(whole_list[k] for k in kept) if whole_list else () for whole_list in (whole.units, whole.labels)
+    )
+    port = Port(whole.name, (len(kept),), units, labels, "entries of the closure Jacobian that are not always zero")
+    outputs = [(first.outputs[0], residual), (port, [jacobian[k] for k in kept])]
+    text = "How far the loops are open, and the closure Jacobian."
+    return linker.program("closure_both", text, outputs), np.array([(k % count, k // count) for k in kept]).reshape(
+        -1, 2
+    )
 
 
 def _regular(model: Model, units: np.ndarray, rows: np.ndarray) -> tuple[int, float]:

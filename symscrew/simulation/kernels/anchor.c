@@ -32,7 +32,7 @@ static int anchored(const double *q, const double *v, Chart *c)
         if (opening(at, &o) != 0) {
             return FAILED;
         }
-        row_space(&o, NULL, 0, RANK_FLOOR, &f);
+        row_space(&o, RANK_FLOOR, &f);
         const int regular = f.smallest > 1.5 * ZONE;
         int outcome = 0;
         if (regular) {
@@ -48,7 +48,7 @@ static int anchored(const double *q, const double *v, Chart *c)
             if (opening(at, &o) != 0) {
                 return FAILED;
             }
-            row_space(&o, NULL, 0, RANK_FLOOR, &f);
+            row_space(&o, RANK_FLOOR, &f);
             rate = fabs(f.smallest - here) / 1e-6;
             sign = f.smallest > here ? 1.0 : -1.0;
             c->slope = fmin(fmax(rate, 0.02), 3.0);

@@ -17,45 +17,77 @@ typedef struct {
 
 static int tangent_space(const Rows *f, double (*tangent)[NV1])
 {
-    int found = 0;
-    double left[NV1][NV1];
-    for (int i = 0; i < NV; ++i) {
-        for (int k = 0; k < NV; ++k) {
-            left[i][k] = i == k ? 1.0 : 0.0;
+    double left[NV1]; /* squares of what the directions found leave of every axis */
+    for (int k = 0; k < NV; ++k) {
+        left[k] = 1.0;
+        for (int j = 0; j < f->rank; ++j) {
+            left[k] -= f->basis[j][k] * f->basis[j][k];
         }
     }
-    while (found < FREE) {
+    for (int found = 0; found < FREE; ++found) {
         int best = 0;
-        double most = -1.0;
-        for (int i = 0; i < NV; ++i) {
-            double square = 0.0;
-            for (int pass = 0; pass < 2; ++pass) {
-                for (int j = 0; j < f->rank + found; ++j) {
-                    const double *b = j < f->rank ? f->basis[j] : tangent[j - f->rank];
-                    double along = 0.0;
-                    for (int k = 0; k < NV; ++k) {
-                        along += left[i][k] * b[k];
-                    }
-                    for (int k = 0; k < NV; ++k) {
-                        left[i][k] -= along * b[k];
-                    }
-                }
-            }
-            for (int k = 0; k < NV; ++k) {
-                square += left[i][k] * left[i][k];
-            }
-            if (square > most * (1.0 + 1e-9)) {
-                most = square;
-                best = i;
+        for (int k = 1; k < NV; ++k) {
+            best = left[k] > left[best] * (1.0 + 1e-9) ? k : best;
+        }
+        double *axis = tangent[found];
+        for (int k = 0; k < NV; ++k) {
+            axis[k] = k == best ? 1.0 : 0.0;
+        }
+        for (int pass = 0; pass < 2; ++pass) {
+            for (int j = 0; j < f->rank + found; ++j) {
+                without(axis, j < f->rank ? f->basis[j] : tangent[j - f->rank]);
             }
         }
-        if (!(most > 1e-20)) {
+        const double size = sqrt(product(axis, axis));
+        if (!(size > 1e-10)) {
             return FAILED;
         }
         for (int k = 0; k < NV; ++k) {
-            tangent[found][k] = left[best][k] / sqrt(most);
+            axis[k] /= size;
+            left[k] -= axis[k] * axis[k];
         }
-        ++found;
+    }
+    return 0;
+}
+
+/* The shortest d with jacobian d = right for the independent rows and nothing along the tangents. */
+static int shortest_across(const Chart *c, const Rows *f, const double *right, double *d)
+{
+    double free[FREE][NV1], matrix[FREE][FREE], w[FREE];
+    shortest(f, right, d);
+    for (int j = 0; j < FREE; ++j) { /* what no row sees of the tangents, and how much of d is along them */
+        memcpy(free[j], c->tangent[j], sizeof free[j]);
+        for (int pass = 0; pass < 2; ++pass) {
+            for (int r = 0; r < f->rank; ++r) {
+                without(free[j], f->basis[r]);
+            }
+        }
+        w[j] = -product(c->tangent[j], d);
+    }
+    for (int j = 0; j < FREE; ++j) { /* Cholesky's factorisation, and forwards */
+        for (int i = j; i < FREE; ++i) {
+            matrix[i][j] = product(free[i], free[j]);
+            for (int k = 0; k < j; ++k) {
+                matrix[i][j] -= matrix[i][k] * matrix[j][k];
+            }
+            if (i == j && !(matrix[j][j] > 1e-12)) { /* the chart has turned over */
+                return FAILED;
+            }
+            matrix[i][j] = i == j ? sqrt(matrix[j][j]) : matrix[i][j] / matrix[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            w[j] -= matrix[j][k] * w[k];
+        }
+        w[j] /= matrix[j][j];
+    }
+    for (int j = FREE - 1; j >= 0; --j) {
+        for (int k = j + 1; k < FREE; ++k) {
+            w[j] -= matrix[k][j] * w[k];
+        }
+        w[j] /= matrix[j][j];
+        for (int k = 0; k < NV; ++k) {
+            d[k] += w[j] * free[j][k];
+        }
     }
     return 0;
 }
@@ -79,7 +111,7 @@ static int corrected(const Chart *c, const double *y, double *q, Opening *o, Row
         if (opening(q, o) != 0) {
             return FAILED;
         }
-        row_space(o, (const double (*)[NV1])c->tangent, FREE, RANK_FLOOR, f);
+        row_space(o, RANK_FLOOR, f);
         if (f->smallest < ZONE) {
             return IN_ZONE;
         }
@@ -97,11 +129,11 @@ static int corrected(const Chart *c, const double *y, double *q, Opening *o, Row
         }
         for (int i = 0; i < NR; ++i) {
             right[i] = -o->residual[i];
-            for (int k = 0; k < NV; ++k) {
-                right[i] -= o->jacobian[i][k] * along[k];
-            }
         }
-        shortest(f, right, d);
+        subtract_product(o, along, right);
+        if (shortest_across(c, f, right, d) != 0) {
+            return FAILED;
+        }
         const double open = fmax(off, largest(o->residual, NR));
         if (!(open < 1e3 * before)) {
             return FAILED;
@@ -245,7 +277,7 @@ static int walk(const Chart *c, const double *start, const double *direction, do
     return FAILED;
 }
 
-static void rates_on_branch(const Chart *c, const Opening *o, const Rows *f, const double *w, double *v)
+static int rates_on_branch(const Chart *c, const Opening *o, const Rows *f, const double *w, double *v)
 {
     double along[NV1], right[NR], d[NV1];
     for (int k = 0; k < NV; ++k) {
@@ -256,14 +288,15 @@ static void rates_on_branch(const Chart *c, const Opening *o, const Rows *f, con
     }
     for (int i = 0; i < NR; ++i) {
         right[i] = 0.0;
-        for (int k = 0; k < NV; ++k) {
-            right[i] -= o->jacobian[i][k] * along[k];
-        }
     }
-    shortest(f, right, d);
+    subtract_product(o, along, right);
+    if (shortest_across(c, f, right, d) != 0) {
+        return FAILED;
+    }
     for (int k = 0; k < NV; ++k) {
         v[k] = (along[k] + d[k]) * UNIT[k];
     }
+    return 0;
 }
 
 /* State of the branch at a regular point q: rates with tangential part w, accelerations, slopes of x. */
@@ -275,8 +308,10 @@ static int state_on_branch(const Chart *c, double t, const double *q, const doub
     if (opening(q, &o) != 0) {
         return FAILED;
     }
-    row_space(&o, (const double (*)[NV1])c->tangent, FREE, RANK_FLOOR, &f);
-    rates_on_branch(c, &o, &f, w, v);
+    row_space(&o, RANK_FLOOR, &f);
+    if (rates_on_branch(c, &o, &f, w, v) != 0) {
+        return FAILED;
+    }
     return a == NULL ? 0 : valid(forces_at(t, q, v, x, u, a, x_dot));
 }
 
@@ -381,9 +416,11 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
         if (opening(q, &o) != 0) {
             return FAILED;
         }
-        row_space(&o, (const double (*)[NV1])c->tangent, FREE, RANK_FLOOR, &f);
+        row_space(&o, RANK_FLOOR, &f);
         *smallest = f.smallest;
-        rates_on_branch(c, &o, &f, w, v_out);
+        if (rates_on_branch(c, &o, &f, w, v_out) != 0) {
+            return FAILED;
+        }
         memcpy(q_out, q, sizeof(double) * NQ);
         return a == NULL ? 0 : valid(forces_at(t, q_out, v_out, x, u, a, x_dot));
     }
@@ -403,11 +440,13 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
     /* What the interpolation left open in the rows that are regular here too. */
     for (int step = 0; step < 3; ++step) {
         double d[NV1];
-        row_space(&o, (const double (*)[NV1])c->tangent, FREE, ZONE, &f);
+        row_space(&o, ZONE, &f);
         if (step == 2) {
             break;
         }
-        shortest(&f, o.residual, d);
+        if (shortest_across(c, &f, o.residual, d) != 0) {
+            return FAILED;
+        }
         for (int k = 0; k < NV; ++k) {
             d[k] *= -UNIT[k];
         }
@@ -419,11 +458,13 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
     }
     double rates[NR], change[NV1];
     closure_rates(&o, v_out, rates);
-    shortest(&f, rates, change);
+    if (shortest_across(c, &f, rates, change) != 0) {
+        return FAILED;
+    }
     for (int k = 0; k < NV; ++k) {
         v_out[k] -= change[k] * UNIT[k];
     }
-    row_space(&o, NULL, 0, RANK_FLOOR, &f);
+    row_space(&o, RANK_FLOOR, &f);
     *smallest = f.smallest;
     return 0;
 }

@@ -88,100 +88,111 @@ static void local_rates(const double *z, const double *v, double *z_dot)
 }
 
 #if NR
-/* Rows of the closure without units (rows by ROW_SCALE, columns by UNIT), made orthonormal one after the other,
- * the longest remaining row first: row[k] = sum_j lower[k][j] basis[j]. `smallest` is the last pivot that a regular
- * configuration has: it tends to zero with the smallest singular value. Rows shorter than `floor` do not count. */
-typedef struct {
-    double basis[RANK1][NV1];
-    double lower[NR][RANK1];
-    int order[NR];
-    int rank;
-    double smallest;
-} Rows;
-
+/* The closure's Jacobian without units (rows by ROW_SCALE, columns by UNIT): its ENTRIES that are not always zero, at
+ * rows and columns ENTRY. Only the LIVE rows have any; NEAR says which of them share a column. */
 typedef struct {
     double residual[NR];
-    double jacobian[NR][NV1];
+    double value[ENTRIES1];
 } Opening;
 
 static int opening(const double *q, Opening *o)
 {
-    double raw[NR], columns[NR * NV1];
-    const int outcome = closure_at(q, raw, columns);
+    const int outcome = closure_at(q, o->residual, o->value);
     for (int i = 0; i < NR; ++i) {
-        o->residual[i] = raw[i] * ROW_SCALE[i];
-        for (int k = 0; k < NV; ++k) {
-            o->jacobian[i][k] = columns[k * NR + i] * (ROW_SCALE[i] * UNIT[k]);
-        }
+        o->residual[i] *= ROW_SCALE[i];
+    }
+    for (int e = 0; e < ENTRIES; ++e) {
+        o->value[e] *= ROW_SCALE[ENTRY[e][0]] * UNIT[ENTRY[e][1]];
     }
     return outcome;
 }
 
-static void row_space(const Opening *o, const double (*against)[NV1], int count, double floor, Rows *f)
+/* The live rows made orthonormal one after the other, the longest remaining row first:
+ * row[k] = sum_j lower[k][j] basis[j]. `smallest` is the last pivot that a regular configuration has: it tends to zero
+ * with the smallest singular value. Rows shorter than `floor` do not count. Rows that share no column, directly or
+ * by rows between them that come earlier, are orthogonal: chains of loops cost little. */
+typedef struct {
+    double basis[RANK1][NV1];
+    double lower[LIVE1][RANK1];
+    int order[LIVE1];
+    int rank;
+    double smallest;
+} Rows;
+
+static double product(const double *a, const double *b)
 {
-    double rows[NR][NV1], square[NR];
-    memcpy(rows, o->jacobian, sizeof rows);
-    for (int i = 0; i < NR; ++i) {
+    double sum[4] = {0.0, 0.0, 0.0, 0.0};
+    int k = 0;
+    for (; k + 4 <= NV; k += 4) {
+        for (int i = 0; i < 4; ++i) {
+            sum[i] += a[k + i] * b[k + i];
+        }
+    }
+    for (; k < NV; ++k) {
+        sum[0] += a[k] * b[k];
+    }
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+static double without(double *row, const double *direction)
+{
+    const double along = product(row, direction);
+    for (int k = 0; k < NV; ++k) {
+        row[k] -= along * direction[k];
+    }
+    return along;
+}
+
+static void row_space(const Opening *o, double floor, Rows *f)
+{
+    double rows[LIVE1][NV1], square[LIVE1], whole[LIVE1];
+    unsigned long long near[LIVE1][WORDS];
+    memset(rows, 0, sizeof rows);
+    memcpy(near, NEAR, sizeof near);
+    for (int e = 0; e < ENTRIES; ++e) {
+        rows[PLACE[ENTRY[e][0]]][ENTRY[e][1]] = o->value[e];
+    }
+    for (int i = 0; i < LIVE; ++i) {
         f->order[i] = i;
-        for (int j = 0; j < count; ++j) { /* only what is orthogonal to the given directions */
-            double along = 0.0;
-            for (int k = 0; k < NV; ++k) {
-                along += rows[i][k] * against[j][k];
-            }
-            for (int k = 0; k < NV; ++k) {
-                rows[i][k] -= along * against[j][k];
-            }
-        }
-        square[i] = 0.0;
-        for (int k = 0; k < NV; ++k) {
-            square[i] += rows[i][k] * rows[i][k];
-        }
+        whole[i] = square[i] = product(rows[i], rows[i]);
     }
     f->rank = 0;
     f->smallest = 1e300;
     while (f->rank < RANK) {
         const int r = f->rank;
         int best = r;
-        for (int i = r + 1; i < NR; ++i) {
+        for (int i = r + 1; i < LIVE; ++i) {
             best = square[f->order[i]] > square[f->order[best]] ? i : best;
         }
         const int chosen = f->order[best];
         f->order[best] = f->order[r];
         f->order[r] = chosen;
+        double *row = rows[chosen];
+        const int every = product(row, row) < 1e-4 * whole[chosen];
         for (int j = 0; j < r; ++j) { /* once more: rounding must not tilt a short row */
-            double along = 0.0;
-            for (int k = 0; k < NV; ++k) {
-                along += rows[chosen][k] * f->basis[j][k];
-            }
-            for (int k = 0; k < NV; ++k) {
-                rows[chosen][k] -= along * f->basis[j][k];
+            if (every || f->lower[chosen][j] != 0.0) {
+                without(row, f->basis[j]);
             }
         }
-        double norm = 0.0;
-        for (int k = 0; k < NV; ++k) {
-            norm += rows[chosen][k] * rows[chosen][k];
-        }
-        norm = sqrt(norm);
+        const double norm = sqrt(product(row, row));
         f->smallest = norm < f->smallest ? norm : f->smallest;
         if (norm < floor) {
             break;
         }
         for (int k = 0; k < NV; ++k) {
-            f->basis[r][k] = rows[chosen][k] / norm;
+            f->basis[r][k] = row[k] / norm;
         }
         f->lower[chosen][r] = norm;
-        for (int i = r + 1; i < NR; ++i) {
+        for (int i = r + 1; i < LIVE; ++i) {
             const int other = f->order[i];
-            double along = 0.0, left = 0.0;
-            for (int k = 0; k < NV; ++k) {
-                along += rows[other][k] * f->basis[r][k];
+            f->lower[other][r] = 0.0;
+            if (near[chosen][other / 64] >> (other % 64) & 1) {
+                f->lower[other][r] = without(rows[other], f->basis[r]);
+                square[other] = product(rows[other], rows[other]);
+                for (int w = 0; w < WORDS; ++w) {
+                    near[other][w] |= near[chosen][w];
+                }
             }
-            for (int k = 0; k < NV; ++k) {
-                rows[other][k] -= along * f->basis[r][k];
-                left += rows[other][k] * rows[other][k];
-            }
-            f->lower[other][r] = along;
-            square[other] = left;
         }
         f->rank = r + 1;
     }
@@ -199,7 +210,7 @@ static void shortest(const Rows *f, const double *right, double *d)
     }
     for (int r = 0; r < f->rank; ++r) {
         const int row = f->order[r];
-        double value = right[row];
+        double value = right[LIVE_ROW[row]];
         for (int j = 0; j < r; ++j) {
             value -= f->lower[row][j] * c[j];
         }
@@ -207,6 +218,14 @@ static void shortest(const Rows *f, const double *right, double *d)
         for (int k = 0; k < NV; ++k) {
             d[k] += c[r] * f->basis[r][k];
         }
+    }
+}
+
+/* right -= jacobian d. */
+static void subtract_product(const Opening *o, const double *d, double *right)
+{
+    for (int e = 0; e < ENTRIES; ++e) {
+        right[ENTRY[e][0]] -= o->value[e] * d[ENTRY[e][1]];
     }
 }
 
@@ -224,9 +243,9 @@ static void closure_rates(const Opening *o, const double *v, double *rates)
 {
     for (int i = 0; i < NR; ++i) {
         rates[i] = 0.0;
-        for (int k = 0; k < NV; ++k) {
-            rates[i] += o->jacobian[i][k] * (v[k] / UNIT[k]);
-        }
+    }
+    for (int e = 0; e < ENTRIES; ++e) {
+        rates[ENTRY[e][0]] += o->value[e] * (v[ENTRY[e][1]] / UNIT[ENTRY[e][1]]);
     }
 }
 
@@ -240,7 +259,7 @@ static int settle(double *q, double *v, double *smallest)
     if (opening(q, &o) != 0) {
         return FAILED;
     }
-    row_space(&o, NULL, 0, RANK_FLOOR, &f);
+    row_space(&o, RANK_FLOOR, &f);
     *smallest = f.smallest;
     for (int step = 0; step < MOST_CORRECTIONS; ++step) {
         const double open = largest(o.residual, NR);
@@ -251,7 +270,7 @@ static int settle(double *q, double *v, double *smallest)
             return FAILED;
         }
         if (open > 0.1 * before) {
-            row_space(&o, NULL, 0, RANK_FLOOR, &f);
+            row_space(&o, RANK_FLOOR, &f);
         }
         before = open;
         shortest(&f, o.residual, d);

@@ -47,7 +47,7 @@ static double pivot_rate(const double *q, const double *v)
         if (opening(at, &o) != 0) {
             return 0.0;
         }
-        row_space(&o, NULL, 0, RANK_FLOOR, &f);
+        row_space(&o, RANK_FLOOR, &f);
         pivot[side] = f.smallest;
     }
     return (pivot[1] - pivot[0]) * size / 2e-7;
@@ -193,12 +193,13 @@ static int crossing_between(Simulation *s, double left, double right, double low
     if (opening(found->q, &o) != 0) {
         return 0;
     }
-    row_space(&o, NULL, 0, RANK_FLOOR, &f);
+    row_space(&o, RANK_FLOOR, &f);
     found->lost = 0.0;
-    for (int i = 0; i < NR; ++i) {
+    memset(found->rows, 0, sizeof found->rows);
+    for (int i = 0; i < LIVE; ++i) {
         const int row = f.order[i];
         const int lost = i < RANK && (i >= f.rank || f.lower[row][i] < LOOK);
-        found->rows[row] = lost ? 1.0 : 0.0;
+        found->rows[LIVE_ROW[row]] = lost ? 1.0 : 0.0;
         found->lost += lost;
     }
     return 1;
