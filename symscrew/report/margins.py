@@ -17,7 +17,8 @@ from symscrew.workspace.configurations import (
     watched_margins,
 )
 
-HALF, COUNT, MOST = {"rad": 1.2, "m": 0.6, "1": 0.5}, 61, 6
+HALF, MOST = {"rad": 1.2, "m": 0.6, "1": 0.5}, 6
+COUNT, COUNT_INTERPRETED = 61, 21
 
 
 def figure(model: Model, call: Call) -> Any:
@@ -44,7 +45,7 @@ def figure(model: Model, call: Call) -> Any:
         for k, axes in zip(shown, frames, strict=False):
             unit = units[labels[k]]
             half = HALF.get(unit, 0.5) * (model.system.length if unit == "m" else 1.0)
-            values = np.linspace(start[k] - half, start[k] + half, COUNT)
+            values = np.linspace(start[k] - half, start[k] + half, COUNT_INTERPRETED if call is model else COUNT)
             curves = _along(model, call, k, values, names, first)
             for j, name in enumerate(names):
                 axes.plot(values, curves[j], color=COLOURS[j], linestyle=DASHES[j], label=name)
@@ -71,6 +72,6 @@ def _along(model: Model, call: Call, k: int, values: np.ndarray, names: Sequence
     y = np.repeat(reference_coordinates(model)[None, :], len(values), 0)
     y[:, k] = values
     with np.errstate(all="ignore"):
-        q, _, _ = walk(model, call, y, watch=False)
+        q, _, _ = walk(model, call, y, watch=False, steps=5 if call is model else STEPS)
         found = watched_margins(model, call, q, _parameters(model, len(values)))
     return [found[name] / first[name] for name in names]

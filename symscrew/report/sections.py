@@ -298,7 +298,7 @@ def _functions(model: Model, times: Mapping[str, tuple[float, float, float]]) ->
         outputs = ", ".join(f"{p.name} [{' x '.join(map(str, p.shape))}]" for p in program.outputs)
         per = " per step" if isinstance(program, Iteration) else ""
         row = (f"{name}({inputs})", outputs, f"{program.operations['total']}{per}")
-        rows.append((*row, _time(times[name])) if times else row)
+        rows.append((*row, _time(times[name]) if name in times else "-") if times else row)
     header = ("function (inputs)", "outputs [size]", "operations", *(("ns per call",) if times else ()))
     return [Table(header, tuple(rows), frozenset({2, 3}))]
 

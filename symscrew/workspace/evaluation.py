@@ -216,9 +216,9 @@ def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array,
     """Condition number and stiffness of the platform's motion, with lengths divided by the characteristic length.
 
     With an orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
-    A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that
-    of M with sliding drives divided by L, infinite where R is singular; the stiffness K = M^T diag(k) M has as eigenvalues the least and largest stiffness
-    [N m] against a unit of such a twist.
+    A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that of M with
+    sliding drives divided by L, infinite where R is singular; the stiffness K = M^T diag(k) M has as eigenvalues the
+    least and largest stiffness [N m] against a unit of such a twist.
     """
     system = model.system
     platform = model.mechanism.platform
