@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from symscrew import __version__, commands
-from symscrew.usage import FAILED, LIMIT, OVER, TARGETS, TOLERANCE, Parser, UsageError
+from symscrew.usage import FAILED, LIMIT, OVER, TARGETS, TOLERANCE, Parser, UsageError, complete
 
 BAD_INPUT, INTERRUPTED = 2, 130
 
@@ -20,7 +20,10 @@ BAD_INPUT, INTERRUPTED = 2, 130
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
     try:
-        options = parser().parse_args(arguments)
+        made = parser()
+        if "_ARGCOMPLETE" in os.environ:
+            complete(made)
+        options = made.parse_args(arguments)
         return int(options.command(options) or 0)
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
@@ -59,9 +62,10 @@ def _is_failure(error: Exception) -> bool:
 
 
 def _fail(message: object, code: int) -> int:
-    from symscrew.console import one_line
+    from symscrew.console import colours, one_line
 
-    print(f"symscrew: error: {one_line(message)}", file=sys.stderr)
+    label = "\033[1;31merror:\033[0m" if colours(sys.stderr) else "error:"
+    print(f"symscrew: {label} {one_line(message)}", file=sys.stderr)
     return code
 
 
@@ -195,7 +199,8 @@ def parser() -> argparse.ArgumentParser:
     add_options(
         _command(verbs, "embedded", commands.measure_embedded, "what functions cost on a microcontroller, emulated")
     )
-    _command(verbs, "doctor", commands.report_installation, "what is installed, and what each part is for")
+    doctor = _command(verbs, "doctor", commands.report_installation, "what is installed, and what each part is for")
+    doctor.add_argument("--json", action="store_true", help="as JSON")
     return top
 
 

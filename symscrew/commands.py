@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def list_mechanisms(options: argparse.Namespace) -> int:
     """`symscrew list`."""
     from symscrew import catalogue
-    from symscrew.console import table
+    from symscrew.console import show
 
     found = [catalogue.load(name) for name in catalogue.names()]
     rows = [
@@ -38,7 +38,7 @@ def list_mechanisms(options: argparse.Namespace) -> int:
         print(json.dumps(rows, indent=1, ensure_ascii=False))
     else:
         header = ("name", "bodies", "joints", "driven", "description")
-        print(table(header, [[str(row[key]) for key in header] for row in rows]))
+        show(header, [[str(row[key]) for key in header] for row in rows])
     return 0
 
 
@@ -79,7 +79,7 @@ def start_description(options: argparse.Namespace) -> int:
 
 def generate_code(options: argparse.Namespace) -> int:
     """`symscrew generate`."""
-    from symscrew.console import Progress, table
+    from symscrew.console import Progress, show
     from symscrew.generation import SINGLE_TARGETS, generate
 
     single = options.precision == "single"
@@ -93,7 +93,7 @@ def generate_code(options: argparse.Namespace) -> int:
         files = generate(model, options.out, targets, precision=options.precision)
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
-    print(table(("function", "operations"), rows))
+    show(("function", "operations"), rows)
     for note in model.notes:
         print(f"note: {note}")
     return 0
@@ -291,11 +291,16 @@ def measure_embedded(options: argparse.Namespace) -> int:
     return run(options)
 
 
-def report_installation(_: argparse.Namespace) -> int:
+def report_installation(options: argparse.Namespace) -> int:
     """`symscrew doctor`."""
-    from symscrew.console import installation, table
+    from symscrew.console import installation, show
 
-    print(table(("part", "found", "for"), installation()))
+    rows = installation()
+    if options.json:
+        keys = ("part", "found", "for", "to get it")
+        print(json.dumps([dict(zip(keys, row, strict=True)) for row in rows], indent=1))
+        return 0
+    show(("part", "found", "for", "to get it"), rows)
     return 0
 
 

@@ -93,3 +93,12 @@ class Parser(argparse.ArgumentParser):
         self.formatter_class = argparse.RawDescriptionHelpFormatter
         if name in EXAMPLES:
             self.epilog = "examples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
+
+
+def complete(parser: argparse.ArgumentParser) -> None:
+    """Answer the shell's question for completions, if argcomplete is installed."""
+    try:
+        import argcomplete
+    except ImportError:
+        return
+    argcomplete.autocomplete(parser)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -12,10 +13,12 @@ import pytest
 
 from symscrew import catalogue
 from symscrew.cli import main
+from symscrew.compiled import load
 from symscrew.model import derive
 from symscrew.report import document, write
 from symscrew.report.document import Document, Picture, Section, Table, Text, page
 from symscrew.report.sections import _unit_screws
+from symscrew.workspace.configurations import calls_of
 
 VOID = {"meta", "br", "img", "mspace", "link", "input", "path", "use", "rect", "circle", "line", "mprescripts"}
 
@@ -56,7 +59,10 @@ def read(text: str) -> Reader:
 def seed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("report") / "seed.html"
     model = derive(catalogue.load("three_ups_upu_s"))
-    write(document(model, times={"inverse_dynamics": (100.0, 110.0, 130.0)}), path)
+    needed = ("assemble", "limb_margins", "constraint_margin", "actuation_margins")
+    small = replace(model, programs={n: model.programs[n] for n in needed})
+    call = calls_of(load(small))
+    write(document(model, call=call, times={"inverse_dynamics": (100.0, 110.0, 130.0)}), path)
     return path
 
 
@@ -124,8 +130,10 @@ def test_picture_in_a_page_is_data() -> None:
 def test_studies_are_included(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     point = {"curve": "C99", "setting": "double", "error": 1.25e-15, "failure": "",
              "cost": {"lower": 1e-7, "median": 1.2e-7, "upper": 1.5e-7, "repeats": 9}, "facts": {}}  # fmt: skip
-    study = {"name": "precision", "title": "Precision of inverse dynamics", "points": [point], "error_label": "relative",
-             "cost_label": "time of a call", "cost_unit": "ns", "reference": "60 digits", "reference_error": 1e-50,
+    study = {"name": "precision", "title": "Precision of inverse dynamics", "points": [point],
+             "error_label": "relative",
+             "cost_label": "time of a call", "cost_unit": "ns", "reference": "60 digits",
+             "reference_error": 1e-50,
              "preparation": {}, "left_out": ["quad: no compiler"], "notes": [], "tables": {}}  # fmt: skip
     content = {"subject": "ur5", "machine": {"cpu": "x"}, "studies": [study]}
     (tmp_path / "accuracy.json").write_text(json.dumps(content))

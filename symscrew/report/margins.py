@@ -9,6 +9,7 @@ import numpy as np
 
 from symscrew.model import Model
 from symscrew.workspace.configurations import (
+    STEPS,
     Call,
     independent_labels,
     reference_coordinates,
