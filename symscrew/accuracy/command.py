@@ -49,9 +49,9 @@ def run(options: argparse.Namespace) -> int:
         try:
             with progress.step(f"study {name}"):
                 studies.append(_function(name)(subject, path, options.full)(progress, repeats, seconds))
-        except DescriptionError as error:
+        except (DescriptionError, ArithmeticError) as error:
             if options.study != "all" and len(asked) == 1:
-                raise
+                raise DescriptionError(str(error)) from error
             left_out.append(f"{name}: {error}")
     directory.mkdir(parents=True, exist_ok=True)
     written = _write(subject.model.name if path is None else path.stem, studies, facts, directory)

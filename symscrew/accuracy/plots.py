@@ -55,7 +55,9 @@ def work_precision(study: Study) -> Figure:
     with style():
         made = Figure(figsize=((0.6 + 3.1 * count) if count > 1 else 5.0, 2.7 + 0.145 * rows), layout="constrained")
         FigureCanvasAgg(made)
-        axes = made.subplots(1, count, sharey=True, sharex=panels != [""], squeeze=False)[0]
+        axes = made.subplots(1, count, sharey=True, squeeze=False)[0]
+        for axis in axes[1 : len(panels)]:
+            axis.sharex(axes[0])
         kinds: dict[str, int] = {}
         for axis, panel in zip(axes, panels, strict=False):
             for name, points in _of_panel(study, panel).items():

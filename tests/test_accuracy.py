@@ -1,0 +1,340 @@
+"""The studies of accuracy against time: what they state is checked by other means; nothing is said about times."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from symscrew import catalogue
+from symscrew.accuracy import Setup, measured
+from symscrew.accuracy.chains import Chains, least_squares
+from symscrew.accuracy.claims import newton_euler_program
+from symscrew.accuracy.history import read_reference
+from symscrew.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
+from symscrew.accuracy.measuring import Point, Quartiles
+from symscrew.accuracy.momentum import drive_map, drives_of, momenta_of, neighbour, reference_rates
+from symscrew.accuracy.report import front
+from symscrew.accuracy.states import States, Subject, body_states_of, paper_states, random_states
+from symscrew.accuracy.typed_code import COMPLEX, as_floats, in_digits, only, typed_function
+from symscrew.cli import main
+from symscrew.compiled import find_compiler
+from symscrew.console import Progress
+from symscrew.mobility import analyse_mobility
+from symscrew.model import Model, derive
+from symscrew.newton_euler import newton_euler
+
+QUIET = Progress(quiet=True)
+EXAMPLES = Path(__file__).parent.parent / "examples" / "benchmarks"
+needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: curves of generated C are left out")
+
+
+@cache
+def seed() -> Model:
+    return derive(catalogue.load("three_ups_upu_s"))
+
+
+@cache
+def states() -> States:
+    return random_states(seed(), 12)
+
+
+def least_error(study, curve: str) -> float:  # type: ignore[no-untyped-def]
+    return min(p.error for p in study.curves[curve] if p.error is not None)
+
+
+# -- the harness --------------------------------------------------------------------------------------
+
+
+def test_setups_are_run_in_turn_and_failures_stay() -> None:
+    order: list[str] = []
+
+    def run(name: str, seconds: float):  # type: ignore[no-untyped-def]
+        def once() -> float:
+            order.append(name)
+            return seconds
+
+        return once
+
+    def fails() -> float:
+        raise ArithmeticError("a pivot is small")
+
+    setups = [
+        Setup("a", "1", run("a", 2e-3), lambda: 0.5, 2.0),
+        Setup("b", "1", fails, lambda: 0.0),
+        Setup("c", "1", run("c", 1e-3), lambda: float("nan")),
+        Setup("d", "1", run("d", 3e-3), lambda: 0.25),
+    ]
+    a, b, c, d = measured(setups, repeats=5, seconds=60.0)
+    assert order == ["a", "c", "d", *["a", "d"] * 5]  # the first for the error, then in turn
+    assert a.cost == Quartiles(1e-3, 1e-3, 1e-3, 5)  # by the share
+    assert (a.error, d.error) == (0.5, 0.25)
+    assert (b.error, b.cost, b.failure) == (None, None, "a pivot is small")
+    assert (c.error, c.failure) == (None, "the result is not finite")
+
+
+def test_quartiles_are_those_of_the_laps() -> None:
+    laps = iter([9.0, 1.0, 2.0, 3.0, 4.0, 5.0])  # the first run takes long and counts
+    (point,) = measured([Setup("a", "", lambda: next(laps), lambda: 1.0)], repeats=5, seconds=60.0)
+    assert point.cost is not None
+    assert point.cost.median == np.median([9, 1, 2, 3, 4])
+    assert point.cost.repeats == 5
+
+
+def test_a_front_has_no_point_that_another_beats() -> None:
+    def point(error: float, seconds: float) -> Point:
+        return Point("a", "", error, Quartiles(seconds, seconds, seconds, 1))
+
+    good, beaten = [point(1e-2, 1.0), point(1e-4, 2.0)], point(1e-3, 3.0)
+    assert front([*good, beaten]) == good
+
+
+# -- kinematics ---------------------------------------------------------------------------------------
+
+
+def test_serial_chains_have_the_screws_of_the_generated_code_and_the_papers_matrix() -> None:
+    chains = Chains(seed().mechanism)
+    matrix = chains.matrix(chains.start())
+    assert matrix.shape == (30, 26)
+    screws = seed()("joint_screws", seed().system.reference)[0][0].reshape(26, 6).T
+    total = sum(matrix[6 * k : 6 * k + 6] for k in range(5))
+    assert np.abs(total - screws).max() < 1e-15
+
+
+def test_least_squares_step_in_c_is_that_of_numpy() -> None:
+    from symscrew.accuracy.kinematics import least_squares_program
+    from symscrew.functions.kinematics import Motion, kinematic_functions
+
+    system = seed().system
+    functions = {f.name: f for f in kinematic_functions(system, Motion(system))}
+    labels = functions["joint_rates"].outputs[0].labels
+    limbs = [
+        [k for k, label in enumerate(labels) if label.split(".")[0] in limb.joints]
+        for limb in seed().mechanism.limbs.values()
+    ]
+    program = least_squares_program(system, functions["joint_screws"].results[0], labels, limbs)
+    chains = Chains(seed().mechanism)
+    twist = np.array([0.1, -0.2, 0.05, 0.0, 0.0, 0.0])
+    expected = least_squares(chains.matrix(chains.start()), twist)
+    (got,) = program(system.reference, twist)
+    assert np.abs(got - expected).max() < 1e-12
+
+
+# -- momentum -----------------------------------------------------------------------------------------
+
+
+def test_reference_rates_and_drive_map_are_right_by_newton_euler() -> None:
+    found = states()
+    exact = reference_rates(seed(), States(found.q[:3], found.v[:3], found.a[:3], ""))
+    analytic = seed()("momentum_rates", found.q[:3], found.v[:3], found.a[:3])[0][0]
+    assert np.abs(exact - analytic).max() < 1e-13 * np.abs(analytic).max()
+    to_drives = drive_map(seed(), found)
+    inertial = np.einsum("nij,nj->ni", to_drives, seed()("momentum_rates", found.q, found.v, found.a)[0][0])
+    other = newton_euler(seed().mechanism, body_states_of(seed(), found), gravity=(0.0, 0.0, 0.0)).drives
+    assert np.abs(inertial - other).max() < 1e-12 * np.abs(other).max()
+    weight = newton_euler(seed().mechanism, body_states_of(seed(), found)).drives
+    assert np.abs(drives_of(seed(), found) - weight).max() < 1e-12 * np.abs(weight).max()
+
+
+@pytest.mark.parametrize("order, steps", [(1, (1e-3, 1e-4)), (2, (1e-2, 1e-3))])
+def test_differences_have_their_order(order: int, steps: tuple[float, float]) -> None:
+    found = states()
+    exact = seed()("momentum_rates", found.q, found.v, found.a)[0][0]
+    errors = []
+    for h in steps:
+        after = momenta_of(seed(), *neighbour(seed(), found, h))
+        before = momenta_of(seed(), *neighbour(seed(), found, 0.0 if order == 1 else -h))
+        errors.append(np.abs((after - before) / (h * order) - exact).max())
+    assert np.log10(errors[0] / errors[1]) / np.log10(steps[0] / steps[1]) == pytest.approx(order, abs=0.02)
+
+
+def test_programs_for_other_number_types() -> None:
+    program = only(seed().programs["momentum_screws"], ("momenta",))  # type: ignore[arg-type]
+    found = states()
+    (expected,) = program(found.q[0], found.v[0])
+    (digits,) = as_floats(in_digits(program, [found.q[0], found.v[0]]))
+    assert np.abs(digits - expected).max() < 1e-14 * np.abs(expected).max()
+    text = typed_function(program, "screws", COMPLEX)
+    assert "csin(" in text
+    assert "double complex *out0" in text
+
+
+@needs_compiler
+def test_study_of_momentum_shows_the_floors() -> None:
+    from symscrew.accuracy import momentum
+
+    study = momentum.study(Subject(derive(catalogue.load("four_bar"))), QUIET, repeats=1, seconds=0.1)
+    floors = {name: least_error(study, name) for name in study.curves}
+    assert study.reference_error is not None
+    assert study.reference_error < 1e-11
+    assert floors["analytic"] < 1e-12
+    assert floors["complex step"] < 1e-12
+    assert floors["Richardson"] < floors["central difference"] < floors["first-order difference"]
+    first = study.curves["first-order difference"]
+    errors = [p.error for p in first if p.error is not None]
+    assert 0 < int(np.argmin(errors)) < len(errors) - 1  # rounding grows below the best step
+    analytic = study.curves["analytic"][0]
+    assert analytic.cost is not None
+    assert analytic.cost.median > 0
+
+
+# -- precision, claims --------------------------------------------------------------------------------
+
+
+@needs_compiler
+def test_study_of_precision() -> None:
+    from symscrew.accuracy import precision
+
+    study = precision.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
+    errors = {(p.curve, p.setting): p.error for p in study.points}
+    assert study.reference_error is not None
+    assert study.reference_error < 1e-16
+    for name in ("inverse dynamics", "forward dynamics"):
+        assert 1e-17 < errors[name, "float64"] < 1e-13
+        assert 1e-17 < errors[name, "float64, fast-math"] < 1e-13
+        assert 1e-9 < errors[name, "float32"] < 1e-3
+
+
+def test_newton_euler_program_gives_the_rates_of_the_momentum_screws() -> None:
+    found = states()
+    (wrenches,) = newton_euler_program(seed().system)(found.q, found.v, found.a)
+    rates = seed()("momentum_rates", found.q, found.v, found.a)[0][0]
+    assert np.abs(wrenches - rates).max() < 1e-13 * np.abs(rates).max()
+
+
+def test_limbs_share_the_whole_load() -> None:
+    model = loaded(seed().mechanism)
+    _, rows = sharing(model, states())
+    assert [row[0] for row in rows] == ["limb1", "limb2", "limb3", "limb4", "limb5", "sum"]
+    assert rows[-1][2] == rows[-1][4] == "100.0 %"
+    assert float(rows[-1][1]) == 1000.0
+
+
+def test_mechanism_without_two_limbs_keeps_its_freedoms() -> None:
+    reduced = without_limbs(seed().mechanism, ("limb2", "limb3"))
+    assert analyse_mobility(reduced).dof == 2
+    assert len(reduced.bodies) == len(seed().mechanism.bodies) - 4
+
+
+@pytest.mark.slow
+def test_additional_limbs_lower_the_peak_drive_and_a_singular_choice_fails() -> None:
+    reduced = without_limbs(seed().mechanism, ("limb2", "limb3"))
+    _, rows = redundancy(loaded(seed().mechanism), paper_states(seed(), 3))
+    by_name = {row[0]: row for row in rows}
+    whole, fourth = by_name["all limbs"], by_name["only limb4 of the UPS limbs"]
+    assert (whole[1], fourth[1]) == ("4", "2")
+    assert float(fourth[3]) > float(whole[3])
+    assert "singular" in by_name["only limb3 of the UPS limbs"][4]  # in line with limb 1: no drive about x
+    balanced = evaluated(loaded(reduced), "inverse_dynamics", paper_states(loaded(reduced), 3), np.zeros(6))[0]
+    other = derive(reduced)
+    found = paper_states(other, 3)
+    assert np.abs(balanced - drives_of(other, found)).max() < 1e-9
+
+
+# -- forward, benchmark problems ------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@needs_compiler
+def test_study_of_formulations_on_andrews() -> None:
+    from symscrew.accuracy import forward
+    from symscrew.scene import load
+
+    path = EXAMPLES / "andrews.toml"
+    scene = load(path)
+    subject = Subject(derive(scene.mechanism, scene.effects), scene)
+    study = forward.study(subject, QUIET, repeats=1, seconds=0.1, path=path)
+    for kind in ("projection", "stabilised (Gear-Gupta-Leimkuhler)", "no stabilisation", "minimal coordinates"):
+        assert least_error(study, f"DOP853, {kind}") < 1e-8, kind
+        steps = [p.error for p in study.curves[f"RK4, {kind}"]]
+        assert steps[-3] / steps[-1] > 40, kind  # order 4 at two halvings: 256; its rounding comes later
+    assert least_error(study, "DOP853, penalty") < 1e-3
+    assert least_error(study, "symscrew simulate: DOP853, projection") < 1e-9
+    ((header, rows),) = study.tables.values()
+    stated = next(row for row in rows if "stated" in row[0])
+    assert float(stated[header.index("ours [ms]")]) > 0
+    assert any(p.facts.get("peer") for p in study.points)
+
+
+def test_reference_histories_of_the_scenes_fit_them() -> None:
+    from symscrew.scene import load
+
+    paths = sorted(EXAMPLES.glob("*.reference.json"))
+    assert len(paths) >= 8
+    for path in paths:
+        scene_path = path.with_name(path.name.replace(".reference.json", ".toml"))
+        reference = read_reference(scene_path)
+        assert reference is not None
+        assert np.allclose(np.diff(reference.times), reference.times[1], rtol=1e-9)
+        scene = load(scene_path)
+        assert reference.times[-1] >= scene.duration * (1 - 1e-12)
+        model = derive(scene.mechanism, scene.effects)
+        assert np.isfinite(reference.error_of(model)(np.repeat(model.system.reference[None], len(reference.times), 0)))
+        assert reference.stated is not None
+        assert reference.own_error is not None
+        assert reference.own_error < reference.stated
+
+
+@needs_compiler
+def test_chain_of_loops_falls_as_one_pendulum_and_its_operations_are_linear() -> None:
+    from symscrew.accuracy import growth
+
+    models = {n: derive(growth.four_bars(n), (growth.Gravity((0, "-9.81", 0)),)) for n in (1, 2, 3)}
+    for name in growth.FUNCTIONS:
+        one, two, three = (models[n].programs[name].operations["total"] for n in (1, 2, 3))
+        assert three - two == two - one, name
+    setup = growth._setup(models[2], 2, growth.Stopwatch())
+    setup.run()
+    assert setup.error() < 1e-5  # through about ten singular positions
+
+
+# -- the command ----------------------------------------------------------------------------------------
+
+
+@needs_compiler
+def test_command_leaves_json_table_and_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "new" / "folder"
+    assert main(["accuracy", "four_bar", "--study", "precision", "--out", str(out)]) == 0
+    assert {p.name for p in out.iterdir()} == {"accuracy.json", "accuracy.md", "precision.png", "precision.svg"}
+    content = json.loads((out / "accuracy.json").read_text())
+    assert content["machine"]["processor"]
+    assert "-O2" in content["machine"]["flags"]
+    (study,) = content["studies"]
+    assert study["points"][0]["cost"]["repeats"] >= 3
+    assert study["reference_error"] < 1e-15
+    shown = capsys.readouterr().out
+    assert shown.startswith("| study")
+    assert "inverse dynamics" in shown
+
+
+@pytest.mark.parametrize(
+    "arguments, text",
+    [
+        (["four_bar", "--study", "momentums"], "did you mean 'momentum'"),
+        (["four_bear"], "four_bar"),
+        (["four_bar", "--study", "kinematics"], "section 5"),
+        (["four_bar", "--study", "growth"], "n_four_bar.toml"),
+    ],
+)
+def test_bad_input_ends_with_one_line_and_no_files(
+    arguments: list[str], text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    assert main(["accuracy", *arguments, "--out", str(out)]) == 2
+    error = capsys.readouterr().err.strip().splitlines()[-1]
+    assert error.startswith("symscrew: error:")
+    assert text in error
+    assert not out.exists()
+
+
+def test_without_a_compiler_curves_of_c_are_left_out_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    from symscrew.accuracy import momentum
+
+    monkeypatch.setattr(momentum, "find_compiler", lambda: None)
+    study = momentum.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
+    assert "C compiler" in study.left_out[0]
+    assert set(study.curves) == {"first-order difference, NumPy", "analytic, NumPy"}
+    assert least_error(study, "analytic, NumPy") < 1e-11
