@@ -47,3 +47,18 @@ def broken_rows(program: Program, unknowns: Unknowns, x: np.ndarray, g: np.ndarr
         f"{100 * at:.0f} % of the duration"
         for kind, (size, at, count) in ordered
     )
+
+
+def pressing_bounds(unknowns: Unknowns, x: np.ndarray, multipliers: np.ndarray) -> tuple[str, ...]:
+    """The bounds that the motion presses against most, one line per unknown's name."""
+    bounded = (np.isfinite(unknowns.lower) | np.isfinite(unknowns.upper)) & (unknowns.lower < unknowns.upper)
+    near = 1e-4
+    on = bounded & ((x < unknowns.lower + near) | (x > unknowns.upper - near))
+    groups: dict[str, list[int]] = {}
+    for k in np.flatnonzero(bounded):
+        groups.setdefault(unknowns.labels[k], []).append(int(k))
+    pressed = {label: float(np.abs(multipliers[at]).sum()) for label, at in groups.items() if on[at].any()}
+    ordered = sorted(pressed, key=lambda label: -pressed[label])[:SHOWN]
+    return tuple(
+        f"{label} stands on its bounds at {100 * on[groups[label]].mean():.0f} % of its places" for label in ordered
+    )

@@ -17,7 +17,7 @@ from symscrew.optimisation.point import PointModel, Scales
 from symscrew.optimisation.problem import Conditions
 
 FINEST = 60  # configurations followed along the guess
-SINGULAR = 1e-7
+SINGULAR = 1e-5  # of the pivots without units
 LONGEST = 100.0  # [s] a free duration without an upper bound is looked for up to here
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.equations import PointEquations
-from symscrew.optimisation.explanation import STATUS, broken_rows
+from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
@@ -140,13 +140,14 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
     times = _times(stats, ready - began, made - ready, done - made, done - began)
     word = stats.get("return_status", "")
     g = np.array(answer["g"]).ravel()
-    reasons = () if ok else broken_rows(program, unknowns, x, g)
+    pressure = np.array(answer["lam_x"]).ravel()
+    reasons = () if ok else (*broken_rows(program, unknowns, x, g), *pressing_bounds(unknowns, x, pressure))
     status = STATUS.get(word, f"the solver ended with {word}")
     iterations = int(stats.get("iter_count", 0))
     say(f"{status} after {iterations} iterations")
     return Trajectory(
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
-        np.array(answer["lam_x"]).ravel(), float(answer["f"]) * scale, scale, ok, status,
+        pressure, float(answer["f"]) * scale, scale, ok, status,
         Statistics(iterations, times), reasons,
     )  # fmt: skip
 
