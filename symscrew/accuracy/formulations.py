@@ -21,7 +21,9 @@ from symscrew.simulation.linking import Linker, Operand
 from symscrew.simulation.programs import Plant
 
 Array = np.ndarray
+TREE = "joint coordinates (no loops)"
 FORMULATIONS = {
+    TREE: 0,
     "no stabilisation": 0,
     "projection": 1,
     "Baumgarte": 2,
@@ -83,7 +85,7 @@ def formulated(model: Model, plant: Plant, scene: Scene, start: tuple, watch: St
     """Print and compile the library of a scene; a formulation that cannot be had is not among `kinds`."""
     programs: dict[str, Program | Iteration] = {"slopes": plant.slopes, "inputs": plant.inputs}
     programs["forward_dynamics"] = plant.forward
-    kinds = ["no stabilisation"]
+    kinds = [TREE] if plant.closure is None else ["no stabilisation"]
     independent: tuple[int, ...] = ()
     spheres: tuple[int, ...] = ()
     assemble = model.programs.get("assemble")

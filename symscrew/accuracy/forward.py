@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.accuracy.formulations import Formulated, formulated
+from symscrew.accuracy.formulations import FORMULATIONS, TREE, Formulated, formulated
 from symscrew.accuracy.history import Reference, read_reference
 from symscrew.accuracy.measuring import Point, Quartiles, Setup, Stopwatch, Study, measured
 from symscrew.accuracy.states import Subject
@@ -110,9 +110,7 @@ def beginning(scene: Scene, model: Model, plant: Plant) -> tuple[Array, Array, A
 
 
 def _missing(made: Formulated) -> list[str]:
-    from symscrew.accuracy.formulations import FORMULATIONS
-
-    return [kind for kind in FORMULATIONS if kind not in made.kinds]
+    return [kind for kind in FORMULATIONS if kind not in made.kinds and kind != TREE and TREE not in made.kinds]
 
 
 def _judge(

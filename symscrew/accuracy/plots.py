@@ -92,13 +92,18 @@ def _of_panel(study: Study, panel: str) -> dict[str, list[Point]]:
         for name, points in study.curves.items()
         if str(points[0].facts.get("panel", "")) == panel and any(_drawn(p, study) for p in points)
     }
+    if panel == "peers":
+        found |= {name: points for name, points in study.curves.items() if name.startswith("symscrew simulate")}
     if len(found) <= MOST_CURVES:
         return found
     groups: dict[str, list[Point]] = {}
     for name, points in found.items():
         group = name.split()[0]
+        if not points[0].facts.get("peer"):
+            groups[name] = points
+            continue
         groups.setdefault(f"{PEERS.get(group, group)}: best of all settings", []).extend(points)
-    return {name: _envelope(points) for name, points in groups.items()}
+    return {n: _envelope(points) if points[0].facts.get("peer") else points for n, points in groups.items()}
 
 
 def _envelope(points: Sequence[Point]) -> list[Point]:
