@@ -6,6 +6,7 @@ What every guard prevents stands in the test's docstring, as seen when it was ta
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Sequence
 from functools import cache
 
@@ -56,13 +57,11 @@ def states(found: Model, count: int = 2) -> list[tuple[np.ndarray, np.ndarray, n
 def test_mass_ratios_in_a_loop(ratio: str) -> None:
     """The coupler of a general four-bar light or heavy: at most three of sixteen digits lost."""
     text = catalogue_text("four_bar")
-    scaled = (
-        f'[["9/1000*{ratio}", 0, "-3/250*{ratio}"], [0, "1/40*{ratio}", 0], ["-3/250*{ratio}", 0, "2/125*{ratio}"]]'
-    )
-    found = derive(changed(text, (
-        'mass = "1.2"\ncom = ["1/5", 0, "3/10"]\ninertia = [["9/1000", 0, "-3/250"], [0, "1/40", 0], ["-3/250", 0, "2/125"]]',
-        f'mass = "1.2*{ratio}"\ncom = ["1/5", 0, "3/10"]\ninertia = {scaled}',
-    )))  # fmt: skip
+    mass, com = 'mass = "1.2"', 'com = ["1/5", 0, "3/10"]'
+    rows = [["9/1000", "0", "-3/250"], ["0", "1/40", "0"], ["-3/250", "0", "2/125"]]
+    given = 'inertia = [["9/1000", 0, "-3/250"], [0, "1/40", 0], ["-3/250", 0, "2/125"]]'
+    other = "inertia = [" + ", ".join("[" + ", ".join(f'"({e})*{ratio}"' for e in row) + "]" for row in rows) + "]"
+    found = derive(changed(text, (f"{mass}\n{com}\n{given}", f'mass = "1.2*{ratio}"\n{com}\n{other}')))
     assert max(lost(found, *state) for state in states(found)) < 1e-13
 
 
@@ -90,9 +89,7 @@ def test_mass_ratios_through_singular_positions(ratio: str) -> None:
 
 
 def test_nearly_massless_limbs() -> None:
-    """Limbs of the seed with 1e-12 of their masses: the platform's accelerations tend to those without limbs' masses."""
-    text = catalogue_text("three_ups_upu_s_physical")
-    assert "mass" in text
+    """Limbs of the seed with 1e-12 of their masses: no digit lost beyond the first four."""
     found = catalogued("three_ups_upu_s_physical")
     light = _lighter(found.mechanism, "1e-12")
     model = derive(light)
@@ -193,13 +190,12 @@ def in_units(text: str, *, millimetres: bool, grams: bool) -> Mechanism:
         for line in text.splitlines():
             if line.startswith(("com", "point ", "at ")):
                 head, values = line.split("=", 1)
-                line = f"{head}= {values.replace(' 1,', ' 1000,').replace('[1,', '[1000,').replace(', 1]', ', 1000]').replace('-1,', '-1000,').replace(', -1]', ', -1000]')}"
+                longer = re.sub(r"(?<=[ ,[])(-?)1(?=[],])", r"\g<1>1000", values)
+                line = f"{head}={longer}"
             lines.append(line)
-        text = (
-            "\n".join(lines)
-            .replace("(0.01 + 0.01)/12", "(0.01 + 0.01)/12*1e6")
-            .replace("(1 + 0.01)/12", "(1 + 0.01)/12*1e6")
-        )
+        text = "\n".join(lines)
+        for old in ("(0.01 + 0.01)/12", "(1 + 0.01)/12"):
+            text = text.replace(old, f"{old}*1e6")
     if grams:
         text = text.replace("mass = 1\n", "mass = 1000\n")
         text = text.replace('/12"', '/12*1000"').replace('/12*1e6"', '/12*1e9"')

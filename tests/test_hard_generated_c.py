@@ -1,0 +1,298 @@
+"""Generated C under sanitizers and valgrind, across compilers and levels, in float, with denormals, by the million.
+
+What every guard prevents stands in the test's docstring, as seen when it was taken out.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hard import case
+from hard.mechanisms import benchmark_text, changed
+from model_states import model as catalogued
+from model_states import relative
+from runs import compiled
+
+from symscrew.compiled import CompileError, find_compiler, load
+from symscrew.effects import Gravity
+from symscrew.export.c import print_c
+from symscrew.model import Model, derive
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
+FUNCTIONS = (
+    "inverse_dynamics",
+    "forward_dynamics",
+    "joint_reactions",
+    "forward_dynamics_reactions",
+    "closure",
+    "assemble",
+)
+BASE = ("-std=c99", "-fno-math-errno", "-shared", "-fPIC")
+
+
+def tool(name: str) -> str:
+    """Path of a tool, or the test is skipped by its name."""
+    path = shutil.which(name)
+    if path is None:
+        pytest.skip(f"{name} is not installed")
+    return path
+
+
+def some(name: str, functions: Sequence[str] = FUNCTIONS) -> Model:
+    """A catalogue model with the functions of this file only."""
+    found = catalogued(name)
+    return dataclasses.replace(found, programs={f: p for f, p in found.programs.items() if f in functions})
+
+
+def written(found: Model, folder: Path) -> Path:
+    for file, text in print_c(found).items():
+        (folder / file).write_text(text)
+    return folder / f"{found.name}.c"
+
+
+def results_of(found: Model, source: Path, compiler: str, flags: Sequence[str]) -> dict[str, np.ndarray]:
+    """All outputs and the status of single calls at the test states, by function: rows of numbers."""
+    library = source.with_name(f"{Path(compiler).name}{abs(hash(tuple(flags)))}.so")
+    command = [compiler, *BASE, f"-D{found.name.upper()}_SCALAR", *flags, str(source), "-o", str(library), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    loaded, answers = ctypes.CDLL(str(library)), {}
+    for function, program in found.programs.items():
+        call = getattr(loaded, f"{found.name}_{function}")
+        rows = []
+        for state in range(len(found.test_inputs[function][0])):
+            inputs = [np.ascontiguousarray(np.atleast_2d(x)[state], dtype=float) for x in found.test_inputs[function]]
+            outputs = [np.zeros(max(port.size, 1)) for port in program.outputs]
+            status = call(*[ctypes.c_void_p(a.ctypes.data) for a in (*inputs, *outputs)])
+            rows.append(np.concatenate([*outputs, [float(status)]]))
+        answers[function] = np.array(rows)
+    return answers
+
+
+@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s"])
+def test_levels_of_optimisation(name: str, tmp_path: Path) -> None:
+    """-O0 and -O3 give the same bits without contraction of multiply-add, with it 1e-13 of the output's norm."""
+    found, compiler = some(name), find_compiler()
+    assert compiler
+    source = written(found, tmp_path)
+    plain = results_of(found, source, compiler, ("-O0", "-ffp-contract=off"))
+    fast = results_of(found, source, compiler, ("-O3", "-ffp-contract=off"))
+    native_code = results_of(found, source, compiler, ("-O3", "-march=native", "-ffp-contract=fast"))
+    for function, expected in plain.items():
+        assert expected.tobytes() == fast[function].tobytes(), function
+        assert relative(native_code[function], expected) < 1e-13, function
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s"])
+def test_gcc_and_clang(name: str, tmp_path: Path) -> None:
+    """The same bits from both without contraction, with it 1e-13 of the output's norm."""
+    found = some(name)
+    source = written(found, tmp_path)
+    gcc, clang = tool("gcc"), tool("clang")
+    expected = results_of(found, source, gcc, ("-O2", "-ffp-contract=off"))
+    for level in ("-O0", "-O3"):
+        same = results_of(found, source, clang, (level, "-ffp-contract=off"))
+        near = results_of(found, source, clang, (level, "-march=native", "-ffp-contract=fast"))
+        for function, values in expected.items():
+            assert values.tobytes() == same[function].tobytes(), (function, level)
+            assert relative(near[function], values) < 1e-13, (function, level)
+
+
+def program_of(found: Model, states: Sequence[Sequence[np.ndarray]]) -> str:
+    """A C program that calls every function at given states, good and bad, also in batches, and prints the statuses."""
+    lines = [
+        f'#include "{found.name}.h"',
+        "#include <math.h>",
+        "#include <stdio.h>",
+        "#include <stdlib.h>",
+        "int main(void)",
+        "{",
+    ]
+    for function, program in found.programs.items():
+        symbol, arrays = f"{found.name}_{function}", states[list(found.programs).index(function)]
+        count = len(arrays[0])
+        lines.append("    {")
+        for k, array in enumerate(arrays):
+            values = ", ".join(
+                "NAN" if np.isnan(x) else "INFINITY" if np.isinf(x) else repr(float(x)) for x in array.ravel()
+            )
+            lines.append(f"        static const double in{k}[] = {{{values}}};")
+        for k, port in enumerate(program.outputs):  # exactly as large as documented: one entry beyond is an error
+            lines.append(f"        double *out{k} = malloc({count} * {port.size} * sizeof(double) + !{port.size});")
+        lines.append(f"        int *status = malloc({count} * sizeof(int)), total = 0;")
+        ins = [f"in{k}" for k in range(len(arrays))]
+        outs = [f"out{k}" for k in range(len(program.outputs))]
+        lines.append(f"        {symbol}_batch({count}, {', '.join([*ins, *outs])}, status);")
+        lines.append(f"        for (int i = 0; i < {count}; ++i) {{")
+        single = [f"in{k} + i * {array.shape[1]}" for k, array in enumerate(arrays)]
+        single += [f"out{k} + i * {port.size}" for k, port in enumerate(program.outputs)]
+        lines.append(f"            total += status[i] != {symbol}({', '.join(single)});")
+        lines += ["        }", f'        printf("{function} %d\\n", total);']
+        lines += [f"        free({out});" for out in outs] + ["        free(status);", "    }"]
+    return "\n".join([*lines, "    return 0;", "}", ""])
+
+
+def good_and_bad(found: Model) -> list[list[np.ndarray]]:
+    """The test states, the same with NaN, infinity, huge and denormal entries, and zeros."""
+    states = []
+    for function in found.programs:
+        rows = [np.atleast_2d(np.asarray(x, dtype=float)) for x in found.test_inputs[function]]
+        spoilt = [[x, x * 1e-310, x * 0.0, x * 1e200, np.where(np.arange(x.shape[1]) == 0, np.nan, x),
+                   np.where(np.arange(x.shape[1]) == x.shape[1] - 1, np.inf, x)] for x in rows]  # fmt: skip
+        states.append([np.concatenate(parts) for parts in spoilt])
+    return states
+
+
+def run_program(found: Model, folder: Path, compile_with: Sequence[str], run_with: Sequence[str] = ()) -> None:
+    source = written(found, folder)
+    (folder / "main.c").write_text(program_of(found, good_and_bad(found)))
+    command = [*compile_with, "-std=c99", "main.c", source.name, "-o", "checked", "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+    assert done.returncode == 0, done.stderr[-2000:]
+    done = subprocess.run([*run_with, "./checked"], capture_output=True, text=True, check=False, cwd=folder)
+    assert done.returncode == 0, done.stderr[-3000:]
+    assert done.stdout.split() == [word for function in found.programs for word in (function, "0")]
+    assert "runtime error" not in done.stderr and "ERROR" not in done.stderr.replace("ERROR SUMMARY: 0", "")
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize(
+    "name, functions", [("four_bar", FUNCTIONS), ("three_ups_upu_s", ("inverse_dynamics", "closure"))]
+)
+def test_address_and_undefined_behaviour_sanitizers(name: str, functions: Sequence[str], tmp_path: Path) -> None:
+    """Clean, at good states and bad ones, by single calls and by batches; both statuses are the same."""
+    flags = ("-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    run_program(some(name, functions), tmp_path, (tool("gcc"), *flags))
+
+
+@pytest.mark.tools
+def test_the_sanitizers_see_an_array_that_is_too_short(tmp_path: Path) -> None:
+    """The guard of the test above taken out: an output array one entry too short is noticed."""
+    found = some("four_bar", ("inverse_dynamics",))
+    text = program_of(found, good_and_bad(found))
+    source = written(found, tmp_path)
+    (tmp_path / "main.c").write_text(text.replace("* sizeof(double) + !", "* sizeof(double) - 8 + !", 1))
+    flags = ("-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    command = [tool("gcc"), *flags, "-std=c99", "main.c", source.name, "-o", "checked", "-lm"]
+    assert subprocess.run(command, capture_output=True, check=False, cwd=tmp_path).returncode == 0
+    done = subprocess.run(["./checked"], capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode != 0 and "heap-buffer-overflow" in done.stderr
+
+
+@pytest.mark.tools
+def test_valgrind(tmp_path: Path) -> None:
+    """No invalid access, nothing uninitialised, nothing leaked."""
+    options = ("--error-exitcode=9", "--leak-check=full", "--quiet")
+    run_program(some("four_bar"), tmp_path, (tool("gcc"), "-g", "-O1"), (tool("valgrind"), *options))
+
+
+def test_a_million_random_states_against_casadi() -> None:
+    """Inverse dynamics of the four-bar: batch function and CasADi at 1e6 states, anywhere in q, v, a."""
+    pytest.importorskip("casadi")
+    found = catalogued("four_bar")
+    found = dataclasses.replace(found, programs={"inverse_dynamics": found.programs["inverse_dynamics"]})
+    random = np.random.default_rng(12)
+    q, v, a = random.uniform(-np.pi, np.pi, (1_000_000, 3)), *random.uniform(-10, 10, (2, 1_000_000, 3))
+    fast, slow = load(found, backend="c"), load(found, backend="casadi")
+    u, first = fast.inverse_dynamics(q, v, a, check=False)  # type: ignore[misc]
+    expected, second = slow.inverse_dynamics(q, v, a, check=False)  # type: ignore[misc]
+    assert (first == second).all() and (first == 0).mean() > 0.99
+    good = first == 0
+    scale = np.maximum(np.abs(expected[good]), np.median(np.abs(expected[good])))
+    # near a singular position a value grows with 1/pivot, and so does what a rounding of the pivot means
+    assert (np.abs(u[good] - expected[good]) / scale).max() < 1e-13 * max(1.0, scale.max() / np.median(scale))
+    assert np.median(np.abs(u[good] - expected[good]) / scale) < 1e-15
+
+
+FAST_MATH = ("-ffast-math", "-fno-finite-math-only")
+FLUSHED = """
+import sys
+import numpy as np
+sys.path.insert(0, {tests!r})
+from runs import error_of, scene_of
+from symscrew.simulation import native
+from symscrew.simulation.run import simulate
+
+plain = simulate(scene_of("bricard", tolerance=1e-9))
+native.FLAGS = (*native.FLAGS, *{flags!r})
+other = simulate(scene_of("bricard", tolerance=1e-9))
+print(plain.ok, other.ok, np.abs(plain.q - other.q).max() < 1e-12, error_of("bricard", other) < 1e-9)
+"""
+
+
+def test_denormal_rates() -> None:
+    """A04 with rates of 1e-310: the accelerations of rest, bit for bit. (Times are not asserted in tests.)"""
+    found, _, _ = compiled("bricard")
+    calls = load(
+        dataclasses.replace(found, programs={"forward_dynamics": found.programs["forward_dynamics"]}), backend="c"
+    )
+    q = found.system.reference
+    rest, first = calls.forward_dynamics(q, np.zeros(5), check=False)  # type: ignore[misc]
+    tiny, second = calls.forward_dynamics(q, np.full(5, 1e-310), check=False)  # type: ignore[misc]
+    assert first == second <= 0 and (rest == tiny).all()
+
+
+def test_fast_math_and_flushed_denormals() -> None:
+    """A04 for 10 s compiled with -ffast-math: the same run to 1e-12.
+
+    In a process of its own: such a library may make all of its process flush denormals. With
+    -ffinite-math-only, which would drop the checks for NaN, the code refuses to compile (checked).
+    """
+    assert "same trajectory to 1e-12" in case(38)["pass_criterion"]
+    script = FLUSHED.format(tests=str(Path(__file__).parent), flags=FAST_MATH)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert done.stdout.split() == ["True"] * 4, done.stdout
+    with pytest.raises(CompileError, match="the checks for NaN would vanish"):
+        load(some("four_bar", ("closure",)), backend="c", flags=("-ffast-math",))
+
+
+def test_float_code_along_a_motion() -> None:
+    """A04 for 10 s by RK4 with accelerations from C of type float, states and projection in double: 5e-6 m at P3.
+
+    The rank decision is the same as in double: the status at every step is that of full rank.
+    """
+    assert "A04 <= 5e-6" in case(28)["pass_criterion"]
+    found = derive(changed(benchmark_text("bricard")), (Gravity((0, "-9.81", 0)),))
+    names = ("forward_dynamics", "close_position", "close_velocity", "forward_kinematics")
+    few = dataclasses.replace(found, programs={n: found.programs[n] for n in names})
+    single = load(dataclasses.replace(few, programs={"forward_dynamics": found.programs["forward_dynamics"]}),
+                  backend="c", precision="single")  # fmt: skip
+    double = load(few, backend="c")
+    h, q, v = 0.005, np.array(found.system.reference), np.zeros(5)
+    places, statuses = [], set()
+
+    def slope(q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        a, status = single.forward_dynamics(q, v, check=False)  # type: ignore[misc]
+        statuses.add(int(status))
+        return np.asarray(a)
+
+    for step in range(2001):
+        if step % 20 == 0:
+            places.append(np.asarray(double.forward_kinematics(q)).reshape(3, -1))
+        a1 = slope(q, v)
+        a2 = slope(q + h / 2 * v, v + h / 2 * a1)
+        a3 = slope(q + h / 2 * (v + h / 2 * a1), v + h / 2 * a2)
+        a4 = slope(q + h * (v + h / 2 * a2), v + h * a3)
+        q = q + h * v + h * h / 6 * (a1 + a2 + a3)
+        v = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
+        q = np.asarray(double.close_position(q)[0])  # type: ignore[index]
+        v = np.asarray(double.close_velocity(q, v))
+    from runs import DATA
+
+    entry = DATA["bricard"]
+    rows = np.array(entry["values"], dtype=float)
+    at = np.rint(rows[:, 0] / 0.1).astype(int)
+    expected = rows[:, [entry["columns"].index(c) for c in ("P3x", "P3y", "P3z")]]
+    got = np.array(places)[at][:, :, 0]
+    assert statuses <= {0, -1}
+    assert np.abs(got - expected).max() < 5e-6
