@@ -45,8 +45,8 @@ def save(study: Study, directory: Path) -> list[Path]:
 
 def work_precision(study: Study) -> Figure:
     """Error over cost; a frame per panel of the points, and where points tell a step h, one more over h."""
-    if study.cost_unit == "operations":
-        return _operations_figure(study)
+    if study.cost_unit == "operations" or study.name == "precision":
+        return _settings_figure(study)
     panels = list(dict.fromkeys(str(p.facts.get("panel", "")) for p in study.points))
     stepped = any("h" in p.facts for p in study.points)
     count = len(panels) + stepped
@@ -79,9 +79,9 @@ def work_precision(study: Study) -> Figure:
             made.legend(handles, labels, loc="outside upper center", ncols=3 if count > 1 else 1)
         else:
             for axis, panel in zip(axes, panels, strict=False):
+                if not axis.get_legend_handles_labels()[1]:
+                    continue
                 axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), title=panel, alignment="left", fontsize=6.8)
-        if study.name == "precision":
-            _annotate(axes[0], study)
     return made
 
 
@@ -117,17 +117,18 @@ def _envelope(points: Sequence[Point]) -> list[Point]:
     return [best[error] for error in sorted(best, reverse=True)]
 
 
-def _operations_figure(study: Study) -> Figure:
-    """Error over operations: a colour per curve, a marker per setting; what has no error is a line."""
-    settings = list(dict.fromkeys(p.setting for p in study.points if _drawn(p, study) and (p.error or 0) > NONE))
+def _settings_figure(study: Study) -> Figure:
+    """A colour per curve, a marker per setting; over operations, what has no error is a line."""
+    least = NONE if study.cost_unit == "operations" else 0.0
+    settings = list(dict.fromkeys(p.setting for p in study.points if _drawn(p, study) and (p.error or 0) > least))
     with style():
         made = Figure(figsize=(6.4, 3.3), layout="constrained")
         FigureCanvasAgg(made)
         axis = made.subplots()
         for k, (name, points) in enumerate(study.curves.items()):
             for point in [p for p in points if _drawn(p, study)]:
-                x = _cost(point, study)[0]
-                if (point.error or 0.0) <= NONE:
+                x, low, high = _cost(point, study)
+                if (point.error or 0.0) <= least:
                     axis.axvline(x, color=COLOURS[k], linewidth=0.9, linestyle=(0, (5, 2)))
                     axis.annotate(
                         f"{name}: {point.setting}", (x, 0.03), xycoords=("data", "axes fraction"), rotation=90,
@@ -140,7 +141,7 @@ def _operations_figure(study: Study) -> Figure:
                     x, float(point.error or 0.0), marker=marker, color=COLOURS[k], linestyle="none", markersize=5.5
                 )
         axis.set_ylabel(study.error_label.replace(" / ", "\n/ "))
-        axis.set_xlabel(study.cost_label)
+        axis.set_xlabel(_abscissa(study))
         _finish(axis)
         for k, setting in enumerate(settings):
             axis.plot([], [], marker=MARKERS[k % len(MARKERS)], color="#505050", linestyle="none", label=setting)
@@ -148,6 +149,10 @@ def _operations_figure(study: Study) -> Figure:
             axis.plot([], [], color=COLOURS[k], linewidth=3, label=name)
         made.legend(loc="outside right upper")
     return made
+
+
+def _abscissa(study: Study) -> str:
+    return study.cost_label if study.cost_unit == "operations" else f"{study.cost_label}  [{study.cost_unit}]"
 
 
 def _look(k: int, points: Sequence[Point]) -> dict[str, Any]:
@@ -218,21 +223,3 @@ def _reference_line(axes: Sequence[Axes], study: Study) -> None:
         "error of the reference", (0.985, own), xycoords=("axes fraction", "data"), xytext=(0, 2),
         textcoords="offset points", ha="right", va="bottom", fontsize=7, color="#606060",
     )  # fmt: skip
-
-
-def _annotate(axis: Axes, study: Study) -> None:
-    """The setting beside every point, on the side where there is room."""
-    placed: list[tuple[float, float]] = []
-    low, high = np.log10(axis.get_xlim())
-    for point in study.points:
-        if not _drawn(point, study) or point.error is None:
-            continue
-        x, y = _cost(point, study)[0], max(point.error, FLOOR)
-        place = ((np.log10(x) - low) / (high - low), np.log10(y))
-        near = sum(abs(place[0] - a) < 0.3 and abs(place[1] - b) < 0.12 for a, b in placed)
-        placed.append(place)
-        left = place[0] > 0.6
-        axis.annotate(
-            point.setting, (x, y), xytext=(-5 if left else 5, -8 * near), textcoords="offset points", fontsize=6.5,
-            ha="right" if left else "left", va="center",
-        )  # fmt: skip
