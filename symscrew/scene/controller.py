@@ -12,7 +12,6 @@ import sympy
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.expressions import parse
 from symscrew.model import Model
-from symscrew.operations import IN_NUMPY
 from symscrew.program import Function, Port, Program, lower
 from symscrew.scene.scene import Scene
 from symscrew.tape import Node, Tape
@@ -120,35 +119,11 @@ class _Expressions:
     def node(self, text: str, where: str) -> Node:
         """The node of an expression."""
         try:
-            return self._made(parse(text, self.names, where=where))
+            return self.tape.expression(parse(text, self.names, where=where), self.symbols)
         except ValueError as error:
             if isinstance(error, DescriptionError):
                 raise
             raise DescriptionError(f"{where}: this expression cannot be evaluated at run time: {error}") from error
-
-    def _made(self, expression: sympy.Expr) -> Node:
-        """As `Tape.expression`, with the functions that the tape has only by others."""
-        tape = self.tape
-        if not expression.free_symbols or expression.is_Symbol:
-            return tape.expression(expression, self.symbols)
-        args = [self._made(arg) for arg in expression.args if not (expression.is_Pow and arg is expression.args[1])]
-        if expression.is_Add or expression.is_Mul or expression.is_Pow:
-            stand_ins = [sympy.Dummy(real=True) for _ in args]
-            rest = (expression.args[1],) if expression.is_Pow else ()
-            return tape.expression(expression.func(*stand_ins, *rest), dict(zip(stand_ins, args, strict=True)))
-        kind, x = type(expression).__name__, args[0]
-        if kind in ("sin", "cos", "tan", "atan2", "exp") and kind in IN_NUMPY:
-            return tape.function(kind, *args)
-        if kind == "Abs":
-            return tape.function("abs", x)
-        if kind == "cot":
-            return 1 / tape.function("tan", x)
-        if kind == "atan":
-            return tape.function("atan2", x, tape.one)
-        if kind in ("asin", "acos"):
-            other = tape.sqrt(1 - x * x)
-            return tape.function("atan2", *((x, other) if kind == "asin" else (other, x)))
-        raise ValueError(f"the function {kind} is not among those of generated code")
 
 
 def table_values(scene: Scene, t: object) -> Sequence[object]:

@@ -20,6 +20,7 @@ from symscrew.model import Model
 
 Accelerations = Callable[[np.ndarray], np.ndarray]
 STILL = 1e-9  # a rate below this, without units, counts as zero when modes are chosen
+HELD = 1e-5  # a joint that answers its own force by less than this part of the largest acceleration cannot be held
 SOFT = 1e-6  # a rebound slower than this part of the largest rate ends the bouncing
 
 
@@ -145,11 +146,14 @@ def start_modes(
                 )
         at = 1 if rule.upper - q[rule.q] < 1e-12 else -1 if q[rule.q] - rule.lower < 1e-12 else 0
         modes.append(at if at * rate > -STILL else 0)
-    return released(rules, Modes(tuple(modes)), v, accelerations)
+    return released(rules, Modes(tuple(modes)), v, units, accelerations)
 
 
-def released(rules: Sequence[Law], modes: Modes, v: np.ndarray, accelerations: Accelerations) -> Modes:
+def released(
+    rules: Sequence[Law], modes: Modes, v: np.ndarray, units: np.ndarray, accelerations: Accelerations
+) -> Modes:
     """Modes after those whose forces break their law have ended, one after the other."""
+    modes = _turned(rules, modes, units, accelerations)
     for _ in range(2 * len(rules) + 1):
         force = forces(rules, modes, v, accelerations)
         worst, which = 0.0, -1
@@ -166,6 +170,22 @@ def released(rules: Sequence[Law], modes: Modes, v: np.ndarray, accelerations: A
             return modes
         friction = rules[which].contact.kind == "friction"
         modes = modes.with_mode(which, -int(np.sign(force[which])) if friction else 0)
+    return modes
+
+
+def _turned(rules: Sequence[Law], modes: Modes, units: np.ndarray, accelerations: Accelerations) -> Modes:
+    """Modes with those stuck joints slipping that no force of theirs can hold: at a dead point of the loops the joint's
+    rate is zero whatever the others do, and changes its sign there."""
+    stuck = [k for k, r in enumerate(rules) if r.contact.kind == "friction" and modes.values[k] == 0]
+    base = accelerations(np.zeros(len(rules))) / units if stuck else np.zeros(0)
+    for k in stuck:
+        force = np.zeros(len(rules))
+        force[k] = max(rules[k].static, 1.0)
+        response, row = accelerations(force) / units - base, rules[k].v
+        most = float(np.abs(response).max())
+        dead = response[row] < HELD * most or most < 1e-12 * float(np.abs(base).max())
+        if dead and abs(base[row]) > 1e-9 * float(np.abs(base).max()):
+            modes = modes.with_mode(k, int(np.sign(base[row])))
     return modes
 
 

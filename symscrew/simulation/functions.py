@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from symscrew.compiled import compile_c
-from symscrew.program import evaluate
+from symscrew.program import Program, evaluate
 from symscrew.scene import Table
 from symscrew.simulation.programs import Plant
 
@@ -73,6 +73,10 @@ class Functions:
             results, status = plant.model("forward_dynamics", *[known[p.name] for p in plant.forward.inputs])
             outcome = max(int(status), 0)
             a, x_dot = results[0], np.zeros(self.nx)
+            rates = plant.model.programs.get("effect_state_rates")
+            if isinstance(rates, Program):
+                (own,), _ = evaluate(rates, [known[p.name] for p in rates.inputs])
+                x_dot[: len(own)] = own
         if outcome > 0:
             raise RunError(f"the accelerations are not defined (status {outcome})")
         return a, x_dot

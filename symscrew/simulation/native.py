@@ -16,6 +16,7 @@ from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
 from symscrew.export.listing import decimal
 from symscrew.model import Model
+from symscrew.program import Program
 from symscrew.scene import Scene, Table
 from symscrew.simulation.history import History, Passage
 from symscrew.simulation.programs import Plant
@@ -30,6 +31,9 @@ NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (v
 def generated(plant: Plant) -> dict[str, str]:
     """The plant's functions as C: file name to text."""
     programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
+    rates = plant.model.programs.get("effect_state_rates")
+    if isinstance(rates, Program):
+        programs["effect_state_rates"] = rates
     if plant.closure is not None:
         programs["closure_both"] = replace(plant.closure, name="closure_both")
     reduced = Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
@@ -76,7 +80,7 @@ def constants(plant: Plant) -> str:
         "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
     }  # fmt: skip
     reals = {
-        "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-4 * plant.pivot,
+        "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-3 * plant.pivot,
         "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.1, "SPACING": 0.03,
         "REACH": 0.6, "CAREFUL_TOLERANCE": 4e-12,
     }  # fmt: skip
@@ -141,12 +145,16 @@ def adapters(plant: Plant) -> str:
         lines += ["        return 2;", "    }"]
     known = {"q": "q", "v": "v", "x": "x", "t": "&t", "p": "PARAMETERS"}
     arguments = [known.get(p.name, f"{p.name}_command") for p in plant.forward.inputs]
-    results = [{"a": "a", "x_dot": "x_dot"}.get(p.name, "spare") for p in plant.forward.outputs]
-    spare = max([p.size for p in plant.forward.outputs if p.name not in ("a", "x_dot")], default=0)
+    results = ["a" if p.name == "a" else "spare" for p in plant.forward.outputs]
+    spare = max([p.size for p in plant.forward.outputs if p.name != "a"], default=0)
     if spare:
         lines.append(f"    double spare[{spare}];")
     if sum(p.size for p in plant.slopes.outputs if p.name == "x_dot"):
         lines += ["    for (int k = 0; k < NX; ++k) {", "        x_dot[k] = 0.0;", "    }"]
+    rates = plant.model.programs.get("effect_state_rates")
+    if isinstance(rates, Program):
+        given = ", ".join(known.get(p.name, f"{p.name}_command") for p in rates.inputs)
+        lines += [f"    if ({name}_effect_state_rates({given}, x_dot) > 0) {{", "        return 2;", "    }"]
     lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
     if plant.closure is not None:
         p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""

@@ -235,7 +235,7 @@ class _Marching:
         name = rule.contact.joint
         if rule.contact.kind == "friction" and mode != 0:
             text = f"{name} sticks"
-            self.modes = contact.released(self.rules, self.modes.with_mode(k, 0), v, after)
+            self.modes = contact.released(self.rules, self.modes.with_mode(k, 0), v, units, after)
             if self.modes.values[k] != 0:
                 text = f"{name} turns back"
         elif rule.contact.kind == "friction":
@@ -246,7 +246,7 @@ class _Marching:
             end = 1 if rule.upper - q[rule.q] < q[rule.q] - rule.lower else -1
             v, self.modes = contact.impact(self.rules, k, end, self.modes, v, units, after)
             y = np.concatenate([q, v, x])
-            self.modes = contact.released(self.rules, self.modes, v, self.accelerations(t, y))
+            self.modes = contact.released(self.rules, self.modes, v, units, self.accelerations(t, y))
             text = f"{name} meets its {'upper' if end > 0 else 'lower'} stop"
         else:
             self.modes = self.modes.with_mode(k, 0)

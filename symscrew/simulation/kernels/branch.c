@@ -57,10 +57,8 @@ static int shortest_across(const Chart *c, const Rows *f, const double *right, d
     shortest(f, right, d);
     for (int j = 0; j < FREE; ++j) { /* what no row sees of the tangents, and how much of d is along them */
         memcpy(free[j], c->tangent[j], sizeof free[j]);
-        for (int pass = 0; pass < 2; ++pass) {
-            for (int r = 0; r < f->rank; ++r) {
-                without(free[j], f->basis[r]);
-            }
+        for (int r = 0; r < f->rank; ++r) {
+            without(free[j], f->basis[r]);
         }
         w[j] = -product(c->tangent[j], d);
     }

@@ -168,7 +168,7 @@ static void row_space(const Opening *o, double floor, Rows *f)
         f->order[best] = f->order[r];
         f->order[r] = chosen;
         double *row = rows[chosen];
-        const int every = product(row, row) < 1e-4 * whole[chosen];
+        const int every = product(row, row) < 1e-10 * whole[chosen];
         for (int j = 0; j < r; ++j) { /* once more: rounding must not tilt a short row */
             if (every || f->lower[chosen][j] != 0.0) {
                 without(row, f->basis[j]);
@@ -187,8 +187,11 @@ static void row_space(const Opening *o, double floor, Rows *f)
             const int other = f->order[i];
             f->lower[other][r] = 0.0;
             if (near[chosen][other / 64] >> (other % 64) & 1) {
-                f->lower[other][r] = without(rows[other], f->basis[r]);
-                square[other] = product(rows[other], rows[other]);
+                const double along = f->lower[other][r] = without(rows[other], f->basis[r]);
+                square[other] -= along * along;
+                if (square[other] < 1e-4 * whole[other]) { /* digits are lost */
+                    square[other] = product(rows[other], rows[other]);
+                }
                 for (int w = 0; w < WORDS; ++w) {
                     near[other][w] |= near[chosen][w];
                 }
