@@ -61,7 +61,7 @@ SEED_DRIVES = tuple(f"limb{k}_P" for k in (1, 2, 3, 4))
 
 def seed(limit: float = 60.0, **settings) -> TrajectoryProblem:  # type: ignore[no-untyped-def]
     """The seed mechanism between two orientations in general position, drives within +-limit [N]."""
-    bounds = Bounds(drives={label: (-limit, limit) for label in SEED_DRIVES})
+    bounds = Bounds(drives=dict.fromkeys(SEED_DRIVES, (-limit, limit)))
     mechanism = catalogue.load("three_ups_upu_s_physical")
     return TrajectoryProblem(mechanism, **{"duration": 1.0, "bounds": bounds, **SEED_MOTION, **settings})
 

@@ -7,7 +7,6 @@ import math
 import casadi as ca
 import numpy as np
 import pytest
-
 from optimal_problems import (
     KELLY,
     MINIMUM_TIME,
@@ -17,6 +16,7 @@ from optimal_problems import (
     slider,
 )
 from oracles.pseudospectral import least_effort
+
 from symscrew.effects import Gravity
 from symscrew.optimisation import Bounds, Objective, Solver, Trajectory, TrajectoryProblem, Transcription, solve
 from symscrew.optimisation.replay import replay
@@ -162,7 +162,9 @@ def test_warm_start_needs_fewer_iterations() -> None:
 
 
 def test_another_solver_by_name() -> None:
-    settings = Solver("sqpmethod", options={"qpsol": "qrqp", "qpsol_options": {"print_iter": False, "print_header": False}})
+    settings = Solver(
+        "sqpmethod", options={"qpsol": "qrqp", "qpsol_options": {"print_iter": False, "print_header": False}}
+    )
     found = solve(sliding(transcription=Transcription(intervals=5), solver=settings))
     assert found.ok and found.cost == pytest.approx(12.0, abs=1e-6)
 
@@ -185,7 +187,10 @@ def gradient_error(found: Trajectory) -> float:
 
     up, down = (value(x + s * h * way) for s in (1, -1))
     along = (float(up[0]) - float(down[0])) / (2 * h), np.array(up[1] - down[1]).ravel() / (2 * h)
-    exact = float(np.array(program.gradient(x, [])[1]).ravel() @ way), np.array(program.jacobian(x, [])[1] @ way).ravel()
+    exact = (
+        float(np.array(program.gradient(x, [])[1]).ravel() @ way),
+        np.array(program.jacobian(x, [])[1] @ way).ravel(),
+    )
     upper = np.array(program.hessian(x, [], 1.0, lam))
     full = upper + upper.T - np.diag(np.diag(upper))
     second = (lagrangian_slope(x + h * way) - lagrangian_slope(x - h * way)) / (2 * h)

@@ -9,8 +9,8 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-
 from optimal_problems import MINIMUM_TIME, SEED_DRIVES, seed
+
 from symscrew.model import derive
 from symscrew.optimisation import Objective, Trajectory, TrajectoryProblem, Transcription, solve
 from symscrew.optimisation.errors import switching

@@ -37,4 +37,5 @@ def main() -> tuple[Trajectory, Trajectory]:
 
 if __name__ == "__main__":
     bare, best = main()
-    print(f"effort without springs {bare.cost:.6g} N^2 s, with springs of {best.parameters['k_leg']:.4g} N/m {best.cost:.3g}")
+    print(f"effort without springs {bare.cost:.6g} N^2 s")
+    print(f"with springs of {best.parameters['k_leg']:.4g} N/m {best.cost:.3g} N^2 s")

@@ -1,10 +1,10 @@
 """Errors of a motion between its points, and what they may have done to the cost.
 
 The cost's error is estimated by the multipliers: with costates lambda of the rows, the residuals r of the dense
-motion change the cost by about the integral of lambda r, of which the magnitudes of all intervals are added; quadrature adds the difference to a finer one;
-and where the drives' polynomial is not the minimiser of the Hamiltonian between the points (a switching inside an
-interval) the integral of the Hamiltonian's excess over its minimum is added. To first order; the first part is
-doubled for safety.
+motion change the cost by about the integral of lambda r, of which the magnitudes of all intervals are added;
+quadrature adds the difference to a finer one; and where the drives' polynomial is not the minimiser of the
+Hamiltonian between the points (a switching inside an interval) the integral of the Hamiltonian's excess over its
+minimum is added. To first order; the first part is doubled for safety.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import casadi as ca
 import numpy as np
 from numpy.polynomial import legendre
 
-from symscrew.optimisation.point import PointFunction
 from symscrew.optimisation.result import Errors
+from symscrew.optimisation.rows import PointFunction
 
 if TYPE_CHECKING:
     from symscrew.optimisation.result import Trajectory
@@ -119,7 +119,9 @@ def switching(trajectory: Trajectory) -> np.ndarray:
     """
     family = trajectory.transcribed.families[0]
     function = _hamiltonian(family.function).map(family.count)
-    found = function(_stacked(trajectory, family.function, trajectory.point_blocks(), family.tau), costates(trajectory).T)
+    found = function(
+        _stacked(trajectory, family.function, trajectory.point_blocks(), family.tau), costates(trajectory).T
+    )
     return np.array(found[2]).T
 
 
@@ -138,6 +140,7 @@ def _cost_error(
     """Estimated error of the cost, and the largest violation of a bound, scaled."""
     transcribed = trajectory.transcribed
     family, scheme = transcribed.families[0], transcribed.scheme
+    assert scheme is not None
     rows, z = family.function.rows, family.function.arguments
     scale = np.array([r.scale for r in rows])
     low, high = (np.array([getattr(r, name) for r in rows]) / scale for name in ("lower", "upper"))
@@ -168,7 +171,11 @@ def _excess(
 ) -> tuple[np.ndarray, float]:
     """How much the Hamiltonian exceeds its minimum over the drives' bounds (n,), and how far drives leave bounds."""
     total, beyond = np.zeros(len(u)), 0.0
-    if trajectory.problem.drive_rule != "free" or trajectory.problem.bounds.drive_rates or "peak" in trajectory.model.kinds:
+    if (
+        trajectory.problem.drive_rule != "free"
+        or trajectory.problem.bounds.drive_rates
+        or "peak" in trajectory.model.kinds
+    ):
         return total, beyond  # drives are tied to each other over time: no pointwise minimum
     for j, label in enumerate(trajectory.drive_labels):
         low, high = trajectory.model.drive_range(label)

@@ -15,7 +15,7 @@ STATUS = {
     "Restoration_Failed": "not converged: the solver found no way back to the constraints",
     "Search_Direction_Becomes_Too_Small": "not converged: the steps became too small to go on",
     "Diverging_Iterates": "not converged: the motion ran away; is something unbounded?",
-    "Invalid_Number_Detected": "not converged: a function is not defined where the solver went (a singular configuration?)",
+    "Invalid_Number_Detected": "not converged: a function is undefined where the solver went (a singularity?)",
     "Error_In_Step_Computation": "not converged: the linear system could not be solved (a singular start?)",
     "Not_Enough_Degrees_Of_Freedom": "overdetermined: there are more conditions than unknowns",
     "Maximum_CpuTime_Exceeded": "not converged: the time was used up",
@@ -29,13 +29,13 @@ BROKEN = 1e-6
 def broken_rows(program: Program, unknowns: Unknowns, x: np.ndarray, g: np.ndarray) -> tuple[str, ...]:
     """The constraints that are missed most, one line per kind: what, where, by how much."""
     entries: list[tuple[float, str, float]] = []
-    for values, low, high, labels, tau in (
+    for values, low, high, labels, times in (
         (g, program.lower, program.upper, program.labels, program.tau),
         (x, unknowns.lower, unknowns.upper, unknowns.labels, unknowns.tau),
     ):
         miss = np.maximum(np.maximum(low - values, values - high), 0.0)
         miss = np.where(np.isfinite(values), miss, np.inf)
-        entries += [(float(miss[k]), labels[k], float(tau[k])) for k in np.flatnonzero(~(miss <= BROKEN))]
+        entries += [(float(miss[k]), labels[k], float(times[k])) for k in np.flatnonzero(~(miss <= BROKEN))]
     worst: dict[str, tuple[float, float, int]] = {}
     for size, label, tau in entries:
         kind = label.split(", row")[0]

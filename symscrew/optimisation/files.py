@@ -14,6 +14,8 @@ from symscrew.plots import Curve, draw, figure, save
 from symscrew.simulation.files import replaced
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from symscrew.optimisation.replay import Replay
 
 FINE = 501
@@ -29,7 +31,7 @@ def write(trajectory: Trajectory, path: Path, *, rate: float | None = None) -> P
 
 
 def _times(trajectory: Trajectory, rate: float | None) -> np.ndarray:
-    count = FINE if rate is None else max(2, int(round(trajectory.duration * rate)) + 1)
+    count = FINE if rate is None else max(2, round(trajectory.duration * rate) + 1)
     return np.linspace(0.0, trajectory.duration, count)
 
 
@@ -78,24 +80,27 @@ def _table(trajectory: Trajectory, path: Path, rate: float | None) -> None:
             writer.writerow([repr(float(value)) for value in row])
 
 
+def _saved(made: Figure, path: Path) -> None:
+    save(made, path, tight=True)
+
+
 def plot(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> Path:
     """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one."""
     samples = trajectory.sample(count=401)
     made, axes = figure(3, 1, width=7.0, height=2.2)
-    flat = list(np.ravel(axes))
     tree = {c.label: c.unit for c in trajectory.model.system.tree.q}
     labels = trajectory.labels
     units = sorted({tree[label] for label in labels})
-    unit = " or ".join(units)
+    unit = ", ".join(units)
     curves = [Curve(label, samples.y[:, k], unit) for k, label in enumerate(labels)]
-    draw(flat[0], samples.t, curves, title="Independent coordinates", label=f"y [{unit}]")
+    draw(axes[0], samples.t, curves, title="Independent coordinates", label=f"y [{unit}]")
     if replayed is not None:
-        flat[0].plot(replayed.t, replayed.y, ".", color="0.3", markersize=2.5)
+        axes[0].plot(replayed.t, replayed.y, ".", color="0.3", markersize=2.5)
     curves = [Curve(label, samples.y_dot[:, k], unit) for k, label in enumerate(labels)]
-    draw(flat[1], samples.t, curves, title="Their rates", label=f"y_dot [({unit})/s]")
+    draw(axes[1], samples.t, curves, title="Their rates", label=f"y_dot [{unit}/s]")
     curves = [Curve(label, samples.u[:, k], "N") for k, label in enumerate(trajectory.drive_labels)]
-    draw(flat[2], samples.t, curves, title="Drives and their bounds", label="u [N, N m]")
+    draw(axes[2], samples.t, curves, title="Drives and their bounds", label="u [N, N m]")
     bounds = {b for label in trajectory.drive_labels for b in trajectory.model.drive_range(label) if np.isfinite(b)}
     for bound in sorted(bounds):
-        flat[2].axhline(bound, color="0.6", linewidth=0.8, linestyle="--")
-    return replaced(path, lambda temporary: save(made, temporary, tight=True))
+        axes[2].axhline(bound, color="0.6", linewidth=0.8, linestyle="--")
+    return replaced(path, lambda temporary: _saved(made, temporary))

@@ -13,8 +13,9 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.kinematics import Kinematics
-from symscrew.optimisation.point import PointModel, Scales
+from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.rows import Scales
 
 FINEST = 60  # configurations followed along the guess
 SINGULAR = 1e-5  # of the pivots without units
@@ -115,7 +116,7 @@ def first_guess(model: PointModel) -> Guess:
     path, start = _path(model, places)
     tau = np.linspace(0.0, 1.0, FINEST + 1)
     y, y_1, y_2 = path(tau)
-    q, found = kinematics.follow(y, start)
+    q, _ = kinematics.follow(y, start)
     z = q[:, list(model.equations.layout.z)]
     duration = _duration(model, tau, y, y_1, y_2, z)
     u = drives(model, duration, tau, y, y_1, y_2, z)
@@ -161,26 +162,26 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
             raise DescriptionError("guess: expected at least two values of every coordinate")
         times = np.linspace(0.0, 1.0, len(values))
         return Path(times, values, np.gradient(values, times, axis=0)), start
-    times, values, q = [0.0], [start[entries]], start
+    stamps, places, q = [0.0], [start[entries]], start
     stops = sorted(model.problem.via, key=lambda c: float(c.time or 0))
     for k, c in enumerate(stops):
         q = place(c, f"via point {k + 1}", q)
-        times.append(float(c.time or 0))
-        values.append(q[entries])
+        stamps.append(float(c.time or 0))
+        places.append(q[entries])
     end = model.problem.end
     last = start if model.problem.periodic and end.is_empty else q
     if not end.is_empty:
         last = place(end, "the goal", q)
-    times.append(1.0)
-    values.append(last[entries])
-    points = np.array(values)
+    stamps.append(1.0)
+    places.append(last[entries])
+    points = np.array(places)
     slopes = np.zeros_like(points)
     if len(points) > 2:
-        slopes[1:-1] = (points[2:] - points[:-2]) / (np.array(times)[2:] - np.array(times)[:-2])[:, None]
+        slopes[1:-1] = (points[2:] - points[:-2]) / (np.array(stamps)[2:] - np.array(stamps)[:-2])[:, None]
     for k, c in enumerate(stops):
         if c.at_rest:
             slopes[1 + k] = 0.0
-    return Path(np.array(times), points, slopes), start
+    return Path(np.array(stamps), points, slopes), start
 
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:

@@ -8,8 +8,9 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.point import PointModel, Row
+from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.rows import Row
 from symscrew.optimisation.straight_line import numeric
 
 CLOSED = 1e-12

@@ -2,7 +2,8 @@
 
     [problem]          mechanism (a catalogue name, or a file beside the problem's) or scene (a scene's file: its
                        mechanism, effects, inputs and parameters), name, description, duration (a number, or
-                       [lower, upper]), periodic, independent = [labels of q], drive_rule, accuracy = [dynamic, kinematic]
+                       [lower, upper]), periodic, independent = [labels of q], drive_rule,
+                       accuracy = [dynamic, kinematic]
     [[effects]]        type and the effect's own keys, as in scenes; no gravity acts unless named
     [start], [end], [[via]]   coordinates, rates = {LABEL = value}, points = {NAME = [x, y, z]} with "free" for a
                        coordinate that is free, platform_normal, platform_position, platform_rotation, at_rest;

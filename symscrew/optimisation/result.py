@@ -20,7 +20,8 @@ class Errors:
     """How far the motion is from obeying its equations between the points.
 
     `closure`: largest opening of the loops (without units) of the assembled configurations; `nodal_closure`: of the
-    solver's own configurations at the points; `dynamic`: largest error of y_ddot against the drives' polynomial [1/s^2];
+    solver's own configurations at the points; `dynamic`: largest error of y_ddot against the drives'
+    polynomial [1/s^2];
     `velocity`: its integral over the longest-erring interval [1/s]; `cost`: estimated error of the cost, in its
     units; `pivot`: smallest pivot of the closure (0: the coordinates y are singular); `worst` (intervals,): dynamic
     error per interval, integrated; `violation`: largest violation of a bound between the points, scaled.
@@ -284,7 +285,7 @@ class Trajectory:
         """Singularity margins along the motion."""
         from symscrew.optimisation.straight_line import numeric
 
-        result = {}
+        result: dict[str, np.ndarray] = {}
         for program in self.model.equations.margins:
             values = self._evaluated(numeric(program), [p.name for p in program.inputs], samples)
             result |= {label: values[:, k] for k, label in enumerate(program.outputs[0].labels)}

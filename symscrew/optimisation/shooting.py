@@ -13,7 +13,8 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.layout import Terms, Unknowns
-from symscrew.optimisation.point import PointFunction, PointModel, Row
+from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.rows import PointFunction, Row
 from symscrew.optimisation.sparse import Family
 from symscrew.optimisation.straight_line import run
 from symscrew.optimisation.transcription import Collocation, LinearRows, Placer, Transcribed, mesh_of
@@ -84,7 +85,7 @@ class Shooting(Collocation):
         now = {name: start[name] for name in ("y", "y_1", "x")}
         place, cost = q, ca.SX(0)
         for k in range(count):
-            slopes = []
+            slopes: list[dict[str, Any]] = []
             for c, weight in ((0.0, 1), (0.5, 2), (0.5, 2), (1.0, 1)):
                 moved = {name: now[name] + c * h * slopes[-1][name] for name in now} if c else now
                 place = self._assembled(place, moved["y"]) if (k or c) else place

@@ -217,8 +217,8 @@ def _solver(problem: TrajectoryProblem, program: Program, warm: bool) -> ca.Func
 def _symmetric(hessian: ca.Function) -> ca.Function:
     """The whole Hessian from its upper part."""
     inputs = hessian.mx_in()
-    names = [hessian.name_in(), ["hess_gamma_x_x"]]
-    return ca.Function(hessian.name(), inputs, [ca.triu2symm(hessian(*inputs))], *names)
+    whole = ca.triu2symm(hessian(*inputs))
+    return ca.Function(hessian.name(), inputs, [whole], hessian.name_in(), ["hess_gamma_x_x"])
 
 
 def _times(

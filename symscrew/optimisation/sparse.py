@@ -18,7 +18,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.point import PointFunction
+from symscrew.optimisation.rows import PointFunction
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,9 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.layout import Terms, Unknowns
-from symscrew.optimisation.point import PointFunction, PointModel
+from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.rows import PointFunction
 from symscrew.optimisation.sparse import Family, Linear, SparseMap
 from symscrew.optimisation.tableau import Tableau, tableau
 
@@ -268,16 +269,18 @@ class LinearRows:
         self.tau: list[np.ndarray] = []
         self.count = 0
 
-    def new(self, labels: Sequence[str], tau: np.ndarray, lower: object = 0.0, upper: object = 0.0) -> np.ndarray:
+    def new(
+        self, labels: Sequence[str], tau: np.ndarray | float, lower: object = 0.0, upper: object = 0.0
+    ) -> np.ndarray:
         """Row numbers (times, labels) of new constraints."""
-        tau = np.atleast_1d(np.asarray(tau, dtype=float))
-        shape = (len(tau), len(labels))
+        times = np.atleast_1d(np.asarray(tau, dtype=float))
+        shape = (len(times), len(labels))
         rows = self.count + np.arange(shape[0] * shape[1]).reshape(shape)
         self.count += rows.size
         for store, value in ((self.lower, lower), (self.upper, upper)):
             store.append(np.broadcast_to(np.asarray(value, dtype=float), shape).ravel())
-        self.labels += list(labels) * len(tau)
-        self.tau.append(np.repeat(tau, len(labels)))
+        self.labels += list(labels) * len(times)
+        self.tau.append(np.repeat(times, len(labels)))
         return rows
 
     def linear(self) -> Linear:
@@ -373,7 +376,9 @@ class LinearRows:
             self.terms.add(row[:, 0], u[1:, 0], 1 / model.scales.u[k])
             self.terms.add(row[:, 0], u[:-1, -1], -1 / model.scales.u[k])
 
-    def _steps(self, label: str, first: np.ndarray, last: np.ndarray, gaps: np.ndarray, tau: np.ndarray, size: float) -> None:
+    def _steps(
+        self, label: str, first: np.ndarray, last: np.ndarray, gaps: np.ndarray, tau: np.ndarray, size: float
+    ) -> None:
         """lower gap T <= last - first <= upper gap T."""
         duration = self.of.problem.duration
         for sign, limit in zip((1, -1), self.of.problem.bounds.drive_rates[label], strict=True):
