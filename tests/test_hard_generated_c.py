@@ -35,6 +35,7 @@ FUNCTIONS = (
     "closure",
     "assemble",
 )
+MODELS = (("four_bar", FUNCTIONS), ("three_ups_upu_s", ("inverse_dynamics", "closure", "inverse_kinematics")))
 BASE = ("-std=c99", "-fno-math-errno", "-shared", "-fPIC")
 
 
@@ -77,10 +78,10 @@ def results_of(found: Model, source: Path, compiler: str, flags: Sequence[str]) 
     return answers
 
 
-@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s"])
-def test_levels_of_optimisation(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name, functions", MODELS)
+def test_levels_of_optimisation(name: str, functions: Sequence[str], tmp_path: Path) -> None:
     """-O0 and -O3 give the same bits without contraction of multiply-add, with it 1e-13 of the output's norm."""
-    found, compiler = some(name), find_compiler()
+    found, compiler = some(name, functions), find_compiler()
     assert compiler
     source = written(found, tmp_path)
     plain = results_of(found, source, compiler, ("-O0", "-ffp-contract=off"))
@@ -92,10 +93,10 @@ def test_levels_of_optimisation(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.tools
-@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s"])
-def test_gcc_and_clang(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name, functions", MODELS)
+def test_gcc_and_clang(name: str, functions: Sequence[str], tmp_path: Path) -> None:
     """The same bits from both without contraction, with it 1e-13 of the output's norm."""
-    found = some(name)
+    found = some(name, functions)
     source = written(found, tmp_path)
     gcc, clang = tool("gcc"), tool("clang")
     expected = results_of(found, source, gcc, ("-O2", "-ffp-contract=off"))

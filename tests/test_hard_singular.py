@@ -388,7 +388,7 @@ def test_spherical_joint_at_every_lock_of_every_set_of_euler_angles() -> None:
 def test_hexapod_turned_by_ninety_degrees() -> None:
     """Fichter's singularity: accelerations are regular, drives have a status at it and digits as the margin around it.
 
-    With the guards of inverse_dynamics taken out it answers with forces beyond 1e13 N at the singularity.
+    With the guards of inverse_dynamics taken out it answers with forces beyond 1e6 N at the singularity (checked).
     """
     found = catalogued("stewart_6ups")
     u, rate = np.arange(1.0, 7.0)[None], np.array([[0.1, -0.2, 0.3, 0.4, 0.5, 0.6]])
