@@ -104,3 +104,21 @@ def test_what_contacts_cannot_do_is_refused() -> None:
     stop = EndStop("slide", lower=0, mode="impact")
     with pytest.raises(DescriptionError, match="lies beyond its stop at 0"):
         simulate(scene(block([1, 0, 0]), stop, duration=1.0, start={"slide": -0.1}))
+
+
+@pytest.mark.parametrize(("friction", "last"), [(2, "slide sticks"), (5, "slide sticks")])
+def test_a_slider_turns_back_at_the_dead_points_of_its_crank(friction: float, last: str) -> None:
+    """No friction holds the slide where the crank's motion does not move it; later, away from them, it sticks."""
+    from dataclasses import replace
+
+    from runs import scene_of
+
+    found = scene_of("spatial_slider_crank", until=2.5, tolerance=1e-6)
+    run = simulate(replace(found, effects=(*found.effects, DryFriction("slide", coulomb=friction, mode="event"))))
+    assert run.ok, run.status
+    assert last in run.events[-1]
+    assert all("turns back" in text for text in run.events[:-1])
+    assert run.energy_error < 1e-8
+    assert run.closure_error.max() < 1e-12
+    rates = run.v[:, [c.label for c in run.model.system.tree.v].index("slide")]
+    assert abs(rates[-1]) < 1e-9
