@@ -35,6 +35,7 @@ SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
 MOST = 100_000  # steps of a run
 LONGEST = 1.0  # seconds: after a run that takes longer, finer settings of its curve are not run
 OWN = "symscrew simulate"
+ENGINES = {"exudyn": "Exudyn", "mujoco": "MuJoCo", "generatedC": "bare generated C"}
 
 
 def study(
@@ -202,22 +203,23 @@ def _formulation(made, kind, method, times, h, tolerance, gain, most, error_of, 
 def beside(
     points: Sequence[Point], reference: Reference, duration: float
 ) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
-    """Rows: error levels; columns: the least time of ours, of other formulations here, of each peer."""
+    """Rows: error levels; columns: least time of a whole run of ours, of other formulations here, of each engine."""
     levels = sorted({*reference.levels, *((reference.stated,) if reference.stated else ())}, reverse=True)
-    names = ["ours", "other formulations", *reference.peers]
+    engines = list(dict.fromkeys(name.split()[0] for name in reference.peers))
+    names = ["ours", "other formulations", *engines]
     rows = []
     for level in levels:
         row = [f"{level:g}" + (" (stated)" if level == reference.stated else "")]
         for name in names:
             row.append(_least(points, name, level, duration))
         rows.append(row)
-    return ["error", *(f"{name} [ms]" for name in names)], rows
+    return ["error", *(f"{ENGINES.get(name, name)} [ms]" for name in names)], rows
 
 
 def _least(points: Sequence[Point], name: str, level: float, duration: float) -> str:
     def belongs(point: Point) -> bool:
         if point.facts.get("peer"):
-            return point.curve == name
+            return point.curve.split()[0] == name
         return name == ("ours" if point.curve.startswith(OWN) else "other formulations")
 
     fit = [p for p in points if belongs(p) and p.error is not None and p.cost is not None and p.error <= level]

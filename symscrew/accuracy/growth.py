@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from symscrew.accuracy.history import read_reference
 from symscrew.accuracy.loops import compiled, one_file, pointer
 from symscrew.accuracy.measuring import Setup, Stopwatch, Study, measured
 from symscrew.accuracy.states import Subject
@@ -98,10 +99,17 @@ def study(
         (
             f"{DURATION:g} s through the singular positions, RK4 with steps of {STEP:g} s, closed after every step by "
             f"generated functions. Compiled with {' '.join(FLAGS)}.",
+            *_peers(path),
             "Exponents: slopes of log cost over log N over the larger half of the sizes; 1 is linear.",
         ),
         {"Growth with N": (header, table)},
     )
+
+
+def _peers(path: Path | None) -> list[str]:
+    """What other engines took for N = 40, from the reference beside the scene."""
+    reference = read_reference(path) if path is not None else None
+    return [note for note in reference.notes if note.startswith("Peers at N = 40")] if reference is not None else []
 
 
 def _exponent(sizes: np.ndarray, values: np.ndarray) -> float:

@@ -9,6 +9,7 @@ A file `<scene>.reference.json` beside the scene's:
     times, values                           outputs at equal distances from 0, and a row of the columns' values for each
     measure                                 "largest" (default) or "rms"
     peers                                   {engine: {error: seconds of the whole run}}, and peers_text
+    further_peers                           a text on points of peers on a variant of the problem
     published                               [{"text": ..., "error": number or null, "seconds": number}]
 """
 
@@ -142,6 +143,8 @@ def _notes(content: Mapping[str, Any], stated: Mapping[str, Any]) -> tuple[str, 
         lines.append(f"Stated accuracy: {stated['text']}.")
     if content.get("peers_text"):
         lines.append(f"Peers: {content['peers_text']}")
+    if content.get("further_peers"):
+        lines.append(str(content["further_peers"]))
     for entry in content.get("published", ()):
         lines.append(f"Published: {entry['text']}")
     return tuple(lines)

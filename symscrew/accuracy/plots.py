@@ -47,6 +47,8 @@ def work_precision(study: Study) -> Figure:
     """Error over cost; a frame per panel of the points, and where points tell a step h, one more over h."""
     if study.cost_unit == "operations" or study.name == "precision":
         return _settings_figure(study)
+    if any("N" in p.facts for p in study.points):
+        return _growth_figure(study)
     panels = list(dict.fromkeys(str(p.facts.get("panel", "")) for p in study.points))
     stepped = any("h" in p.facts for p in study.points)
     count = len(panels) + stepped
@@ -82,6 +84,27 @@ def work_precision(study: Study) -> Figure:
                 if not axis.get_legend_handles_labels()[1]:
                     continue
                 axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), title=panel, alignment="left", fontsize=6.8)
+    return made
+
+
+def _growth_figure(study: Study) -> Figure:
+    """Time per simulated second over the number of loops, beside a line of slope 1; operations over the same."""
+    found = [p for p in study.points if p.cost is not None]
+    n = np.array([float(p.facts["N"]) for p in found])
+    times = np.array([UNITS[study.cost_unit] * p.cost.median for p in found if p.cost is not None])
+    operations = np.array([float(p.facts["operations"]) for p in found])
+    with style():
+        made = Figure(figsize=(6.4, 2.8), layout="constrained")
+        FigureCanvasAgg(made)
+        axes = made.subplots(1, 2, squeeze=False)[0]
+        curves = ((times, f"{study.cost_label}  [{study.cost_unit}]"), (operations, "operations of forward dynamics"))
+        for axis, (values, label) in zip(axes, curves, strict=True):
+            axis.plot(n, values[-1] * n / n[-1], color="#808080", linewidth=0.8, linestyle=(0, (5, 2)), label="linear")
+            axis.plot(n, values, label="measured" if values is times else "counted", **_look(0, found))
+            axis.set_xlabel("number of loops $N$")
+            axis.set_ylabel(label)
+            _finish(axis)
+            axis.legend(loc="upper left")
     return made
 
 
@@ -137,9 +160,9 @@ def _settings_figure(study: Study) -> Figure:
                     )  # fmt: skip
                     continue
                 marker = MARKERS[settings.index(point.setting) % len(MARKERS)]
-                axis.plot(
-                    x, float(point.error or 0.0), marker=marker, color=COLOURS[k], linestyle="none", markersize=5.5
-                )
+                bars = np.array([[low], [high]]) if low + high > 0 else None
+                look: dict[str, Any] = {"marker": marker, "color": COLOURS[k], "linestyle": "none", "markersize": 5.5}
+                axis.errorbar(x, float(point.error or 0.0), xerr=bars, elinewidth=0.6, capsize=1.5, **look)
         axis.set_ylabel(study.error_label.replace(" / ", "\n/ "))
         axis.set_xlabel(_abscissa(study))
         _finish(axis)
