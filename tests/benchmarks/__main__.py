@@ -6,11 +6,12 @@ import argparse
 import json
 from pathlib import Path
 
-from . import derivatives, generation, growth, inverse_dynamics, simulation
+from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, simulation
 from .timing import machine, table
 
 BENCHMARKS = {
     "inverse_dynamics": (inverse_dynamics.run, 25),
+    "forward_dynamics": (forward_dynamics.run, 25),
     "derivatives": (derivatives.run, 25),
     "growth": (growth.run, 3),
     "simulation": (simulation.run, 25),
