@@ -140,3 +140,33 @@ def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
     assert not run.ok
     assert "at rest in a singular configuration" in run.status
     assert len(run.t) == 1
+
+
+def test_states_of_effects_through_singular_configurations() -> None:
+    """The motor's current follows its own law on the second path too; every joule is accounted for."""
+    from symscrew.effects import DcMotor
+    from symscrew.program import evaluate
+    from symscrew.simulation.functions import Functions
+    from symscrew.simulation.run import prepare
+
+    motor = DcMotor("A0", torque_constant="0.5", resistance=2, inductance="0.1", current="0.3")
+    effects = (Gravity((0, "-9.81", 0)), motor)
+    scene = Scene("motor", n_four_bar(1), effects, 3.0, 20.0, Initial(rates={"A0": -1.0}))
+    prepared = prepare(scene)
+    model, plant = prepared
+    q, v = np.array([-np.pi / 2, -np.pi / 2, np.pi / 2]), np.array([-3.0, -3.0, 3.0])
+    places = [("A0", "A1", "B0").index(c.label) for c in model.system.tree.q]
+    q, v = q[places], v[places]
+    x = np.array([0.3, 0.0])
+    assert abs(model("closure", q)[0][0]).max() < 1e-12
+    at_once = [np.zeros(1), q, v, x, np.zeros(0), np.zeros(0), plant.parameters]
+    assert evaluate(plant.slopes, at_once)[1] == 1  # a pivot is small
+    for compiled in (False, True):
+        _, rates = Functions(plant, [], compiled=compiled).slopes(0.0, q, v, x, np.zeros(0), np.zeros(0))
+        expected = (0 - 2 * 0.3 - 0.5 * -3.0) / 0.1
+        assert rates[0] == pytest.approx(expected, rel=1e-12)
+    run = simulate(scene, prepared=prepared)
+    assert run.ok, run.status
+    assert len(run.crossings) >= 3
+    assert run.energy_error < 1e-7
+    assert np.abs(run.x[:, 0]).max() > 0.1
