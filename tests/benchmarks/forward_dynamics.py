@@ -2,8 +2,8 @@
 
 Pinocchio and MuJoCo are called from Python; the time of the same call on a model with a single joint is taken off, so
 that the call itself does not count. Pinocchio closes the universal joint of the seed's first limb by two further
-revolute joints with an inertia of 1e-9 kg m^2 and a rigid constraint of six rows; its proximal solver agrees to 1e-4. MuJoCo's constraints are soft: its
-accelerations are not those of a rigid closed chain, and only its time is given.
+revolute joints with an inertia of 1e-9 kg m^2 and a rigid constraint of six rows; its proximal solver agrees to 1e-4.
+MuJoCo's constraints are soft: its accelerations are not those of a rigid closed chain, and only its time is given.
 """
 
 from __future__ import annotations
