@@ -12,13 +12,15 @@ from symscrew.plots import COLOURS, DASHES, save, style
 from symscrew.workspace.plan import AZIMUTH, TILT, Axis, Plan
 
 Results = Mapping[str, np.ndarray]
-MOST = 12
+MOST, VANISHING = 12, 1e-9
 
 
 def draw(plan: Plan, results: Results, units: Mapping[str, str], path: Path) -> Path | None:
     """The picture of a sweep over one or two axes that vary; None where there is nothing to draw."""
     varied = [axis for axis in plan.axes if axis.count > 1]
     names = _names(plan, results)
+    if not names:
+        return None
     shape = (*(axis.count for axis in plan.axes if axis.count > 1), plan.samples)
     if plan.samples > 1:
         made = _spread(results, names, units, plan.samples)
@@ -34,14 +36,26 @@ def draw(plan: Plan, results: Results, units: Mapping[str, str], path: Path) -> 
 
 
 def _names(plan: Plan, results: Results) -> list[str]:
-    """Quality first, then displacements of the drives and their forces; those that vary."""
+    """Quality first, then displacements of the drives and their forces: what is no axis and varies."""
     driven = [n for n, j in plan.mechanism.joints.items() if j.driven]
-    names = ["margin", "condition", "stiffness least"]
-    names += [
-        n for n in results if n in driven or (n.rpartition(".")[0] in driven and not n.startswith(("drive", "point")))
-    ]
+    margins = [n for n in results if n.startswith(("limb ", "constraint ", "actuation "))]
+    names = ["margin"] if "margin" in results else margins
+    names += ["condition", "stiffness least"]
+    names += [n for n in results if n in driven or (n.rpartition(".")[0] in driven and " " not in n)]
     names += [n for n in results if n.startswith("drive ")]
-    return [n for n in dict.fromkeys(names) if n in results and np.isfinite(results[n]).any()][:MOST]
+    axes = {axis.name for axis in plan.axes}
+    return [n for n in dict.fromkeys(names) if n in results and n not in axes and _varies(results[n])][:MOST]
+
+
+def _varies(values: np.ndarray) -> bool:
+    finite = values[np.isfinite(values)]
+    return bool(len(finite)) and bool(np.ptp(finite) > VANISHING * max(1.0, float(np.abs(finite).max())))
+
+
+def _logarithmic(values: np.ndarray) -> bool:
+    """Whether positive values range over more than two decades."""
+    finite = values[np.isfinite(values)]
+    return bool(len(finite)) and bool(finite.min() > 0) and bool(finite.max() > 100 * finite.min())
 
 
 def _label(name: str, units: Mapping[str, str]) -> str:
@@ -71,11 +85,15 @@ def _curves(axis: Axis, results: Results, names: Sequence[str], units: Mapping[s
             axes.plot(axis.values, values, color=COLOURS[0], label="allowed")
             axes.set_xlabel(_label(axis.name, units))
             axes.set_ylabel(_label(name, units))
+            if _logarithmic(values):
+                axes.set_yscale("log")
         frames[0].legend()
     return made
 
 
 def _maps(axes: Sequence[Axis], shaped: Results, names: Sequence[str], units: Mapping[str, str], *, polar: bool) -> Any:
+    from matplotlib.colors import LogNorm, Normalize
+
     with style():
         made, frames = _frames(len(names), 2.35 if polar else 2.2, polar=polar)
         flip = polar and axes[0].name == TILT
@@ -93,7 +111,8 @@ def _maps(axes: Sequence[Axis], shaped: Results, names: Sequence[str], units: Ma
             frame.set_facecolor("#e6e6e6")
             drawn = frame.pcolormesh(
                 x, radius, np.ma.masked_invalid(shown), shading="nearest", rasterized=True,
-                cmap="PuOr" if signed else "cividis", vmin=-top if top else None, vmax=top,
+                cmap="PuOr" if signed else "cividis",
+                norm=LogNorm() if _logarithmic(finite) else Normalize(-top if top else None, top),
             )  # fmt: skip
             if not inside.all() and inside.any():
                 frame.contour(x, radius, inside.astype(float), levels=[0.5], colors="black", linewidths=0.8)
