@@ -18,7 +18,7 @@ def machine() -> dict[str, str]:
     compiler = find_compiler()
     facts = {
         "processor": _processor(),
-        "system": f"{platform.system()} {platform.release()} {platform.machine()}",
+        "system": platform.platform(terse=True) + " " + platform.machine(),
         "load": " ".join(f"{load:.2f}" for load in os.getloadavg()) if hasattr(os, "getloadavg") else "unknown",
         "compiler": _first_line([compiler, "--version"]) if compiler else "none: no curves of generated C",
         "flags": " ".join([*(f for f in FLAGS if f not in ("-shared", "-fPIC")), "-march=native"]),
