@@ -227,10 +227,10 @@ class State:
             if label not in linear:
                 rows.append(Row(f"rate of {label} at {where}", self.rate(label), value, value))
         for name, target in conditions.points.items():
-            for axis, value in enumerate(target):
-                if value is not None:
+            for axis, place in enumerate(target):
+                if place is not None:
                     what = f"{'xyz'[axis]} of point {name} at {where}"
-                    rows.append(Row(what, self._points[name][axis], value, value, length))
+                    rows.append(Row(what, self._points[name][axis], place, place, length))
         if conditions.platform_normal is not None:
             rows += self._normal_rows(np.array(conditions.platform_normal, dtype=float), where)
         if conditions.platform_position is not None:

@@ -213,8 +213,8 @@ class Collocation:
         k = min(int(np.searchsorted(self.mesh, tau, side="right")) - 1, len(self.steps) - 1)
         h = self.steps[k]
         s = np.array([(tau - self.mesh[k]) / h])
-        if tau >= 1.0:
-            terms.add(rows, known.index["y" if order == 0 else "y_1"][-1])
+        if tau <= 0.0 or tau >= 1.0:
+            terms.add(rows, known.index["y" if order == 0 else "y_1"][0 if tau <= 0.0 else -1])
             return
         if order == 0:
             terms.add(rows, known.index["y"][k])

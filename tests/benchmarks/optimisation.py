@@ -1,0 +1,245 @@
+"""Trajectory optimisation against hand-written plain CasADi SX and against opty, the same problems in one run.
+
+The hand-written form is the usual good one for a tree: recursive Newton-Euler dynamics written in SX for one point,
+states and accelerations as unknowns at Radau points, the same mesh, guess, bounds and tolerance, exact Hessian by
+CasADi's own differentiation of the whole program. Solves are cold: everything from the problem to the optimum.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+import math
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symscrew import catalogue
+from symscrew.optimisation import Trajectory, TrajectoryProblem, solve
+from symscrew.optimisation.guess import first_guess
+from symscrew.optimisation.reading import load
+from symscrew.optimisation.solve import prepare
+from symscrew.optimisation.tableau import tableau
+
+from .timing import table
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "optimisation"
+DURATION = 0.5  # [s] of the Panda beside hand-written code
+CASES = ("seed_rest_to_rest", "seed_minimum_time", "five_bar_pick_and_place", "panda_point_to_point")
+
+
+def run(*, repeats: int) -> tuple[str, dict[str, Any]]:
+    """Markdown and raw numbers."""
+    rows, raw = [], {}
+    for name in CASES:
+        problem = load(EXAMPLES / f"{name}.toml")
+        best = min((_cold(problem) for _ in range(repeats)), key=lambda t: t[0])
+        seconds, found = best
+        raw[name] = {"seconds": seconds, "cost": found.cost, **dict(found.statistics.times)}
+        times = [f"{v:.2f}" for v in found.statistics.times.values()]
+        rows.append([name, str(found.statistics.iterations), *times, f"{found.cost:.8g}"])
+    header = ("case", "iterations", *found.statistics.times, "cost")
+    text = "Cold solves [s], least of the repeats.\n\n" + table(header, rows)
+    beside, numbers = _panda_beside_handwritten(repeats)
+    text += "\n\nPanda, least effort in 0.5 s, 20 intervals, Radau 3: beside plain CasADi SX.\n\n" + beside
+    other, more = _cart_pole_beside_opty(repeats)
+    text += "\n\nPendulum on a cart, swing-up in 2 s: beside opty (backward Euler, 400 nodes).\n\n" + other
+    return text, {**raw, "panda_by_hand": numbers, "opty": more}
+
+
+def _cold(problem: TrajectoryProblem) -> tuple[float, Trajectory]:
+    began = time.perf_counter()
+    found = solve(problem)
+    return time.perf_counter() - began, found
+
+
+# -- Panda by hand ----------------------------------------------------------------------------------------------
+
+
+def _panda() -> TrajectoryProblem:
+    problem = load(EXAMPLES / "panda_point_to_point.toml")
+    from symscrew.optimisation import Objective, Transcription
+
+    return replace(
+        problem, duration=DURATION, objectives=(Objective("effort"),), transcription=Transcription("radau", 3, 20)
+    )
+
+
+def newton_euler(q: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
+    """Torques of the Panda by the recursive Newton-Euler algorithm in link frames (Featherstone 2008, table 5.1)."""
+    mechanism = catalogue.load("panda")
+    joints = list(mechanism.joints.values())
+
+    def number(x: Any) -> float:
+        return float(mechanism.number(x))
+
+    points = [np.array([number(c) for c in j.point]) for j in joints]
+    axes = [np.array([number(c) for c in j.axes[0]]) for j in joints]
+    angular, linear, turn = ca.SX.zeros(3), ca.SX([0, 0, 9.81]), []
+    omega = ca.SX.zeros(3)
+    forces, moments = [], []
+    for k, joint in enumerate(joints):
+        body = mechanism.bodies[joint.child]
+        c, s, e = ca.cos(q[k]), ca.sin(q[k]), ca.DM(axes[k])
+        cross = ca.DM([[0, -axes[k][2], axes[k][1]], [axes[k][2], 0, -axes[k][0]], [-axes[k][1], axes[k][0], 0]])
+        rotation = ca.DM.eye(3) + s * cross + (1 - c) * (cross @ cross)
+        turn.append(rotation)
+        arm = ca.DM(points[k] - (points[k - 1] if k else np.zeros(3)))
+        moved = linear + ca.cross(angular, arm) + ca.cross(omega, ca.cross(omega, arm))
+        linear, before = rotation.T @ moved, rotation.T @ omega
+        angular = rotation.T @ angular + ca.cross(before, e * v[k]) + e * a[k]
+        omega = before + e * v[k]
+        com = ca.DM([number(x) for x in body.com]) - ca.DM(points[k])
+        inertia = ca.DM(np.array([[number(x) for x in row] for row in body.inertia]))
+        mass = number(body.mass)
+        force = mass * (linear + ca.cross(angular, com) + ca.cross(omega, ca.cross(omega, com)))
+        forces.append(force)
+        moments.append(inertia @ angular + ca.cross(omega, inertia @ omega) + ca.cross(com, force))
+    torques = [None] * len(joints)
+    force, moment = ca.SX.zeros(3), ca.SX.zeros(3)
+    for k in reversed(range(len(joints))):
+        force, moment = force + forces[k], moment + moments[k]
+        torques[k] = ca.dot(ca.DM(axes[k]), moment)
+        arm = ca.DM(points[k] - (points[k - 1] if k else np.zeros(3)))
+        force = turn[k] @ force
+        moment = turn[k] @ moment + ca.cross(arm, force)
+    return ca.vertcat(*torques)
+
+
+def by_hand(problem: TrajectoryProblem, values: dict[str, np.ndarray]) -> tuple[float, int]:
+    """Cost and iterations of the Panda's least effort by plain CasADi SX with the given guess."""
+    n, scheme = problem.transcription.intervals, tableau("radau", 3)
+    h, count = float(problem.duration) / n, 7  # type: ignore[arg-type]
+    limits = np.array([problem.bounds.drives[f"joint{k}"][1] for k in range(1, 8)])
+    x, low, high, guess, g, cost = [], [], [], [], [], ca.SX(0)
+
+    def unknown(name: str, start: np.ndarray, bound: np.ndarray | float = np.inf) -> ca.SX:
+        x.append(ca.SX.sym(name, count))
+        low.append(np.broadcast_to(-np.asarray(bound, dtype=float), count))
+        high.append(np.broadcast_to(np.asarray(bound, dtype=float), count))
+        guess.append(start)
+        return x[-1]
+
+    q, v = unknown("q0", values["y"][0]), unknown("v0", values["y_1"][0])
+    first = values["y"][0]
+    low[0] = high[0] = first
+    low[1] = high[1] = np.zeros(count)
+    for k in range(n):
+        a = [unknown(f"a{k}{j}", values["y_2"][3 * k + j]) for j in range(3)]
+        u = [unknown(f"u{k}{j}", np.clip(values["u"][3 * k + j], -limits, limits), limits) for j in range(3)]
+        for i in range(3):
+            at = q + h * scheme.nodes[i] * v + h**2 * sum(scheme.position[i, j] * a[j] for j in range(3))
+            rate = v + h * sum(scheme.rate[i, j] * a[j] for j in range(3))
+            g.append(newton_euler(at, rate, a[i]) - u[i])
+            cost += h * scheme.weights[i] * ca.dot(u[i], u[i])
+        q_end = q + h * v + h**2 * sum(scheme.end_position[j] * a[j] for j in range(3))
+        v_end = v + h * sum(scheme.end_rate[j] * a[j] for j in range(3))
+        q, v = unknown(f"q{k + 1}", values["y"][k + 1]), unknown(f"v{k + 1}", values["y_1"][k + 1])
+        g += [q - q_end, v - v_end]
+    low[-2] = high[-2] = values["y"][-1]
+    low[-1] = high[-1] = np.zeros(count)
+    nlp = {"x": ca.vertcat(*x), "f": cost, "g": ca.vertcat(*g)}
+    quiet = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "tol": problem.solver.tolerance}}
+    solver = ca.nlpsol("by_hand", "ipopt", nlp, quiet)
+    found = solver(x0=np.concatenate(guess), lbx=np.concatenate(low), ubx=np.concatenate(high), lbg=0, ubg=0)
+    assert solver.stats()["success"]
+    return float(found["f"]), int(solver.stats()["iter_count"])
+
+
+def _panda_beside_handwritten(repeats: int) -> tuple[str, dict[str, Any]]:
+    problem = _panda()
+    prepared = prepare(problem)
+    mesh = np.linspace(0, 1, 21)
+    points = mesh[:-1, None] + np.diff(mesh)[:, None] * tableau("radau", 3).nodes
+    values = first_guess(prepared.model).arrays(prepared.model, mesh, points)
+    values |= {"y_1": values["y_1"] / DURATION, "y_2": values["y_2"] / DURATION**2}
+    ours, theirs = [], []
+    for _ in range(repeats):
+        seconds, found = _cold(problem)
+        ours.append(seconds)
+        began = time.perf_counter()
+        cost, iterations = by_hand(problem, values)
+        theirs.append(time.perf_counter() - began)
+    assert abs(cost - found.cost) < 1e-5 * abs(cost), (cost, found.cost)
+    rows = [
+        ["symscrew", f"{min(ours):.2f}", str(found.statistics.iterations), f"{found.cost:.9g}"],
+        ["plain CasADi SX", f"{min(theirs):.2f}", str(iterations), f"{cost:.9g}"],
+        ["ratio", f"{min(theirs) / min(ours):.2f}", "", ""],
+    ]
+    return table(("", "cold solve [s]", "iterations", "cost"), rows), {"ours": ours, "by_hand": theirs}
+
+
+# -- opty ---------------------------------------------------------------------------------------------------------
+
+
+def _cart_pole_beside_opty(repeats: int) -> tuple[str, dict[str, Any]]:
+    if importlib.util.find_spec("opty") is None:
+        return "opty is not installed: pip install opty (needs IPOPT's headers for cyipopt).", {}
+    from symscrew.optimisation import Transcription
+    from tests.optimal_problems import cart_pole_problem
+
+    ours, theirs = [], []
+    problem = cart_pole_problem(Transcription("radau", 3, 50))
+    for _ in range(repeats):
+        seconds, found = _cold(problem)
+        ours.append(seconds)
+        began = time.perf_counter()
+        with contextlib.redirect_stdout(io.StringIO()):
+            cost = opty_cart_pole(400)
+        theirs.append(time.perf_counter() - began)
+    rows = [
+        ["symscrew", f"{min(ours):.2f}", f"{found.cost:.8g}"],
+        ["opty", f"{min(theirs):.2f}", f"{cost:.8g}"],
+        ["ratio", f"{min(theirs) / min(ours):.1f}", ""],
+    ]
+    return table(("", "cold solve [s]", "cost"), rows), {"ours": ours, "opty": theirs}
+
+
+def opty_cart_pole(nodes: int) -> float:
+    """Cost of the swing-up by opty: backward Euler, exact first derivatives, second ones approximated by IPOPT."""
+    import sympy
+    import sympy.physics.mechanics as me
+    from opty.direct_collocation import Problem
+
+    t = me.dynamicsymbols._t
+    x, angle, v, w, u = me.dynamicsymbols("x angle v w u")
+    m1, m2, l, g = 1.0, 0.3, 0.5, 9.81
+    s, c = sympy.sin(angle), sympy.cos(angle)
+    equations = sympy.Matrix(
+        [
+            x.diff(t) - v,
+            angle.diff(t) - w,
+            (m1 + m2) * v.diff(t) + m2 * l * c * w.diff(t) - m2 * l * s * w**2 - u,
+            c * v.diff(t) + l * w.diff(t) + g * s,
+        ]
+    )
+    h = 2.0 / (nodes - 1)
+
+    def cost(free: np.ndarray) -> float:
+        return h * float((free[4 * nodes :] ** 2).sum())
+
+    def slope(free: np.ndarray) -> np.ndarray:
+        result = np.zeros_like(free)
+        result[4 * nodes :] = 2 * h * free[4 * nodes :]
+        return result
+
+    ends: Sequence[Any] = [
+        x.subs(t, 0), angle.subs(t, 0), v.subs(t, 0), w.subs(t, 0),
+        x.subs(t, 2.0) - 1.0, angle.subs(t, 2.0) - math.pi, v.subs(t, 2.0), w.subs(t, 2.0),
+    ]  # fmt: skip
+    made: Callable[..., Any] = Problem
+    problem = made(
+        cost, slope, equations, (x, angle, v, w), nodes, h, instance_constraints=ends,
+        bounds={u: (-20.0, 20.0), x: (-2.0, 2.0)}, time_symbol=t,
+    )  # fmt: skip
+    problem.add_option("print_level", 0)
+    part = np.linspace(0, 1, nodes)
+    guess = np.concatenate([part, math.pi * part, np.full(nodes, 0.5), np.full(nodes, math.pi / 2), np.zeros(nodes)])
+    _, info = problem.solve(guess)
+    return float(info["obj_val"])
