@@ -51,7 +51,8 @@ def about(study: Study) -> list[str]:
     own = "not known" if study.reference_error is None else f"{study.reference_error:.1e}"
     lines = [
         f"- Reference: {study.reference}: {own}.",
-        f"- Error: {study.error_label}. Cost: {study.cost_label}, median with quartiles of interleaved repeats.",
+        f"- Error: {study.error_label}. Cost: {study.cost_label}, median with quartiles of interleaved repeats; "
+        "processor time of the one thread.",
     ]
     if study.preparation:
         spent = ", ".join(f"{what} {seconds:.2f} s" for what, seconds in study.preparation.items())
