@@ -240,6 +240,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
         (["--over", "tilt=0:1:3", "limb5_S.qx=0:1:3"], "already say"),
         (["--over", "tilt=0:1:3", "--limit", "limb1_Q=0:1"], "did you mean"),
         (["--over", "tilt=0:1:3", "--limit", "limb1_P=0"], "RESULT=least:largest"),
+        (["--over", "tilt=0:1:3", "--expect-tilt", "10deg"], "needs the axes tilt and azimuth"),
         (["--tolerance", "Q=1mm"], "no parameter 'Q'"),
         (["--tolerance", "R=-1"], "above 0"),
         ([], "nothing to sweep"),

@@ -14,7 +14,7 @@ from symscrew import catalogue
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.workspace import engine, store
 from symscrew.workspace.evaluation import prepare
-from symscrew.workspace.plan import Plan, read_axis, read_limit, read_number
+from symscrew.workspace.plan import AZIMUTH, TILT, Plan, read_axis, read_limit, read_number
 from symscrew.workspace.summary import summary, text
 
 FAILED = 1
@@ -32,6 +32,10 @@ def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-
         raise DescriptionError(f"--out: no folder {shorten(str(out.parent), 200)} to write into")
     expected = read_number(options.expect_tilt, "--expect-tilt") if options.expect_tilt else None
     plan = read_plan(options, chosen)
+    if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
+        raise DescriptionError(
+            "--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73"
+        )
     made = prepare(plan)
     folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
     if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
@@ -53,8 +57,6 @@ def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-
     print("wrote " + ", ".join(map(str, written)), file=sys.stderr)
     if expected is None:
         return 0
-    if "tilt" not in found:
-        raise DescriptionError("--expect-tilt needs --over tilt=... azimuth=...")
     return 0 if found["tilt"]["every_direction"] >= expected * (1 - 1e-12) else FAILED
 
 
