@@ -6,7 +6,7 @@ import argparse
 import json
 from pathlib import Path
 
-from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, simulation
+from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, optimisation, simulation
 from .timing import machine, table
 
 BENCHMARKS = {
@@ -16,6 +16,7 @@ BENCHMARKS = {
     "growth": (growth.run, 3),
     "simulation": (simulation.run, 25),
     "generation": (generation.run, 5),
+    "optimisation": (optimisation.run, 3),
 }
 
 

