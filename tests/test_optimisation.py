@@ -202,3 +202,16 @@ def gradient_error(found: Trajectory) -> float:
 def test_derivatives_of_the_program_are_exact(method: tuple[str, int]) -> None:
     problem = cart_pole_problem(Transcription(*method, 6))
     assert gradient_error(solve(problem)) < 1e-7
+
+
+def test_study_of_transcriptions_falls_with_the_mesh() -> None:
+    from symscrew.optimisation.study import report, study
+
+    motion = rest_to_rest({"hinge": 0.0}, {"hinge": math.pi / 2})
+    found = study(TrajectoryProblem(pendulum(), **motion, independent=("hinge",)), meshes=(4, 8))
+    assert found.reference_error < 1e-7 and not found.left_out
+    errors = {(p.scheme, p.intervals): p.error for p in found.points}
+    assert len(errors) == 18
+    for scheme in ("Radau 2, second order", "Radau 3, second order", "shooting"):
+        assert errors[scheme, 8] < errors[scheme, 4] / 3
+    assert "| Radau 5, second order" in report(found)

@@ -161,5 +161,5 @@ def _drawn(found: TranscriptionStudy, path: Path) -> None:
     axes.set_xlabel("time [s]")
     axes.set_ylabel("error of the cost")
     axes.set_title(f"Transcriptions of {found.problem}", loc="left")
-    axes.legend(fontsize=7, ncols=2)
+    axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
     save(made, path, tight=True)
