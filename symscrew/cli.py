@@ -192,16 +192,36 @@ def parser() -> argparse.ArgumentParser:
     view.add_argument("--out", metavar="FILE.html", help="the page; without it the page is opened in the browser")
     _gravity(view)
     view.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
-    from symscrew.benchmark.command import add_options as add_benchmark
-    from symscrew.embedded.command import add_options
-
-    add_benchmark(_command(verbs, "benchmark", commands.run_benchmark, "time of functions, beside other libraries"))
-    add_options(
+    _benchmark_options(
+        _command(verbs, "benchmark", commands.run_benchmark, "time of functions, beside other libraries")
+    )
+    _embedded_options(
         _command(verbs, "embedded", commands.measure_embedded, "what functions cost on a microcontroller, emulated")
     )
     doctor = _command(verbs, "doctor", commands.report_installation, "what is installed, and what each part is for")
     doctor.add_argument("--json", action="store_true", help="as JSON")
     return top
+
+
+def _benchmark_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew benchmark`."""
+    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
+    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics, reactions, mass matrix")
+    command.add_argument("--against", nargs="+", choices=("pinocchio", "mujoco"), default=[], help="other libraries")
+    command.add_argument("--repeats", type=int, default=25, help="interleaved repeats (default: 25)")
+    command.add_argument("--throughput", action="store_true", help="also batches of 1, 8, 1000 and 1000000 states")
+    command.add_argument("--plot", metavar="FILE.png", help="medians and quartiles as a picture")
+    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
+
+
+def _embedded_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew embedded`."""
+    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
+    command.add_argument("--core", nargs="+", choices=("m4f", "m7"), default=["m4f", "m7"], help="default: both")
+    command.add_argument("--precision", choices=("single", "double"), help="default: single on m4f, double on m7")
+    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics and assembly; all: every one")
+    command.add_argument("--out", metavar="FILE.json", help="also write the numbers here")
+    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the table")
 
 
 def _help(top: argparse.ArgumentParser):  # type: ignore[no-untyped-def]

@@ -27,7 +27,24 @@ STAGES = (
     ("model", "scene", "inertial_parameters"),
     ("export", "manifest", "compiled", "generation", "verification"),
     ("simulation", "fmu"),
-    ("motion", "outline", "drawing", "plots", "optimisation", "accuracy", "cost", "demo", "console", "embedded", "benchmark", "view", "report", "workspace", "commands", "cli"),
+    (
+        "motion",
+        "outline",
+        "drawing",
+        "plots",
+        "optimisation",
+        "accuracy",
+        "cost",
+        "demo",
+        "console",
+        "embedded",
+        "benchmark",
+        "view",
+        "report",
+        "workspace",
+        "commands",
+        "cli",
+    ),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}
 
@@ -78,7 +95,8 @@ def test_no_module_imports_in_a_circle() -> None:
 
 
 @pytest.mark.parametrize(
-    "library, allowed", [("casadi", {"export", "compiled", "verification", "generation", "simulation", "console", "optimisation"})]
+    "library, allowed",
+    [("casadi", {"export", "compiled", "verification", "generation", "simulation", "console", "optimisation"})],
 )
 def test_heavy_libraries_stay_in_their_stages(library: str, allowed: set[str]) -> None:
     for path in modules():

@@ -15,17 +15,6 @@ if TYPE_CHECKING:
     from symscrew.benchmark import Row
 
 
-def add_options(command: argparse.ArgumentParser) -> None:
-    """The options of the command."""
-    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
-    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics, reactions, mass matrix")
-    command.add_argument("--against", nargs="+", choices=("pinocchio", "mujoco"), default=[], help="other libraries")
-    command.add_argument("--repeats", type=int, default=25, help="interleaved repeats (default: 25)")
-    command.add_argument("--throughput", action="store_true", help="also batches of 1, 8, 1000 and 1000000 states")
-    command.add_argument("--plot", metavar="FILE.png", help="medians and quartiles as a picture")
-    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
-
-
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
     from symscrew import catalogue

@@ -18,16 +18,6 @@ USUAL = (
 COLUMNS = ("flash", "frame", "stack", "instructions", "error")
 
 
-def add_options(command: argparse.ArgumentParser) -> None:
-    """The options of the command."""
-    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
-    command.add_argument("--core", nargs="+", choices=("m4f", "m7"), default=["m4f", "m7"], help="default: both")
-    command.add_argument("--precision", choices=("single", "double"), help="default: single on m4f, double on m7")
-    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics and assembly; all: every one")
-    command.add_argument("--out", metavar="FILE.json", help="also write the numbers here")
-    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the table")
-
-
 def run(options: argparse.Namespace) -> int:
     """Measure, print, write."""
     from symscrew import catalogue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
@@ -36,7 +36,7 @@ def print_readme(model: Model, targets: Sequence[str], precision: Precision = DO
     lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
     lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
     lines += ["", *_about(program, name)]
-    examples = {
+    examples: dict[str, list[Callable[..., list[str]]]] = {
         "c": [partial(_c, real=precision.real), partial(_cpp, real=precision.real)],
         "casadi": [_casadi],
         "numpy": [_numpy],
