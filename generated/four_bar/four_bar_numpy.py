@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: c34383c78b95f279
+Programs: eb7f4cdf42ee9101
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -13,6 +13,8 @@ Each function takes arrays (*batch, size) and returns (outputs, status): a tuple
 size), matrices column by column, and the status (*batch). Outputs are NaN where the status is not
 0.
 """
+
+from __future__ import annotations
 
 import numpy as np
 
@@ -85,6 +87,66 @@ def _iterate_batch(arguments, *settings):
     found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
     q = np.array([state for state, _ in found]).reshape(*batch, rows[1].shape[-1])
     return (q,), np.array([status for _, status in found], dtype=int).reshape(batch)
+
+
+def _rank_revealing(first, dense, wrenches, arguments, *settings):
+    """Results of `first`; where it fails by a small pivot, those of the second path."""
+    results, status = first(*arguments)
+    for state in map(tuple, np.argwhere(status == 1)):
+        inputs = [np.broadcast_to(np.asarray(x, float), (*status.shape, np.shape(x)[-1]))[state] for x in arguments]
+        reactions = (lambda a, m, x=inputs: wrenches(*x, a, m)[0]) if wrenches else None
+        found, status[state] = second_path(*dense(*inputs)[0], *settings, reactions)
+        for result, value in zip(results, found):
+            result[state] = value
+    return results, status
+
+
+def second_path(
+    mass: np.ndarray,
+    force: np.ndarray,
+    jacobian: np.ndarray,
+    bias: np.ndarray,
+    rates: Sequence[float],
+    rows: Sequence[float],
+    regular: int,
+    tolerance: float,
+    reactions: Callable[[np.ndarray, np.ndarray], Sequence[np.ndarray]] | None,
+) -> tuple[list[np.ndarray], int]:
+    """Accelerations, and reactions if asked for, by singular values; and the status -1, -2, or 1 and 2 with NaN."""
+    n, m = len(force), len(bias)
+    if not all(np.isfinite(x).all() for x in (mass, force, jacobian, bias)):
+        lost = [np.full(n, np.nan)]
+        return [*lost, *([np.full_like(reactions(lost[0], bias)[0], np.nan)] if reactions else [])], 2
+    scale, weight = np.array(rates), np.array(rows)
+    inertia = mass.reshape(n, n).T * np.outer(scale, scale)
+    closure = jacobian.reshape(n, m).T * np.outer(weight, scale)
+    load = force * scale
+    left, sizes, right = np.linalg.svd(closure, full_matrices=True)
+    rank = int((sizes > tolerance * max(sizes[0], 1.0)).sum())  # unit screws: one is their size
+    inverse = (right[:rank].T / sizes[:rank]) @ left[:, :rank].T
+    null = right[rank:].T
+    gain = -inverse @ (weight * bias)
+    reduced = null.T @ inertia @ null
+    sound = not len(reduced) or np.linalg.eigvalsh(reduced)[0] > 1e-14 * np.abs(reduced).max()
+    if sound and len(reduced):
+        gain = gain + null @ np.linalg.solve(reduced, null.T @ (load - inertia @ gain))
+    found = [scale * gain]
+    if reactions is not None:
+        multipliers = inverse.T @ (inertia @ gain - load)
+        values, sized = reactions(found[0], weight * multipliers)
+        internal = left[:, rank:].T
+        shifted = [reactions(found[0], weight * (multipliers + load)) for load in internal]
+        if shifted:
+            columns = np.array([other - sized for _, other in shifted]).T
+            amounts = np.linalg.lstsq(columns, -sized, rcond=1e-9)[0]
+            values = values + sum(x * (other - values) for x, (other, _) in zip(amounts, shifted, strict=True))
+        found.append(values)
+    status = (-1 if rank == regular else -2) if sound else 1
+    if not all(np.isfinite(x).all() for x in found):
+        status = max(status, 2)
+    if status > 0:
+        found = [np.full_like(x, np.nan) for x in found]
+    return found, status
 
 
 def body_poses(*arguments):
@@ -498,6 +560,27 @@ def joint_rates(*arguments):
         x6 = x3 + x4
         x7 = x5 - x6
         return _finish(batch, ((x3, x4, x7, x5),), (), (x3, x4, x7, x5))
+
+
+def drive_rates(*arguments):
+    """drive_rates: Rates of the driven freedoms, in the order of u.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+      v[3] [rad/s]: rates of the tree
+          0 A; 1 B; 2 D
+    Outputs
+      rates[1] [rad/s]: rates of the driven freedoms; power = u . rates
+          A
+    Returns
+      0 success
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 1 (compare 1)
+    """
+    entries, batch = _entries("drive_rates", {"q": 3, "v": 3}, arguments)
+    x0, x1, x2, x3, x4, x5, = entries
+    with np.errstate(all="ignore"):
+        return _finish(batch, ((x3,),), (), (x3,))
 
 
 def closure(*arguments):
@@ -1128,7 +1211,7 @@ def momentum_rates(*arguments):
 
 
 def energy(*arguments):
-    """energy: Kinetic energy and potential energy of gravity (zero at O).
+    """energy: Kinetic energy and potential energy of the effects (gravity: zero at O).
     Inputs
       q[3] [rad]: configuration of the tree
           0 A; 1 B; 2 D
@@ -1786,6 +1869,1150 @@ def joint_reactions(*arguments):
         return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x228, 4.3948000000000004e-08), (x254, 4.3948000000000004e-08)), (x80, x108, x111, x114, x117, x122, x131, x135, x142, x160, x168, x169, x51, x79, x198, x228, x254))
 
 
+def _forward_dynamics_first(*arguments):
+    """The first path of forward_dynamics."""
+    entries, batch = _entries("_forward_dynamics_first", {"q": 3, "v": 3, "u": 1}, arguments)
+    x0, x1, x2, x3, x4, x5, x6, = entries
+    with np.errstate(all="ignore"):
+        x7 = np.sin(x0)
+        x8 = 2.133675 * x7
+        x9 = 0.9272952180016122 + x1
+        x10 = np.sin(x9)
+        x11 = x3 * x3
+        x12 = 0.15 * x11
+        x13 = np.cos(x0)
+        x14 = 9.81 * x13
+        x15 = x12 - x14
+        x16 = x10 * x15
+        x17 = np.cos(x9)
+        x18 = 9.81 * x7
+        x19 = x17 * x18
+        x20 = x16 - x19
+        x21 = 0.3 * x20
+        x22 = x10 * x12
+        x23 = 0.4899573262537283 - x2
+        x24 = np.cos(x23)
+        x25 = x5 * x5
+        x26 = 0.51 * x25
+        x27 = x24 * x26
+        x28 = x13 * x27
+        x29 = np.sin(x23)
+        x30 = x29 * x26
+        x31 = x7 * x30
+        x32 = x28 - x31
+        x33 = x10 * x32
+        x34 = x7 * x27
+        x35 = x13 * x30
+        x36 = x34 + x35
+        x37 = x17 * x36
+        x38 = x33 + x37
+        x39 = x22 - x38
+        x40 = x7 * x10
+        x41 = x13 * x17
+        x42 = x40 - x41
+        x43 = 0.51 * x24
+        x44 = x42 * x43
+        x45 = x7 * x17
+        x46 = x13 * x10
+        x47 = x45 + x46
+        x48 = 0.51 * x29
+        x49 = x47 * x48
+        x50 = x44 + x49
+        x51 = x17 * x32
+        x52 = x10 * x36
+        x53 = x51 - x52
+        x54 = x17 * x12
+        x55 = x3 + x4
+        x56 = x55 * x55
+        x57 = 0.5 * x56
+        x58 = x54 + x57
+        x59 = x53 - x58
+        x60 = x47 * x43
+        x61 = x42 * x48
+        x62 = x60 - x61
+        x63 = 1.0 / x62
+        x64 = x59 * x63
+        x65 = x50 * x64
+        x66 = x39 + x65
+        x67 = 0.2 * x66
+        x68 = x21 - x67
+        x69 = 0.3 * x56
+        x70 = x10 * x69
+        x71 = 0.6 * x66
+        x72 = x17 * x71
+        x73 = x70 + x72
+        x74 = 0.15 * x73
+        x75 = x68 - x74
+        x76 = x8 - x75
+        x77 = x6 + x76
+        x78 = 0.15 * x17
+        x79 = 0.5 + x78
+        x80 = 0.15 * x10
+        x81 = x80 * x63
+        x82 = x50 * x81
+        x83 = x79 + x82
+        x84 = 2.0 * x83
+        x85 = x84 * x68
+        x86 = x77 + x85
+        x87 = 3.00186 * x29
+        x88 = 0.10404 * x64
+        x89 = x87 + x88
+        x90 = x81 * x89
+        x91 = x86 - x90
+        x92 = 0.1 * x10
+        x93 = x10 * x92
+        x94 = 0.045 * x17
+        x95 = 0.1 * x17
+        x96 = x17 * x95
+        x97 = x94 + x96
+        x98 = x94 + x97
+        x99 = 0.03075 + x98
+        x100 = x93 + x99
+        x101 = 0.1 + x94
+        x102 = x84 * x101
+        x103 = x100 - x102
+        x104 = 0.2 * x83
+        x105 = x101 - x104
+        x106 = x84 * x105
+        x107 = x103 - x106
+        x108 = 0.10404 * x81
+        x109 = x81 * x108
+        x110 = x107 + x109
+        x111 = x91 / x110
+        x112 = 2.0 * x66
+        x113 = x84 * x111
+        x114 = x112 + x113
+        x115 = -x114
+        x116 = x81 * x111
+        x117 = x64 + x116
+        return _finish(batch, ((x111, x115, x117),), ((x62, 3.01689e-06), (x110, 3.264600000000001e-07)), (x111, x115, x117, x62, x110))
+
+
+def _forward_dynamics_dense(*arguments):
+    """The dense path of forward_dynamics."""
+    entries, batch = _entries("_forward_dynamics_dense", {"q": 3, "v": 3, "u": 1}, arguments)
+    x0, x1, x2, x3, x4, x5, x6, = entries
+    with np.errstate(all="ignore"):
+        x7 = 0.9272952180016122 + x1
+        x8 = np.sin(x7)
+        x9 = 0.1 * x8
+        x10 = x8 * x9
+        x11 = np.cos(x7)
+        x12 = 0.045 * x11
+        x13 = 0.1 * x11
+        x14 = x11 * x13
+        x15 = x12 + x14
+        x16 = x12 + x15
+        x17 = 0.03075 + x16
+        x18 = x10 + x17
+        x19 = 0.1 + x12
+        x20 = np.sin(x0)
+        x21 = 2.133675 * x20
+        x22 = x3 * x3
+        x23 = 0.15 * x22
+        x24 = np.cos(x0)
+        x25 = 9.81 * x24
+        x26 = x23 - x25
+        x27 = x8 * x26
+        x28 = 9.81 * x20
+        x29 = x11 * x28
+        x30 = x27 - x29
+        x31 = 0.3 * x30
+        x32 = x3 + x4
+        x33 = x32 * x32
+        x34 = 0.3 * x33
+        x35 = x8 * x34
+        x36 = 0.15 * x35
+        x37 = x31 - x36
+        x38 = x21 - x37
+        x39 = x38 + x6
+        x40 = -x31
+        x41 = 0.4899573262537283 - x2
+        x42 = np.sin(x41)
+        x43 = 3.00186 * x42
+        x44 = -x43
+        x45 = 0.15 * x8
+        x46 = 0.15 * x11
+        x47 = 0.5 + x46
+        x48 = x20 * x8
+        x49 = x24 * x11
+        x50 = x48 - x49
+        x51 = 0.51 * x42
+        x52 = x50 * x51
+        x53 = x20 * x11
+        x54 = x24 * x8
+        x55 = x53 + x54
+        x56 = np.cos(x41)
+        x57 = 0.51 * x56
+        x58 = x55 * x57
+        x59 = x52 - x58
+        x60 = x50 * x57
+        x61 = x55 * x51
+        x62 = x60 + x61
+        x63 = x5 * x5
+        x64 = 0.51 * x63
+        x65 = x56 * x64
+        x66 = x24 * x65
+        x67 = x42 * x64
+        x68 = x20 * x67
+        x69 = x66 - x68
+        x70 = x11 * x69
+        x71 = x20 * x65
+        x72 = x24 * x67
+        x73 = x71 + x72
+        x74 = x8 * x73
+        x75 = x70 - x74
+        x76 = x11 * x23
+        x77 = 0.5 * x33
+        x78 = x76 + x77
+        x79 = x75 - x78
+        x80 = x8 * x23
+        x81 = x8 * x69
+        x82 = x11 * x73
+        x83 = x81 + x82
+        x84 = x80 - x83
+        return _finish(batch, ((x18, x19, 0.0, x19, 0.1, 0.0, 0.0, 0.0, 0.10404), (x39, x40, x44), (x45, x47, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, x59, x62, 0.0, 0.0, 0.0), (x79, x84, 0.0, 0.0, 0.0)), (), (x18, x19, x39, x40, x44, x45, x47, x59, x62, x79, x84))
+
+
+def forward_dynamics(*arguments):
+    """forward_dynamics: Accelerations of the tree from a consistent state and the drives.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+      v[3] [rad/s]: rates of the tree
+          0 A; 1 B; 2 D
+      u[1] [N m]: drive forces and torques
+          A
+    Outputs
+      a[3] [rad/s^2]: accelerations of the tree (rates of v)
+          0 A; 1 B; 2 D
+    Returns
+      -2 success where the loops lose rank: by the rank-revealing path, with the freedoms that open
+        there
+      -1 success near a small pivot: by the rank-revealing path, at full rank
+      0 success
+      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations where no pivot is small: 120 (add 43, mul 64, div 2, trig 6, compare 5)
+    """
+    settings = ((1.0, 1.0, 1.0,), (3.3146717314850727, 3.3146717314850727, 3.3146717314850727, 1.0, 1.0,), 2, 1.0e-09)
+    return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
+
+
+def forward_dynamics_independent(*arguments):
+    """forward_dynamics_independent: Second rates of the independent coordinates from the configuration,
+    their rates and the drives.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+      y_dot[1] [rad/s]: their rates
+          A
+      u[1] [N m]: drive forces and torques
+          A
+    Outputs
+      y_ddot[1] [rad/s^2]: their second rates
+          A
+    Returns
+      0 success
+      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 118 (add 39, mul 66, div 2, trig 6, compare 5)
+    """
+    entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1}, arguments)
+    x0, x1, x2, x3, x4, = entries
+    with np.errstate(all="ignore"):
+        x5 = np.sin(x0)
+        x6 = 2.133675 * x5
+        x7 = 0.9272952180016122 + x1
+        x8 = np.sin(x7)
+        x9 = x3 * x3
+        x10 = 0.15 * x9
+        x11 = x8 * x10
+        x12 = np.cos(x0)
+        x13 = 0.4899573262537283 - x2
+        x14 = np.cos(x13)
+        x15 = 0.15 * x8
+        x16 = x15 * x3
+        x17 = np.cos(x7)
+        x18 = x5 * x17
+        x19 = x12 * x8
+        x20 = x18 + x19
+        x21 = 0.51 * x14
+        x22 = x20 * x21
+        x23 = x5 * x8
+        x24 = x12 * x17
+        x25 = x23 - x24
+        x26 = np.sin(x13)
+        x27 = 0.51 * x26
+        x28 = x25 * x27
+        x29 = x22 - x28
+        x30 = 1.0 / x29
+        x31 = x16 * x30
+        x32 = x31 * x31
+        x33 = 0.51 * x32
+        x34 = x14 * x33
+        x35 = x12 * x34
+        x36 = x26 * x33
+        x37 = x5 * x36
+        x38 = x35 - x37
+        x39 = x8 * x38
+        x40 = x5 * x34
+        x41 = x12 * x36
+        x42 = x40 + x41
+        x43 = x17 * x42
+        x44 = x39 + x43
+        x45 = x11 - x44
+        x46 = x25 * x21
+        x47 = x20 * x27
+        x48 = x46 + x47
+        x49 = x17 * x38
+        x50 = x8 * x42
+        x51 = x49 - x50
+        x52 = x17 * x10
+        x53 = 0.15 * x17
+        x54 = 0.5 + x53
+        x55 = x54 * x3
+        x56 = x48 * x31
+        x57 = x55 + x56
+        x58 = 2.0 * x57
+        x59 = x3 - x58
+        x60 = x59 * x59
+        x61 = 0.5 * x60
+        x62 = x52 + x61
+        x63 = x51 - x62
+        x64 = x30 * x63
+        x65 = x48 * x64
+        x66 = x45 + x65
+        x67 = 0.2 * x66
+        x68 = 9.81 * x5
+        x69 = x17 * x68
+        x70 = 9.81 * x12
+        x71 = x70 - x10
+        x72 = x8 * x71
+        x73 = x69 + x72
+        x74 = 0.3 * x73
+        x75 = x67 + x74
+        x76 = 0.3 * x60
+        x77 = x8 * x76
+        x78 = 0.6 * x66
+        x79 = x17 * x78
+        x80 = x77 + x79
+        x81 = 0.15 * x80
+        x82 = x75 + x81
+        x83 = x6 + x82
+        x84 = x4 + x83
+        x85 = x15 * x30
+        x86 = x48 * x85
+        x87 = x54 + x86
+        x88 = 2.0 * x87
+        x89 = x88 * x75
+        x90 = x84 - x89
+        x91 = 3.00186 * x26
+        x92 = 0.10404 * x64
+        x93 = x91 + x92
+        x94 = x85 * x93
+        x95 = x90 - x94
+        x96 = 0.1 * x8
+        x97 = x8 * x96
+        x98 = 0.045 * x17
+        x99 = 0.1 * x17
+        x100 = x17 * x99
+        x101 = x98 + x100
+        x102 = x98 + x101
+        x103 = 0.03075 + x102
+        x104 = x97 + x103
+        x105 = 0.1 + x98
+        x106 = x88 * x105
+        x107 = x104 - x106
+        x108 = 0.2 * x87
+        x109 = x105 - x108
+        x110 = x88 * x109
+        x111 = x107 - x110
+        x112 = 0.10404 * x85
+        x113 = x85 * x112
+        x114 = x111 + x113
+        x115 = x95 / x114
+        return _finish(batch, ((x115,),), ((x29, 3.01689e-10), (x114, 3.2646e-11)), (x115, x29, x114))
+
+
+def _forward_dynamics_reactions_first(*arguments):
+    """The first path of forward_dynamics_reactions."""
+    entries, batch = _entries("_forward_dynamics_reactions_first", {"q": 3, "v": 3, "u": 1}, arguments)
+    x0, x1, x2, x3, x4, x5, x6, = entries
+    with np.errstate(all="ignore"):
+        x7 = np.sin(x0)
+        x8 = 2.133675 * x7
+        x9 = 0.9272952180016122 + x1
+        x10 = np.sin(x9)
+        x11 = x3 * x3
+        x12 = 0.15 * x11
+        x13 = np.cos(x0)
+        x14 = 9.81 * x13
+        x15 = x12 - x14
+        x16 = x10 * x15
+        x17 = np.cos(x9)
+        x18 = 9.81 * x7
+        x19 = x17 * x18
+        x20 = x16 - x19
+        x21 = 0.3 * x20
+        x22 = x10 * x12
+        x23 = 0.4899573262537283 - x2
+        x24 = np.cos(x23)
+        x25 = x5 * x5
+        x26 = 0.51 * x25
+        x27 = x24 * x26
+        x28 = x13 * x27
+        x29 = np.sin(x23)
+        x30 = x29 * x26
+        x31 = x7 * x30
+        x32 = x28 - x31
+        x33 = x10 * x32
+        x34 = x7 * x27
+        x35 = x13 * x30
+        x36 = x34 + x35
+        x37 = x17 * x36
+        x38 = x33 + x37
+        x39 = x22 - x38
+        x40 = x7 * x10
+        x41 = x13 * x17
+        x42 = x40 - x41
+        x43 = 0.51 * x24
+        x44 = x42 * x43
+        x45 = x7 * x17
+        x46 = x13 * x10
+        x47 = x45 + x46
+        x48 = 0.51 * x29
+        x49 = x47 * x48
+        x50 = x44 + x49
+        x51 = x17 * x32
+        x52 = x10 * x36
+        x53 = x51 - x52
+        x54 = x17 * x12
+        x55 = x3 + x4
+        x56 = x55 * x55
+        x57 = 0.5 * x56
+        x58 = x54 + x57
+        x59 = x53 - x58
+        x60 = x47 * x43
+        x61 = x42 * x48
+        x62 = x60 - x61
+        x63 = 1.0 / x62
+        x64 = x59 * x63
+        x65 = x50 * x64
+        x66 = x39 + x65
+        x67 = 0.2 * x66
+        x68 = x21 - x67
+        x69 = 0.3 * x56
+        x70 = x10 * x69
+        x71 = 0.6 * x66
+        x72 = x17 * x71
+        x73 = x70 + x72
+        x74 = 0.15 * x73
+        x75 = x68 - x74
+        x76 = x8 - x75
+        x77 = x6 + x76
+        x78 = 0.15 * x17
+        x79 = 0.5 + x78
+        x80 = 0.15 * x10
+        x81 = x80 * x63
+        x82 = x50 * x81
+        x83 = x79 + x82
+        x84 = 2.0 * x83
+        x85 = x84 * x68
+        x86 = x77 + x85
+        x87 = 3.00186 * x29
+        x88 = 0.10404 * x64
+        x89 = x87 + x88
+        x90 = x81 * x89
+        x91 = x86 - x90
+        x92 = 0.1 * x10
+        x93 = x10 * x92
+        x94 = 0.045 * x17
+        x95 = 0.1 * x17
+        x96 = x17 * x95
+        x97 = x94 + x96
+        x98 = x94 + x97
+        x99 = 0.03075 + x98
+        x100 = x93 + x99
+        x101 = 0.1 + x94
+        x102 = x84 * x101
+        x103 = x100 - x102
+        x104 = 0.2 * x83
+        x105 = x101 - x104
+        x106 = x84 * x105
+        x107 = x103 - x106
+        x108 = 0.10404 * x81
+        x109 = x81 * x108
+        x110 = x107 + x109
+        x111 = x91 / x110
+        x112 = 2.0 * x66
+        x113 = x84 * x111
+        x114 = x112 + x113
+        x115 = -x114
+        x116 = x81 * x111
+        x117 = x64 + x116
+        x118 = 4.905 * x13
+        x119 = 0.0375 * x11
+        x120 = x118 - x119
+        x121 = x111 - x114
+        x122 = 0.1 * x121
+        x123 = 0.15 * x111
+        x124 = x18 - x123
+        x125 = x17 * x124
+        x126 = x16 - x125
+        x127 = 0.3 * x126
+        x128 = x122 + x127
+        x129 = 2.0 * x128
+        x130 = 0.3 * x121
+        x131 = 1.2 * x126
+        x132 = x130 + x131
+        x133 = x129 - x132
+        x134 = x10 * x133
+        x135 = x17 * x15
+        x136 = x10 * x124
+        x137 = x135 + x136
+        x138 = 1.2 * x137
+        x139 = x69 + x138
+        x140 = x17 * x130
+        x141 = x70 - x140
+        x142 = x17 * x129
+        x143 = x141 + x142
+        x144 = 0.15 * x143
+        x145 = 0.03075 * x111
+        x146 = x8 - x145
+        x147 = x144 + x146
+        x148 = x6 + x147
+        x149 = x148 / x80
+        x150 = x139 - x149
+        x151 = x17 * x150
+        x152 = x134 - x151
+        x153 = x120 + x152
+        x154 = x7 * x153
+        x155 = 4.905 * x7
+        x156 = 0.0375 * x111
+        x157 = x155 - x156
+        x158 = x17 * x133
+        x159 = x10 * x150
+        x160 = x158 + x159
+        x161 = x157 + x160
+        x162 = x13 * x161
+        x163 = x154 - x162
+        x164 = x13 * x153
+        x165 = x7 * x161
+        x166 = x164 + x165
+        x167 = x7 * x152
+        x168 = x13 * x160
+        x169 = x167 - x168
+        x170 = x13 * x152
+        x171 = x7 * x160
+        x172 = x170 + x171
+        x173 = 0.15 * x13
+        x174 = x173 * x169
+        x175 = 0.15 * x7
+        x176 = x175 * x172
+        x177 = x174 - x176
+        x178 = x42 * x129
+        x179 = x47 * x149
+        x180 = x178 + x179
+        x181 = x47 * x129
+        x182 = x42 * x149
+        x183 = x181 - x182
+        x184 = 0.5 * x42
+        x185 = x173 - x184
+        x186 = x185 * x180
+        x187 = 0.5 * x47
+        x188 = x175 + x187
+        x189 = x188 * x183
+        x190 = x186 - x189
+        x191 = 0.306 * x25
+        x192 = 11.772 * x24
+        x193 = x191 - x192
+        x194 = x29 * x193
+        x195 = 11.772 * x29
+        x196 = 0.306 * x117
+        x197 = x195 + x196
+        x198 = x24 * x197
+        x199 = x194 + x198
+        x200 = x10 * x129
+        x201 = x17 * x149
+        x202 = x200 + x201
+        x203 = x7 * x202
+        x204 = x10 * x149
+        x205 = x142 - x204
+        x206 = x13 * x205
+        x207 = x203 - x206
+        x208 = x199 - x207
+        x209 = x24 * x193
+        x210 = x29 * x197
+        x211 = x209 - x210
+        x212 = x13 * x202
+        x213 = x7 * x205
+        x214 = x212 + x213
+        x215 = x211 + x214
+        x216 = -x215
+        x217 = 0.64 * x215
+        x218 = 1.6573358657425363 * x10
+        x219 = x218 * x218
+        x220 = 2.0 + x219
+        x221 = 1.6573358657425363 * x17
+        x222 = x221 * x221
+        x223 = x220 + x222
+        x224 = 1.0 + x223
+        x225 = 1.690482583057387 * x29
+        x226 = x225 * x225
+        x227 = x224 + x226
+        x228 = 1.690482583057387 * x24
+        x229 = x228 * x228
+        x230 = x227 + x229
+        x231 = 1.0 + x230
+        x232 = 0.5 * x10
+        x233 = x13 * x232
+        x234 = 0.5 * x17
+        x235 = 0.15 + x234
+        x236 = x7 * x235
+        x237 = x233 + x236
+        x238 = 3.3146717314850727 * x237
+        x239 = x238 * x238
+        x240 = x231 + x239
+        x241 = x7 * x232
+        x242 = x13 * x235
+        x243 = x241 - x242
+        x244 = 3.3146717314850727 * x243
+        x245 = x244 * x244
+        x246 = x240 + x245
+        x247 = 3.3146717314850727 * x47
+        x248 = x247 * x247
+        x249 = 3.3146717314850727 * x42
+        x250 = x249 * x249
+        x251 = 3.3146717314850727 * x17
+        x252 = x251 * x251
+        x253 = 10.987048687506249 + x252
+        x254 = 3.3146717314850727 * x10
+        x255 = x254 * x254
+        x256 = x253 + x255
+        x257 = x256 + x250
+        x258 = x257 + x248
+        x259 = x250 + x258
+        x260 = x248 + x259
+        x261 = x218 * x251
+        x262 = x221 * x254
+        x263 = x261 - x262
+        x264 = x225 * x249
+        x265 = x263 + x264
+        x266 = x228 * x247
+        x267 = x265 - x266
+        x268 = x238 * x249
+        x269 = x267 - x268
+        x270 = x244 * x247
+        x271 = x269 + x270
+        x272 = 1.0 / x246
+        x273 = x271 * x272
+        x274 = x246 * x273
+        x275 = x273 * x274
+        x276 = x260 - x275
+        x277 = 10.987048687506249 + x255
+        x278 = x252 + x277
+        x279 = x248 + x278
+        x280 = x250 + x279
+        x281 = x248 + x280
+        x282 = x250 + x281
+        x283 = x218 * x254
+        x284 = x221 * x251
+        x285 = x283 + x284
+        x286 = x225 * x247
+        x287 = x285 - x286
+        x288 = x228 * x249
+        x289 = x287 - x288
+        x290 = x238 * x247
+        x291 = x289 + x290
+        x292 = x244 * x249
+        x293 = x291 + x292
+        x294 = x293 * x272
+        x295 = x246 * x294
+        x296 = x294 * x295
+        x297 = x294 * x274
+        x298 = x297 / x276
+        x299 = x276 * x298
+        x300 = x298 * x299
+        x301 = x296 + x300
+        x302 = x282 - x301
+        return _finish(batch, ((x111, x115, x117), (x163, 0.0, x166, 0.0, 0.0, 0.0, x169, 0.0, x172, 0.0, x177, 0.0, x180, 0.0, x183, 0.0, x190, 0.0, x208, 0.0, x216, 0.0, x217, 0.0)), ((x62, 3.01689e-06), (x110, 3.264600000000001e-07), (x80, 1.2634000000000003e-06), (x246, 0.0001379), (x276, 0.00043948), (x302, 0.00043948)), (x111, x115, x117, x163, x166, x169, x172, x177, x180, x183, x190, x208, x216, x217, x62, x110, x80, x246, x276, x302))
+
+
+def _forward_dynamics_reactions_dense(*arguments):
+    """The dense path of forward_dynamics_reactions."""
+    entries, batch = _entries("_forward_dynamics_reactions_dense", {"q": 3, "v": 3, "u": 1}, arguments)
+    x0, x1, x2, x3, x4, x5, x6, = entries
+    with np.errstate(all="ignore"):
+        x7 = 0.9272952180016122 + x1
+        x8 = np.sin(x7)
+        x9 = 0.1 * x8
+        x10 = x8 * x9
+        x11 = np.cos(x7)
+        x12 = 0.045 * x11
+        x13 = 0.1 * x11
+        x14 = x11 * x13
+        x15 = x12 + x14
+        x16 = x12 + x15
+        x17 = 0.03075 + x16
+        x18 = x10 + x17
+        x19 = 0.1 + x12
+        x20 = np.sin(x0)
+        x21 = 2.133675 * x20
+        x22 = x3 * x3
+        x23 = 0.15 * x22
+        x24 = np.cos(x0)
+        x25 = 9.81 * x24
+        x26 = x23 - x25
+        x27 = x8 * x26
+        x28 = 9.81 * x20
+        x29 = x11 * x28
+        x30 = x27 - x29
+        x31 = 0.3 * x30
+        x32 = x3 + x4
+        x33 = x32 * x32
+        x34 = 0.3 * x33
+        x35 = x8 * x34
+        x36 = 0.15 * x35
+        x37 = x31 - x36
+        x38 = x21 - x37
+        x39 = x38 + x6
+        x40 = -x31
+        x41 = 0.4899573262537283 - x2
+        x42 = np.sin(x41)
+        x43 = 3.00186 * x42
+        x44 = -x43
+        x45 = 0.15 * x8
+        x46 = 0.15 * x11
+        x47 = 0.5 + x46
+        x48 = x20 * x8
+        x49 = x24 * x11
+        x50 = x48 - x49
+        x51 = 0.51 * x42
+        x52 = x50 * x51
+        x53 = x20 * x11
+        x54 = x24 * x8
+        x55 = x53 + x54
+        x56 = np.cos(x41)
+        x57 = 0.51 * x56
+        x58 = x55 * x57
+        x59 = x52 - x58
+        x60 = x50 * x57
+        x61 = x55 * x51
+        x62 = x60 + x61
+        x63 = x5 * x5
+        x64 = 0.51 * x63
+        x65 = x56 * x64
+        x66 = x24 * x65
+        x67 = x42 * x64
+        x68 = x20 * x67
+        x69 = x66 - x68
+        x70 = x11 * x69
+        x71 = x20 * x65
+        x72 = x24 * x67
+        x73 = x71 + x72
+        x74 = x8 * x73
+        x75 = x70 - x74
+        x76 = x11 * x23
+        x77 = 0.5 * x33
+        x78 = x76 + x77
+        x79 = x75 - x78
+        x80 = x8 * x23
+        x81 = x8 * x69
+        x82 = x11 * x73
+        x83 = x81 + x82
+        x84 = x80 - x83
+        return _finish(batch, ((x18, x19, 0.0, x19, 0.1, 0.0, 0.0, 0.0, 0.10404), (x39, x40, x44), (x45, x47, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, x59, x62, 0.0, 0.0, 0.0), (x79, x84, 0.0, 0.0, 0.0)), (), (x18, x19, x39, x40, x44, x45, x47, x59, x62, x79, x84))
+
+
+def _forward_dynamics_reactions_wrenches(*arguments):
+    """The wrenches path of forward_dynamics_reactions."""
+    entries, batch = _entries("_forward_dynamics_reactions_wrenches", {"q": 3, "v": 3, "u": 1, "a": 3, "multipliers": 5}, arguments)
+    x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, = entries
+    with np.errstate(all="ignore"):
+        x15 = np.sin(x0)
+        x16 = np.cos(x0)
+        x17 = 4.905 * x16
+        x18 = x3 * x3
+        x19 = 0.0375 * x18
+        x20 = x17 - x19
+        x21 = 0.9272952180016122 + x1
+        x22 = np.cos(x21)
+        x23 = x3 + x4
+        x24 = x23 * x23
+        x25 = 0.3 * x24
+        x26 = 0.15 * x18
+        x27 = 9.81 * x16
+        x28 = x26 - x27
+        x29 = x22 * x28
+        x30 = np.sin(x21)
+        x31 = 9.81 * x15
+        x32 = 0.15 * x7
+        x33 = x31 - x32
+        x34 = x30 * x33
+        x35 = x29 + x34
+        x36 = 1.2 * x35
+        x37 = x25 + x36
+        x38 = x37 + x10
+        x39 = x22 * x38
+        x40 = x7 + x8
+        x41 = 0.3 * x40
+        x42 = x30 * x28
+        x43 = x22 * x33
+        x44 = x42 - x43
+        x45 = 1.2 * x44
+        x46 = x41 + x45
+        x47 = x46 - x11
+        x48 = x30 * x47
+        x49 = x39 + x48
+        x50 = x20 - x49
+        x51 = x15 * x50
+        x52 = 4.905 * x15
+        x53 = 0.0375 * x7
+        x54 = x52 - x53
+        x55 = x30 * x38
+        x56 = x22 * x47
+        x57 = x55 - x56
+        x58 = x54 + x57
+        x59 = x16 * x58
+        x60 = x51 - x59
+        x61 = -x12
+        x62 = x16 * x50
+        x63 = x15 * x58
+        x64 = x62 + x63
+        x65 = x22 * x13
+        x66 = 0.5 * x12
+        x67 = x14 - x66
+        x68 = x30 * x67
+        x69 = x65 - x68
+        x70 = x15 * x69
+        x71 = x30 * x13
+        x72 = x22 * x67
+        x73 = x71 + x72
+        x74 = 0.15 * x12
+        x75 = x73 - x74
+        x76 = x16 * x75
+        x77 = x70 + x76
+        x78 = -x77
+        x79 = x16 * x69
+        x80 = x15 * x75
+        x81 = x79 - x80
+        x82 = -x81
+        x83 = x15 * x49
+        x84 = x16 * x57
+        x85 = x83 + x84
+        x86 = -x85
+        x87 = x16 * x49
+        x88 = x15 * x57
+        x89 = x87 - x88
+        x90 = -x89
+        x91 = 0.15 * x16
+        x92 = x91 * x12
+        x93 = x16 * x73
+        x94 = x70 + x93
+        x95 = x92 - x94
+        x96 = 0.15 * x15
+        x97 = x96 * x89
+        x98 = x91 * x85
+        x99 = x97 - x98
+        x100 = x15 * x73
+        x101 = x79 - x100
+        x102 = x96 * x12
+        x103 = x101 + x102
+        x104 = -x103
+        x105 = x15 * x22
+        x106 = x16 * x30
+        x107 = x105 + x106
+        x108 = x107 * x10
+        x109 = x15 * x30
+        x110 = x16 * x22
+        x111 = x109 - x110
+        x112 = x111 * x11
+        x113 = x108 - x112
+        x114 = -x113
+        x115 = x111 * x10
+        x116 = x107 * x11
+        x117 = x115 + x116
+        x118 = 0.5 * x111
+        x119 = x91 - x118
+        x120 = x119 * x12
+        x121 = x107 * x13
+        x122 = x111 * x14
+        x123 = x121 - x122
+        x124 = x120 - x123
+        x125 = x119 * x113
+        x126 = 0.5 * x107
+        x127 = x96 + x126
+        x128 = x127 * x117
+        x129 = x125 + x128
+        x130 = -x129
+        x131 = x111 * x13
+        x132 = x107 * x14
+        x133 = x131 + x132
+        x134 = x127 * x12
+        x135 = x133 - x134
+        x136 = 0.4899573262537283 - x2
+        x137 = np.sin(x136)
+        x138 = x5 * x5
+        x139 = 0.306 * x138
+        x140 = np.cos(x136)
+        x141 = 11.772 * x140
+        x142 = x139 - x141
+        x143 = x137 * x142
+        x144 = 0.306 * x9
+        x145 = 11.772 * x137
+        x146 = x144 + x145
+        x147 = x140 * x146
+        x148 = x143 + x147
+        x149 = x22 * x10
+        x150 = x30 * x11
+        x151 = x149 - x150
+        x152 = x15 * x151
+        x153 = x30 * x10
+        x154 = x22 * x11
+        x155 = x153 + x154
+        x156 = x16 * x155
+        x157 = x152 + x156
+        x158 = x148 + x157
+        x159 = x140 * x142
+        x160 = x137 * x146
+        x161 = x159 - x160
+        x162 = x16 * x151
+        x163 = x15 * x155
+        x164 = x162 - x163
+        x165 = x161 - x164
+        x166 = -x165
+        x167 = x30 * x14
+        x168 = x65 - x167
+        x169 = x15 * x168
+        x170 = x22 * x14
+        x171 = x71 + x170
+        x172 = x16 * x171
+        x173 = x169 + x172
+        x174 = 0.51 * x140
+        x175 = x174 * x12
+        x176 = x173 - x175
+        x177 = 0.64 * x165
+        x178 = x16 * x168
+        x179 = x15 * x171
+        x180 = x178 - x179
+        x181 = 0.51 * x137
+        x182 = x181 * x12
+        x183 = x180 - x182
+        x184 = 0.64 * x12
+        x185 = x183 + x184
+        x186 = 3.3146717314850727 * x81
+        x187 = -x186
+        x188 = 3.3146717314850727 * x77
+        x189 = -x188
+        x190 = -x49
+        x191 = -x57
+        x192 = 3.3146717314850727 * x69
+        x193 = -x192
+        x194 = 3.3146717314850727 * x73
+        x195 = -x194
+        x196 = -x10
+        x197 = -x11
+        x198 = 3.3146717314850727 * x13
+        x199 = -x198
+        x200 = 3.3146717314850727 * x14
+        x201 = -x200
+        x202 = 3.3146717314850727 * x183
+        x203 = 3.3146717314850727 * x176
+        return _finish(batch, ((x60, x61, x64, x78, 0.0, x82, x86, x61, x90, x95, x99, x104, x114, x61, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185), (x64, x60, x61, x187, x189, 0.0, x190, x191, x61, x193, x195, 0.0, x196, x197, x61, x199, x201, 0.0, x166, x158, x12, x202, x203, 0.0)), (), (x60, x61, x64, x78, x82, x86, x90, x95, x99, x104, x114, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185, x187, x189, x190, x191, x193, x195, x196, x197, x199, x201, x202, x203))
+
+
+def forward_dynamics_reactions(*arguments):
+    """forward_dynamics_reactions: Accelerations of the tree and all joint reactions, at O in absolute
+    axes, from a consistent state and drives.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+      v[3] [rad/s]: rates of the tree
+          0 A; 1 B; 2 D
+      u[1] [N m]: drive forces and torques
+          A
+    Outputs
+      a[3] [rad/s^2]: accelerations of the tree (rates of v)
+          0 A; 1 B; 2 D
+      reactions[24] (6x4, column by column): wrench (f ; m_O) from parent on child without the drive's
+        share
+          0 A.fx [N]; 1 A.fy [N]; 2 A.fz [N]; 3 A.mx [N m]; 4 A.my [N m]; 5 A.mz [N m]; 6 B.fx [N];
+          7 B.fy [N]; 8 B.fz [N]; 9 B.mx [N m]; 10 B.my [N m]; 11 B.mz [N m]; 12 C.fx [N]; 13 C.fy [N];
+          14 C.fz [N]; 15 C.mx [N m]; 16 C.my [N m]; 17 C.mz [N m]; 18 D.fx [N]; 19 D.fy [N];
+          20 D.fz [N]; 21 D.mx [N m]; 22 D.my [N m]; 23 D.mz [N m]
+    Returns
+      -2 success where the loops lose rank: by the rank-revealing path, with the freedoms that open
+        there
+      -1 success near a small pivot: by the rank-revealing path, at full rank
+      0 success
+      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations where no pivot is small: 328 (add 135, mul 169, div 5, trig 6, compare 13)
+    Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
+      divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
+      D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
+    """
+    settings = ((1.0, 1.0, 1.0,), (3.3146717314850727, 3.3146717314850727, 3.3146717314850727, 1.0, 1.0,), 2, 1.0e-09)
+    return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense, _forward_dynamics_reactions_wrenches, arguments, *settings)
+
+
+def close_position(*arguments):
+    """close_position: The shortest Newton step onto the closure: q_next closes the loops to second order
+    in their opening at q.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+    Outputs
+      q_next[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+      residual[1] [1]: opening of the loops at q, without units
+          residual
+    Returns
+      0 success
+      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 80 (add 30, mul 36, div 2, sqrt 1, trig 6, compare 5)
+    """
+    entries, batch = _entries("close_position", {"q": 3}, arguments)
+    x0, x1, x2, = entries
+    with np.errstate(all="ignore"):
+        x3 = 0.9272952180016122 + x1
+        x4 = np.cos(x3)
+        x5 = 0.15 * x4
+        x6 = 0.5 + x5
+        x7 = np.sin(x0)
+        x8 = np.sin(x3)
+        x9 = x7 * x8
+        x10 = np.cos(x0)
+        x11 = x10 * x4
+        x12 = x9 - x11
+        x13 = 0.4899573262537283 - x2
+        x14 = np.cos(x13)
+        x15 = 0.51 * x14
+        x16 = x12 * x15
+        x17 = x7 * x4
+        x18 = x10 * x8
+        x19 = x17 + x18
+        x20 = np.sin(x13)
+        x21 = 0.51 * x20
+        x22 = x19 * x21
+        x23 = x16 + x22
+        x24 = 0.15 * x8
+        x25 = x19 * x15
+        x26 = x12 * x21
+        x27 = x25 - x26
+        x28 = 1.0 / x27
+        x29 = x24 * x28
+        x30 = x23 * x29
+        x31 = x6 + x30
+        x32 = 2.0 * x31
+        x33 = 0.15 * x7
+        x34 = 0.5 * x19
+        x35 = x33 + x34
+        x36 = 0.64 - x21
+        x37 = x35 - x36
+        x38 = x12 * x37
+        x39 = 0.15 * x10
+        x40 = 0.5 * x12
+        x41 = x39 - x40
+        x42 = x41 - x15
+        x43 = x19 * x42
+        x44 = x38 + x43
+        x45 = x19 * x37
+        x46 = x12 * x42
+        x47 = x45 - x46
+        x48 = x47 * x28
+        x49 = x23 * x48
+        x50 = x44 - x49
+        x51 = 2.0 * x50
+        x52 = x32 * x51
+        x53 = x29 * x48
+        x54 = x52 - x53
+        x55 = x32 * x32
+        x56 = 1.0 + x55
+        x57 = x29 * x29
+        x58 = x56 + x57
+        x59 = x54 / x58
+        x60 = x0 + x59
+        x61 = x32 * x59
+        x62 = x51 - x61
+        x63 = x1 + x62
+        x64 = x29 * x59
+        x65 = x48 + x64
+        x66 = x2 + x65
+        x67 = 3.3146717314850727 * x47
+        x68 = x67 * x67
+        x69 = 3.3146717314850727 * x44
+        x70 = x69 * x69
+        x71 = x68 + x70
+        x72 = np.sqrt(x71)
+        return _finish(batch, ((x60, x63, x66), (x72,)), ((x27, 3.01689e-10), (x58, 2.4194e-09)), (x60, x63, x66, x72, x27, x58))
+
+
+def close_velocity(*arguments):
+    """close_velocity: The consistent rates nearest to v (lengths divided by the characteristic length).
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+      v[3] [rad/s]: rates of the tree
+          0 A; 1 B; 2 D
+    Outputs
+      v_next[3] [rad/s]: consistent rates of the tree
+          0 A; 1 B; 2 D
+    Returns
+      0 success
+      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 50 (add 17, mul 20, div 2, trig 6, compare 5)
+    """
+    entries, batch = _entries("close_velocity", {"q": 3, "v": 3}, arguments)
+    x0, x1, x2, x3, x4, x5, = entries
+    with np.errstate(all="ignore"):
+        x6 = 0.9272952180016122 + x1
+        x7 = np.cos(x6)
+        x8 = 0.15 * x7
+        x9 = 0.5 + x8
+        x10 = np.sin(x0)
+        x11 = np.sin(x6)
+        x12 = x10 * x11
+        x13 = np.cos(x0)
+        x14 = x13 * x7
+        x15 = x12 - x14
+        x16 = 0.4899573262537283 - x2
+        x17 = np.cos(x16)
+        x18 = 0.51 * x17
+        x19 = x15 * x18
+        x20 = x10 * x7
+        x21 = x13 * x11
+        x22 = x20 + x21
+        x23 = np.sin(x16)
+        x24 = 0.51 * x23
+        x25 = x22 * x24
+        x26 = x19 + x25
+        x27 = 0.15 * x11
+        x28 = x22 * x18
+        x29 = x15 * x24
+        x30 = x28 - x29
+        x31 = x27 / x30
+        x32 = x26 * x31
+        x33 = x9 + x32
+        x34 = 2.0 * x33
+        x35 = x4 * x34
+        x36 = x3 - x35
+        x37 = x5 * x31
+        x38 = x36 + x37
+        x39 = x34 * x34
+        x40 = 1.0 + x39
+        x41 = x31 * x31
+        x42 = x40 + x41
+        x43 = x38 / x42
+        x44 = x34 * x43
+        x45 = -x44
+        x46 = x31 * x43
+        return _finish(batch, ((x43, x45, x46),), ((x30, 3.01689e-10), (x42, 2.4194e-09)), (x43, x45, x46, x30, x42))
+
+
 def inverse_kinematics(*arguments):
     """inverse_kinematics: Configuration of the tree from the platform's own coordinates, limbs in closed
     form.
@@ -2192,3 +3419,121 @@ def assemble(*arguments):
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
     return _iterate_batch(arguments, _assemble_step, [0], 1.0e-13, 25, 64)
+
+
+def limb_margins(*arguments):
+    """limb_margins: Limb (serial) singularities: 0 where the joint screws of a limb become dependent.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+    Outputs
+      margins[1] [1]: signed volume: rocker
+          rocker
+    Returns
+      0 success
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 4 (add 1, mul 1, trig 1, compare 1)
+    """
+    entries, batch = _entries("limb_margins", {"q": 3}, arguments)
+    x0, x1, x2, = entries
+    with np.errstate(all="ignore"):
+        x3 = 0.9272952180016122 + x1
+        x4 = np.sin(x3)
+        x5 = 0.8240286515629687 * x4
+        return _finish(batch, ((x5,),), (), (x5,))
+
+
+def constraint_margin(*arguments):
+    """constraint_margin: Constraint singularity: 0 where the constraints lose rank and a freedom appears.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+    Outputs
+      margins[1] [1]: squared volume: rocker
+          rocker
+    Returns
+      0 success
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 39 (add 10, mul 22, trig 6, compare 1)
+    """
+    entries, batch = _entries("constraint_margin", {"q": 3}, arguments)
+    x0, x1, x2, = entries
+    with np.errstate(all="ignore"):
+        x3 = 0.9272952180016122 + x1
+        x4 = np.sin(x3)
+        x5 = 0.8240286515629687 * x4
+        x6 = x5 * x5
+        x7 = 0.4972007597227609 * x4
+        x8 = np.sin(x0)
+        x9 = x8 * x4
+        x10 = np.cos(x0)
+        x11 = np.cos(x3)
+        x12 = x10 * x11
+        x13 = x9 - x12
+        x14 = 0.4899573262537283 - x2
+        x15 = np.cos(x14)
+        x16 = 0.51 * x15
+        x17 = x13 * x16
+        x18 = x8 * x11
+        x19 = x10 * x4
+        x20 = x18 + x19
+        x21 = np.sin(x14)
+        x22 = 0.51 * x21
+        x23 = x20 * x22
+        x24 = x17 + x23
+        x25 = 3.3146717314850727 * x24
+        x26 = x7 * x25
+        x27 = x20 * x16
+        x28 = x13 * x22
+        x29 = x27 - x28
+        x30 = 3.3146717314850727 * x29
+        x31 = 0.15 * x11
+        x32 = 0.5 + x31
+        x33 = 3.3146717314850727 * x32
+        x34 = x30 * x33
+        x35 = x26 + x34
+        x36 = x35 * x35
+        x37 = x6 + x36
+        x38 = 5.4935243437531245 * x29
+        x39 = x38 * x38
+        x40 = x37 + x39
+        return _finish(batch, ((x40,),), (), (x40,))
+
+
+def actuation_margins(*arguments):
+    """actuation_margins: Actuation singularities: 0 where a freedom is left with these drives locked.
+    Inputs
+      q[3] [rad]: configuration of the tree
+          0 A; 1 B; 2 D
+    Outputs
+      margins[1] [1]: signed volume: all drives
+          all drives
+    Returns
+      0 success
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+    Operations: 21 (add 5, mul 9, trig 6, compare 1)
+    """
+    entries, batch = _entries("actuation_margins", {"q": 3}, arguments)
+    x0, x1, x2, = entries
+    with np.errstate(all="ignore"):
+        x3 = np.sin(x0)
+        x4 = 0.9272952180016122 + x1
+        x5 = np.cos(x4)
+        x6 = x3 * x5
+        x7 = np.cos(x0)
+        x8 = np.sin(x4)
+        x9 = x7 * x8
+        x10 = x6 + x9
+        x11 = 0.4899573262537283 - x2
+        x12 = np.cos(x11)
+        x13 = 0.51 * x12
+        x14 = x10 * x13
+        x15 = x3 * x8
+        x16 = x7 * x5
+        x17 = x15 - x16
+        x18 = np.sin(x11)
+        x19 = 0.51 * x18
+        x20 = x17 * x19
+        x21 = x14 - x20
+        x22 = 5.4935243437531245 * x21
+        return _finish(batch, ((x22,),), (), (x22,))
