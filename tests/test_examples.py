@@ -62,7 +62,7 @@ def test_readme_operation_counts_are_those_of_the_code(name: str) -> None:
     from symscrew import catalogue
     from symscrew.model import derive
 
-    functions = ("inverse_dynamics", "inverse_dynamics_platform", "joint_reactions")
+    functions = ("inverse_dynamics", "inverse_dynamics_platform", "joint_reactions", "forward_dynamics")
     programs = derive(catalogue.load(name)).programs
     counts = [str(programs[f].operations["total"]) if f in programs else "-" for f in functions]
     assert f"| `{name}` | {' | '.join(counts)} |" in README
