@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from symscrew.differentiation import differentiate
+from symscrew.operations import ARITHMETIC
 from symscrew.program import Function, Iteration, Port, Program, lower
 from symscrew.tape import Node, Tape
 
@@ -113,16 +114,8 @@ def _nodes(
 
 
 def _applied(tape: Tape, op: str, args: list[Node]) -> Node:
-    if op == "add":
-        return args[0] + args[1]
-    if op == "sub":
-        return args[0] - args[1]
-    if op == "mul":
-        return args[0] * args[1]
-    if op == "div":
-        return args[0] / args[1]
-    if op == "neg":
-        return -args[0]
+    if op in ARITHMETIC:
+        return ARITHMETIC[op](*args)
     if op == "reciprocal":
         return tape.reciprocal(args[0])
     return tape.function(op, *args)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any
 
 import mpmath
@@ -11,11 +12,17 @@ import sympy
 CONTEXT = mpmath.ctx_mp.MPContext()
 CONTEXT.dps = 60
 
+ARITHMETIC: dict[str, Any] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": operator.truediv,
+    "neg": operator.neg,
+}
+"""What means the same for numbers of every kind and for nodes of a tape."""
+
 IN_SYMPY: dict[str, Any] = {
-    "add": lambda x, y: x + y,
-    "sub": lambda x, y: x - y,
-    "mul": lambda x, y: x * y,
-    "neg": lambda x: -x,
+    **ARITHMETIC,
     "reciprocal": lambda x: 1 / x,
     "sqrt": sympy.sqrt,
     "exp": sympy.exp,
@@ -65,14 +72,8 @@ def evaluate_constant(name: str, values: list[Any]) -> Any:
 
 def apply_high_precision(op: str, args: list[Any]) -> Any:
     """One operation of the tape with 60 digits."""
-    if op == "add":
-        return args[0] + args[1]
-    if op == "sub":
-        return args[0] - args[1]
-    if op == "mul":
-        return args[0] * args[1]
-    if op == "neg":
-        return -args[0]
+    if op in ARITHMETIC:
+        return ARITHMETIC[op](*args)
     if op == "reciprocal":
         return 1 / args[0]
     return evaluate_constant(op, args)

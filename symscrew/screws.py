@@ -218,11 +218,6 @@ class Pose:
         angular = self.direction(twist.angular)
         return Twist(angular, add(self.direction(twist.linear), cross(self.translation, angular)))
 
-    def twist_back(self, twist: Twist) -> Twist:
-        """A twist from base coordinates to body coordinates; cheaper than `inverse().twist`."""
-        back = transpose(self.rotation)
-        return Twist(transform(back, twist.angular), transform(back, twist.velocity_at(self.translation)))
-
     def wrench(self, wrench: Wrench) -> Wrench:
         """A wrench from body coordinates (moment about the body's origin) to base coordinates."""
         force = self.direction(wrench.force)

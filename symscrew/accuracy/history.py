@@ -28,7 +28,6 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.model import Model
 
 Array = np.ndarray
-GROUPS = ("exudyn", "mujoco", "bare C")
 
 
 @dataclass(frozen=True)
@@ -39,14 +38,12 @@ class Reference:
     text: str
     own_error: float | None
     stated: float | None
-    stated_text: str
     columns: tuple[Mapping[str, Any], ...]
     times: Array
     values: Array
     measure: str
     peers: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
-    published: tuple[Mapping[str, Any], ...] = ()
 
     @property
     def levels(self) -> tuple[float, ...]:
@@ -120,14 +117,12 @@ def read_reference(scene: Path) -> Reference | None:
             f"{content['method']} Verification: {content['verification']}; error",
             None if content.get("error") is None else float(content["error"]),
             None if stated.get("value") is None else float(stated["value"]),
-            str(stated.get("text", "")),
             tuple(content["columns"]),
             np.array(content["times"], dtype=float),
             np.array(content["values"], dtype=float),
             str(content.get("measure", "largest")),
             {str(k): {str(e): float(s) for e, s in v.items()} for k, v in content.get("peers", {}).items()},
             _notes(content, stated),
-            tuple(content.get("published", ())),
         )
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise DescriptionError(f"{path.name}: not a reference history: {error}") from error

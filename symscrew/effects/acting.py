@@ -6,11 +6,8 @@ axes before the link's motion, at its origin: where the recursions take them.
 
 from __future__ import annotations
 
-import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-
-import numpy as np
 
 from symscrew.closure import carry, drive_row
 from symscrew.effects.effect import Contact, Effect, State, Transmission
@@ -290,18 +287,6 @@ class Acting(Quantities):
         """The port of u with the units of the motors' sides."""
         units = tuple(self.transmissions[k].unit if k in self.transmissions else u for k, u in enumerate(port.units))
         return port if units == port.units else replace(port, units=units)
-
-    # -- sampling --------------------------------------------------------------------------------------------------
-
-    def sampled(self, name: str, unit: str, description: str) -> Node:
-        """A symbol with values at the sample states, so that whatever depends on it can be sampled."""
-        tape = self.system.tape
-        known = name in tape.symbols
-        node = tape.symbol(name, unit, description)
-        if not known:
-            random = np.random.default_rng(zlib.crc32(name.encode()))
-            tape.add_samples({node: random.uniform(-1, 1.5, len(self.system.sample_states[0]))})
-        return node
 
 
 def power_of_wrench(system: System, link: int, force: Vector, moment: Vector) -> Node:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import sympy
 
 from symscrew.closure import closure_rate, drive_row
@@ -44,8 +46,14 @@ class Quantities:
         return self._time
 
     def sampled(self, name: str, unit: str, description: str) -> Node:
-        """A symbol with values at the sample states."""
-        raise NotImplementedError
+        """A symbol with values at the sample states, so that whatever depends on it can be sampled."""
+        tape = self.system.tape
+        known = name in tape.symbols
+        node = tape.symbol(name, unit, description)
+        if not known:
+            random = np.random.default_rng(zlib.crc32(name.encode()))
+            tape.add_samples({node: random.uniform(-1, 1.5, len(self.system.sample_states[0]))})
+        return node
 
     # -- numbers -------------------------------------------------------------------------------------------
 

@@ -20,7 +20,6 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 MAX_BYTES = 20_000_000
 MAX_DEPTH = 300
 MAX_ELEMENTS = 100_000
-MAX_DIGITS = 400
 
 _NUMBER = re.compile(r"[+-]?(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?", re.ASCII)
 Element = ElementTree.Element

@@ -28,12 +28,11 @@ class Arc:
     """How far an instantaneous motion can be continued, in powers of t.
 
     `order`: the first order at which the loops cannot stay closed, None if they could up to the last one tried;
-    `obstruction`: work of unit self-stresses on what is left there (0 without one), `tried`: the last order.
+    `obstruction`: work of unit self-stresses on what is left there (0 without one).
     """
 
     order: int | None
     obstruction: float
-    tried: int
 
 
 def second_order(network: Network, screws: Array, stresses: Array, motions: Array) -> Array:
@@ -73,7 +72,7 @@ def continued(network: Network, direction: Sequence[Any], orders: int = 5) -> Ar
     """
     rows = network.loop_rows()
     if not rows:
-        return Arc(None, 0.0, orders)
+        return Arc(None, 0.0)
     jacobian = np.array(rows, dtype=object)
     stresses = np.array(null_space(jacobian.T.tolist(), len(rows)).basis, dtype=object)
     inverse = np.linalg.pinv(jacobian.astype(float), rcond=1e-11)
@@ -85,9 +84,9 @@ def continued(network: Network, direction: Sequence[Any], orders: int = 5) -> Ar
             size = CONTEXT.sqrt(sum(c * c for c in stress))
             work = max(work, float(abs(stress @ known) / size))
         if work > 1e-25 * max(1.0, max(float(abs(c)) for c in known)):
-            return Arc(order, work, order)
+            return Arc(order, work)
         series.correct(_solved(jacobian, inverse, -known))
-    return Arc(None, 0.0, orders)
+    return Arc(None, 0.0)
 
 
 class _Series:

@@ -45,11 +45,6 @@ class Tableau:
     end_rate: np.ndarray
     end_position: np.ndarray
 
-    @property
-    def ends_on_node(self) -> bool:
-        """Whether the last node is the end of the interval."""
-        return bool(self.nodes[-1] == 1.0)
-
     def basis(self, s: np.ndarray) -> np.ndarray:
         """Lagrange polynomials through the nodes at s (n,): shape (n, K)."""
         return _powers(s, self.degree) @ _lagrange(self.nodes)

@@ -14,7 +14,7 @@ from symscrew import __version__
 from symscrew.console import Progress
 from symscrew.cost import Bill
 from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Joint, Mechanism, Parameter
+from symscrew.mechanism import Joint, Mechanism
 from symscrew.mobility import analyse_mobility
 from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.report import formulas, key_figures, mathml, sections
@@ -120,10 +120,6 @@ def _overview(model: Model, found: Mobility) -> list[Block]:
         header = ("body", "mass [kg]", "centre of mass x [m]", "y [m]", "z [m]")
         blocks.append(Table(header, tuple(masses), frozenset({1, 2, 3, 4}), "Masses, in the reference configuration"))
     return blocks
-
-
-def _when(parameter: Parameter) -> str:
-    return "input" if parameter.run_time else "baked in"
 
 
 def _kinds(mechanism: Mechanism) -> str:

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import sympy
 
@@ -124,11 +124,6 @@ class _Expressions:
             if isinstance(error, DescriptionError):
                 raise
             raise DescriptionError(f"{where}: this expression cannot be evaluated at run time: {error}") from error
-
-
-def table_values(scene: Scene, t: object) -> Sequence[object]:
-    """Values of the scene's tables at times t, in order."""
-    return [table(t) for table in scene.tables.values()]
 
 
 def parameter_values(scene: Scene, model: Model) -> Mapping[str, float]:

@@ -14,7 +14,7 @@ from symscrew import catalogue
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.workspace import engine, store
 from symscrew.workspace.evaluation import prepare
-from symscrew.workspace.plan import AZIMUTH, TILT, Plan, read_axis, read_limit, read_number
+from symscrew.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
 from symscrew.workspace.summary import summary, text
 
 FAILED = 1
@@ -97,8 +97,8 @@ def read_plan(options: argparse.Namespace, chosen) -> Plan:  # type: ignore[no-u
         raise DescriptionError(
             "nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation"
         )
-    if plan.count > 50_000_000:
-        raise DescriptionError(f"{plan.count} cases; at most 50 million are computed in one sweep")
+    if plan.count > MOST_CASES:
+        raise DescriptionError(f"{plan.count} cases; at most {MOST_CASES} are computed in one sweep")
     return plan
 
 
