@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from symscrew.closure import carry, drive_row
 from symscrew.effects.effect import Contact, Effect, State, Transmission
-from symscrew.effects.quantities import Quantities
+from symscrew.effects.parts import Parts
 from symscrew.errors import DescriptionError
 from symscrew.mechanism import Point
 from symscrew.program import Port
@@ -27,7 +27,7 @@ Reactions = Mapping[str, tuple[Vector, Vector]]
 __all__ = ["Acting", "Contact", "Effect", "State", "Transmission"]
 
 
-class Acting(Quantities):
+class Acting(Parts):
     """The sum of what all effects contribute to one system at its present nodes.
 
     `reactions` are the joints' reactions (f ; m_O) that load-dependent effects are to use; without them these

@@ -8,7 +8,7 @@ import sympy
 
 from symscrew.effects.acting import Acting, power_of_wrench
 from symscrew.effects.effect import Effect, Number
-from symscrew.effects.quantities import TIME
+from symscrew.effects.parts import TIME
 from symscrew.errors import DescriptionError
 from symscrew.program import Port
 from symscrew.recursion import inertial_wrench, quaternion_matrix, rates

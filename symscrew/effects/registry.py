@@ -25,7 +25,7 @@ from symscrew.effects.effect import Effect
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.mechanism import Mechanism
 
-HELPERS = ("acting", "effect", "quantities", "registry")
+HELPERS = ("acting", "effect", "parts", "registry")
 
 
 @cache

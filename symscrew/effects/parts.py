@@ -25,7 +25,7 @@ from symscrew.tape import Node
 TIME = sympy.Symbol("t", real=True)
 
 
-class Quantities:
+class Parts:
     """Named parts and numbers of one system at its present nodes, with errors that name the effect that asks."""
 
     def __init__(self, system: System) -> None:
