@@ -1,4 +1,4 @@
-"""What each operation of the tape means: in NumPy, in SymPy and with 60 digits."""
+"""What each operation of the tape means: in NumPy (the same bits on every machine), in SymPy and with 60 digits."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from typing import Any
 import mpmath
 import numpy as np
 import sympy
+
+from symscrew import elementary
 
 CONTEXT = mpmath.ctx_mp.MPContext()
 CONTEXT.dps = 60
@@ -43,11 +45,11 @@ IN_NUMPY: dict[str, Any] = {
     "reciprocal": lambda x: 1.0 / x,
     "div": np.divide,
     "sqrt": np.sqrt,
-    "exp": np.exp,
-    "sin": np.sin,
-    "cos": np.cos,
-    "tan": np.tan,
-    "atan2": np.arctan2,
+    "exp": elementary.exp,
+    "sin": elementary.sin,
+    "cos": elementary.cos,
+    "tan": elementary.tan,
+    "atan2": elementary.arctan2,
     "abs": np.abs,
     "less": lambda x, y: np.where(x < y, 1.0, 0.0),
     "select": lambda c, x, y: np.where(c != 0, x, y),

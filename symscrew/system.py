@@ -16,8 +16,10 @@ from typing import Any
 import numpy as np
 
 from symscrew.closure import Cut, Row, carry, closure_bias, closure_residual, cuts, drive_row
+from symscrew.elementary import cos, sin
 from symscrew.frames import Frame, Geometry, link_frames
 from symscrew.joints import JOINT_TYPES
+from symscrew.least_squares import least_norm
 from symscrew.mechanism import Mechanism
 from symscrew.program import Function, Port, evaluate, lower
 from symscrew.recursion import Inertia, Placement, Rates, link_inertias, placements, poses, rates, twists
@@ -293,7 +295,10 @@ class System:
 
     @cached_property
     def sample_states(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Consistent (q, v, a): first the reference configuration, then others near it; shapes (samples, n)."""
+        """Consistent (q, v, a): first the reference configuration, then others near it; shapes (samples, n).
+
+        The same bits on every machine: they choose pivots and stand in what is generated.
+        """
         random = np.random.default_rng(SEED)
         scales = np.array([self.length if c.kind == "length" else 1.0 for c in self.tree.v])
         start = self.reference[None, :]
@@ -314,7 +319,7 @@ class System:
             if np.abs(residual).max() < 1e-14 * max(1.0, self.length):
                 break
             for i in range(len(q)):
-                step = np.linalg.lstsq(jacobian[i].reshape(-1, n) * scales, -residual[i], rcond=1e-9)[0]
+                step = least_norm(jacobian[i].reshape(-1, n) * scales, -residual[i])
                 limit = max(1.0, np.abs(step).max() / 0.3)
                 q[i] = self.advance(q[i], scales * step / limit)
         residual = self.numeric(self.residual, (self.inputs.q, q))
@@ -333,14 +338,13 @@ class System:
         if not self.cuts:
             return w, gain
         jacobian = self.numeric(self.dense_jacobian(), (self.inputs.q, q)).reshape(len(q), -1, n)
-        inverse = [np.linalg.pinv(j * scales, rcond=1e-9) for j in jacobian]
-        for i in range(len(q)):
-            w[i] -= scales * (inverse[i] @ (jacobian[i] @ w[i]))
+        for i, j in enumerate(jacobian):
+            w[i] -= scales * least_norm(j * scales, (j * w[i]).sum(axis=1))
         v = self.numeric(self.tree_rates(self.inputs.v), (self.inputs.q, q), (self.inputs.v, w))
         zero = [self.tape.zero] * n
         bias = self.numeric(self.bias(self.rates(zero)), (self.inputs.q, q), (self.inputs.v, v))
-        for i in range(len(q)):
-            gain[i] -= scales * (inverse[i] @ (jacobian[i] @ gain[i] + bias[i]))
+        for i, j in enumerate(jacobian):
+            gain[i] -= scales * least_norm(j * scales, (j * gain[i]).sum(axis=1) + bias[i])
         a = self.numeric(self.tree_rates(self.inputs.v), (self.inputs.q, q), (self.inputs.v, gain))
         return v, a
 
@@ -374,8 +378,8 @@ def characteristic_length(mechanism: Mechanism) -> float:
 def _rotated(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
     """exp(vector) * quaternion, vector in parent axes; shapes (..., 4), (..., 3)."""
     angle = np.linalg.norm(vector, axis=-1, keepdims=True)
-    half = np.where(angle > 1e-12, np.sin(angle / 2) / np.where(angle > 1e-12, angle, 1.0), 0.5)
-    c, d = np.cos(angle / 2), half * vector
+    half = np.where(angle > 1e-12, sin(angle / 2) / np.where(angle > 1e-12, angle, 1.0), 0.5)
+    c, d = cos(angle / 2), half * vector
     w, r = quaternion[..., :1], quaternion[..., 1:]
     scalar = c * w - (d * r).sum(axis=-1, keepdims=True)
     return np.concatenate([scalar, c * r + w * d + np.cross(d, r)], axis=-1)
