@@ -12,6 +12,7 @@ import hashlib
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -36,6 +37,8 @@ COUNTED = {
     "select": "compare",
 }
 CLASSES = ("add", "mul", "div", "sqrt", "trig", "compare")
+PASSING = {"add": 2, "sub": 2, "mul": 2, "neg": 1, "div": 1, "sqrt": 1, "sin": 1, "cos": 1, "tan": 1, "abs": 1}
+"""How many first operands an operation has whose NaN or infinity is one of its result, whatever the others are."""
 
 
 @dataclass(frozen=True)
@@ -100,12 +103,26 @@ class Program:
         count = dict.fromkeys(CLASSES, 0)
         for instruction in self.instructions:
             count[COUNTED[instruction.op]] += 1
-        # each guard costs an absolute value and a comparison; the sum of outputs and pivots is tested for NaN and Inf
-        computed = {s for slots in self.results for s in slots if isinstance(s, int)} | {g for g, _ in self.guards}
-        count["compare"] += 2 * len(self.guards) + bool(computed)
-        count["add"] += max(0, len(computed) - 1)
+        # each guard costs an absolute value and a comparison; the sum of what is checked is tested for NaN and Inf
+        count["compare"] += 2 * len(self.guards) + bool(self.checked)
+        count["add"] += max(0, len(self.checked) - 1)
         count["total"] = sum(count.values())
         return count
+
+    @cached_property
+    def checked(self) -> tuple[int, ...]:
+        """The slots whose sum must be finite: computed outputs, guarded pivots, inputs that might go unnoticed in them.
+
+        The pivots, because an infinite one would make its quotients 0. The inputs that no output depends on, or only
+        through operations that can lose a NaN or an infinity (1/x, a comparison): the others show in the outputs.
+        """
+        outputs = [s for slots in self.results for s in slots if isinstance(s, int)]
+        found = list(dict.fromkeys([*outputs, *(slot for slot, _ in self.guards)]))
+        seen = set(found)
+        for instruction in reversed(self.instructions):
+            if instruction.target in seen:
+                seen.update(a for a in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(a, int))
+        return (*found, *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
     @property
     def hash(self) -> str:
@@ -359,8 +376,7 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         status = np.zeros(batch, dtype=int)
         for guard, threshold in program.guards:
             status = np.where((status == 0) & (np.abs(values[guard]) <= threshold), 1, status)
-        total = sum((result.sum(axis=-1) for result in results), start=np.zeros(batch))
-        total = sum((values[guard] for guard, _ in program.guards), start=total)
+        total = sum((values[slot] for slot in program.checked), start=np.zeros(batch))
         status = np.where((status == 0) & ~np.isfinite(total), 2, status)
         for result in results:
             result[status != 0] = np.nan

@@ -67,7 +67,8 @@ def program_function(program: Program) -> ca.Function:
         ca.reshape(ca.vertcat(ca.SX(0, 1), *[value(s) for s in results]), *_dimensions(port))
         for port, results in zip(program.outputs, program.results, strict=True)
     ]
-    total = ca.sum1(ca.vertcat(ca.SX(0), *[slots[s] for s in checked_slots(program)]))
+    # absolute values: in a plain sum x and -x would cancel while it is built, and with them the NaN of x
+    total = ca.sum1(ca.fabs(ca.vertcat(ca.SX(0), *[slots[s] for s in checked_slots(program)])))
     passed = ca.SX(1)
     for slot, threshold in program.guards:
         passed = ca.logic_and(passed, ca.logic_not(ca.fabs(slots[slot]) <= threshold))

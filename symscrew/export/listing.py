@@ -22,9 +22,8 @@ MAX_LABELS = 96
 
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
-    """The instructions that a result or a guard needs, in order, and every slot that is read."""
-    needed = {slot for slots in program.results for slot in slots if isinstance(slot, int)}
-    needed |= {slot for slot, _ in program.guards}
+    """The instructions that what is checked (all results too) needs, in order, and every slot that is read."""
+    needed = set(program.checked)
     live = []
     for instruction in reversed(program.instructions):
         if instruction.target in needed:
@@ -47,12 +46,8 @@ def input_entries(program: Program) -> list[tuple[Port, int]]:
 
 
 def checked_slots(program: Program) -> list[int]:
-    """The slots whose sum must be finite: every computed output and every guarded pivot once, in order.
-
-    The pivots, because an infinite one would make its quotients 0.
-    """
-    outputs = [s for slots in program.results for s in slots if isinstance(s, int)]
-    return list(dict.fromkeys([*outputs, *(slot for slot, _ in program.guards)]))
+    """The slots whose sum must be finite; see `Program.checked`."""
+    return list(program.checked)
 
 
 def balanced_sum(terms: Sequence[str]) -> str:
