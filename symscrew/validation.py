@@ -26,6 +26,9 @@ CLOSURE_TOLERANCE = 1e-12
 INERTIA_TOLERANCE = 1e-12
 """Accepted violation of the triangle inequality, relative to the largest principal moment."""
 
+FAR = 100.0
+"""A place farther from all others than so many times their extent is probably in another unit."""
+
 _CONTEXT = mpmath.mp.clone()
 _CONTEXT.dps = 50
 
@@ -54,7 +57,8 @@ def validate(mechanism: Mechanism, features: Mapping[str, Feature] | None = None
     for name, feature in (features or {}).items():
         _check_closure(mechanism, mechanism.joints[name], feature, size)
     moments = {body.name: _check_inertia(mechanism, body) for body in mechanism.bodies.values()}
-    return tuple(warning for name, largest in moments.items() if (warning := _extent_warning(mechanism, name, largest)))
+    extents = [_extent_warning(mechanism, name, largest) for name, largest in moments.items()]
+    return (*(warning for warning in extents if warning), *_far_warnings(mechanism))
 
 
 def mechanism_size(mechanism: Mechanism) -> float:
@@ -253,6 +257,28 @@ def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None)
         f"{mpmath.nstr(extent, 4)} m (joint points, named points and centre of mass); are inertia and units "
         "right?"
     )
+
+
+def _far_warnings(mechanism: Mechanism) -> list[str]:
+    """Centres of mass, joint points and named points that lie far from all (other) joint points and named points."""
+    fixed = {f"joints.{j.name}: the joint point": j.point for j in mechanism.joints.values()}
+    fixed |= {f"points.{p.name}: the point": p.at for p in mechanism.points.values()}
+    centres = {f"bodies.{b.name}: the centre of mass": b.com for b in mechanism.bodies.values() if b.com is not None}
+    places = {label: _numbers(mechanism, at, label) for label, at in (fixed | centres).items()}
+    found = []
+    for label, place in places.items():
+        others = {other for name, other in places.items() if name in fixed and other != place}
+        if len(others) < (3 if label in fixed else 2):  # one or two places do not tell the size of a mechanism
+            continue
+        low, high = ([extreme(p[k] for p in others) for k in range(3)] for extreme in (min, max))
+        extent = _length([b - a for a, b in zip(low, high, strict=True)])
+        away = _length([max(a - x, x - b, 0) for a, x, b in zip(low, place, high, strict=True)])
+        if away > FAR * extent:
+            found.append(
+                f"{label} is {mpmath.nstr(away, 4)} m away from the (other) joint points and named points, which lie "
+                f"within {mpmath.nstr(extent, 4)} m; is it in metres?"
+            )
+    return found
 
 
 def _mpf(value: sympy.Expr, where: str) -> mpmath.mpf:
