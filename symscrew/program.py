@@ -43,13 +43,17 @@ PASSING = {"add": 2, "sub": 2, "mul": 2, "neg": 1, "div": 1, "sqrt": 1, "sin": 1
 
 @dataclass(frozen=True)
 class Port:
-    """An input or output array: column-major entries with a name, shape, units and labels."""
+    """An input or output array: column-major entries with a name, shape, units and labels.
+
+    `forms`: of margins, what each entry is (`symscrew.margins.FORMS`); empty elsewhere. It does not change the code.
+    """
 
     name: str
     shape: tuple[int, ...]
     units: tuple[str, ...]
     labels: tuple[str, ...]
     description: str
+    forms: tuple[str, ...] = field(default=(), repr=False)
 
     @property
     def size(self) -> int:

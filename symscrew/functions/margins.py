@@ -32,13 +32,14 @@ def margin_functions(system: System) -> list[Function]:
 
 def _function(system: System, name: str, margins: Sequence[Margin]) -> Function:
     count = len(margins)
-    port = Port("margins", (count,), ("1",) * count, tuple(m.name for m in margins), _forms(margins))
+    labels, forms = tuple(m.name for m in margins), tuple(m.form for m in margins)
+    port = Port("margins", (count,), ("1",) * count, labels, _in_words(margins), forms)
     return function(
         system, name, TEXTS[name], [(q_port(system), system.inputs.q)], [(port, [m.value for m in margins])]
     )
 
 
-def _forms(margins: Sequence[Margin]) -> str:
+def _in_words(margins: Sequence[Margin]) -> str:
     """Which margin is signed and which is squared."""
     names = {form: [m.name for m in margins if m.form == form] for form in FORMS}
     return "; ".join(f"{FORMS[form]}: {', '.join(which)}" for form, which in names.items() if which)

@@ -14,7 +14,6 @@ import numpy as np
 from symscrew.functions.closure import THRESHOLD
 from symscrew.functions.kinematics import joint_freedom_labels, moving_bodies
 from symscrew.joints import JOINT_TYPES
-from symscrew.margins import FORMS
 from symscrew.mechanism import Joint, Mechanism
 from symscrew.model import Model
 from symscrew.outline import along, body_points, numbers, plate
@@ -178,13 +177,10 @@ def _margins(model: Model) -> list[dict[str, Any]]:
         if function not in model.programs:
             continue
         port = model.programs[function].outputs[0]
-        squared = f"{FORMS['squared']}: "
-        listed = [part[len(squared) :] for part in port.description.split("; ") if part.startswith(squared)]
-        names = listed[0].split(", ") if listed else []
-        for k, label in enumerate(port.labels):
+        for k, (label, form) in enumerate(zip(port.labels, port.forms, strict=True)):
             if function != "actuation_margins" or label == ALL_DRIVES:
                 name = label if function == "limb_margins" else MARGINS[function]
-                made.append({"function": function, "entry": k, "name": name, "squared": label in names})
+                made.append({"function": function, "entry": k, "name": name, "squared": form == "squared"})
     return made
 
 
