@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import argparse
 import json
-import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +25,7 @@ from symscrew.errors import DescriptionError, shorten
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
 from symscrew.system import System
+from symscrew.timing import nanoseconds_per_state
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -261,7 +261,7 @@ class _Clock:
         for function in self.compiled.functions:
             if function not in other.functions:
                 continue
-            with_it, without = self._call(self.compiled, function), self._call(other, function)
+            with_it, without = self._measure(self.compiled, function), self._measure(other, function)
             pairs = []
             for k in range(ROUNDS + WARM):
                 first, second = (with_it, without) if k % 2 else (without, with_it)
@@ -276,23 +276,15 @@ class _Clock:
         """Median nanoseconds per evaluation with all effects."""
         return {f: float(np.median(s)) for f, s in self.samples.items() if s}
 
-    def _call(self, compiled: CompiledModel, function: str):  # type: ignore[no-untyped-def]
+    def _measure(self, compiled: CompiledModel, function: str) -> Callable[[], float]:
         made = compiled[function]
-        arrays = []
+        inputs = {}
         for port in made.inputs:
             array = self.known.get(port.name, np.zeros((BATCH, port.size)))
             if port.name == "x":
                 array = array[:, [self.labels.index(label) for label in port.labels]]
-            arrays.append(np.ascontiguousarray(array))
-        results = [np.empty((BATCH, port.size)) for port in made.outputs]
-        status = np.zeros(BATCH, dtype=np.intc)
-
-        def run() -> float:
-            start = time.perf_counter_ns()
-            made.evaluator(arrays, results, status)
-            return (time.perf_counter_ns() - start) / BATCH
-
-        return run
+            inputs[port.name] = array
+        return nanoseconds_per_state(made, inputs)
 
 
 def _compiled(model: Model) -> CompiledModel:

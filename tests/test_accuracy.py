@@ -15,7 +15,7 @@ from symscrew.accuracy.chains import Chains, least_squares
 from symscrew.accuracy.claims import newton_euler_program
 from symscrew.accuracy.history import read_reference
 from symscrew.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
-from symscrew.accuracy.measuring import Point, Quartiles
+from symscrew.accuracy.measuring import Point
 from symscrew.accuracy.momentum import drive_map, drives_of, momenta_of, neighbour, reference_rates
 from symscrew.accuracy.report import front
 from symscrew.accuracy.states import States, Subject, body_states_of, paper_states, random_states
@@ -26,6 +26,7 @@ from symscrew.console import Progress
 from symscrew.mobility import analyse_mobility
 from symscrew.model import Model, derive
 from symscrew.newton_euler import newton_euler
+from symscrew.timing import quartiles
 
 QUIET = Progress(quiet=True)
 EXAMPLES = Path(__file__).parent.parent / "examples" / "benchmarks"
@@ -70,7 +71,7 @@ def test_setups_are_run_in_turn_and_failures_stay() -> None:
     ]
     a, b, c, d = measured(setups, repeats=5, seconds=60.0)
     assert order == ["a", "c", "d", *["a", "d"] * 5]  # the first for the error, then in turn
-    assert a.cost == Quartiles(1e-3, 1e-3, 1e-3, 5)  # by the share
+    assert a.cost == quartiles([1e-3] * 5)  # by the share
     assert (a.error, d.error) == (0.5, 0.25)
     assert (b.error, b.cost, b.failure) == (None, None, "a pivot is small")
     assert (c.error, c.failure) == (None, "the result is not finite")
@@ -86,7 +87,7 @@ def test_quartiles_are_those_of_the_laps() -> None:
 
 def test_a_front_has_no_point_that_another_beats() -> None:
     def point(error: float, seconds: float) -> Point:
-        return Point("a", "", error, Quartiles(seconds, seconds, seconds, 1))
+        return Point("a", "", error, quartiles([seconds]))
 
     good, beaten = [point(1e-2, 1.0), point(1e-4, 2.0)], point(1e-3, 3.0)
     assert front([*good, beaten]) == good

@@ -12,11 +12,11 @@ from model_states import model
 
 from symscrew import benchmark
 from symscrew.benchmark import Compiled, batch, run, single, states, throughput
-from symscrew.benchmark.timing import quartiles
 from symscrew.cli import main
 from symscrew.compiled import CompileError, find_compiler
 from symscrew.errors import DescriptionError
 from symscrew.program import evaluate
+from symscrew.timing import quartiles
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 

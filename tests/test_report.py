@@ -18,6 +18,7 @@ from symscrew.model import derive
 from symscrew.report import document, write
 from symscrew.report.document import Document, Picture, Section, Table, Text, page
 from symscrew.report.sections import _unit_screws
+from symscrew.timing import Times
 from symscrew.workspace.configurations import calls_of
 
 VOID = {"meta", "br", "img", "mspace", "link", "input", "path", "use", "rect", "circle", "line", "mprescripts"}
@@ -62,7 +63,7 @@ def seed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     needed = ("assemble", "limb_margins", "constraint_margin", "actuation_margins")
     small = replace(model, programs={n: model.programs[n] for n in needed})
     call = calls_of(load(small))
-    write(document(model, call=call, times={"inverse_dynamics": (100.0, 110.0, 130.0)}), path)
+    write(document(model, call=call, times={"inverse_dynamics": Times(90.0, 100.0, 110.0, 130.0, 41)}), path)
     return path
 
 

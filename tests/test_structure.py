@@ -25,8 +25,8 @@ STAGES = (
     ("equilibrium", "drives", "reactions", "tree_dynamics", "articulated", "admissible"),
     ("functions", "quantities"),
     ("model", "scene", "inertial_parameters"),
-    ("export", "manifest", "compiled", "timing", "machine", "generation", "verification"),
-    ("simulation", "fmu"),
+    ("export", "manifest", "compiled", "timing", "machine"),
+    ("simulation", "fmu", "generation", "verification"),
     (
         "motion",
         "outline",

@@ -6,6 +6,6 @@ A study returns `Study`: points (error, cost, or why it failed) of named curves,
 error. `command` is `symscrew accuracy`.
 """
 
-from symscrew.accuracy.measuring import Point, Quartiles, Setup, Study, measured
+from symscrew.accuracy.measuring import Point, Setup, Study, measured
 
-__all__ = ["Point", "Quartiles", "Setup", "Study", "measured"]
+__all__ = ["Point", "Setup", "Study", "measured"]

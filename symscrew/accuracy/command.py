@@ -11,12 +11,12 @@ from pathlib import Path
 
 from symscrew import catalogue
 from symscrew.accuracy import report
-from symscrew.accuracy.machine import machine
 from symscrew.accuracy.measuring import Study
 from symscrew.accuracy.states import Subject
 from symscrew.console import Progress
 from symscrew.description import read_tables, read_text
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.machine import machine
 from symscrew.model import derive
 from symscrew.scene import Scene
 from symscrew.scene import load as load_scene

@@ -16,8 +16,9 @@ import numpy as np
 
 from symscrew.accuracy.formulations import FORMULATIONS, TREE, Formulated, formulated
 from symscrew.accuracy.history import Reference, read_reference
-from symscrew.accuracy.measuring import Point, Quartiles, Setup, Stopwatch, Study, measured
+from symscrew.accuracy.measuring import Point, Setup, Stopwatch, Study, measured
 from symscrew.accuracy.states import Subject
+from symscrew.accuracy.stiff import stiff_setups
 from symscrew.compiled import find_compiler
 from symscrew.console import Progress
 from symscrew.errors import DescriptionError
@@ -61,7 +62,8 @@ def study(
     if any(effect.contacts() for effect in scene.effects):
         raise DescriptionError("--study forward: contacts with events are not for these integrators")
     text, own, error_of = _judge(scene, reference, model, (library, made))
-    setups = [*_ours(scene, library, start, error_of), *_all_formulations(scene, made, error_of, full)]
+    stiff, missing = stiff_setups(scene, plant, start, error_of, watch)
+    setups = [*_ours(scene, library, start, error_of), *_all_formulations(scene, made, error_of, full), *stiff]
     points = measured(
         setups, repeats=repeats, seconds=max(seconds, 25.0), progress=progress, text="forward", longest=LONGEST
     )
@@ -85,7 +87,7 @@ def study(
         text,
         own,
         watch.seconds,
-        tuple(f"the formulation {kind}: this mechanism or scene does not have it" for kind in _missing(made)),
+        (*(f"the formulation {kind}: this mechanism or scene does not have it" for kind in _missing(made)), *missing),
         tuple(notes),
         tables,
     )  # fmt: skip
@@ -222,6 +224,6 @@ def _least(points: Sequence[Point], name: str, level: float, duration: float) ->
             return point.curve.split()[0] == name
         return name == ("ours" if point.curve.startswith(OWN) else "other formulations")
 
-    fit = [p for p in points if belongs(p) and p.error is not None and p.cost is not None and p.error <= level]
-    costs = [p.cost for p in fit if isinstance(p.cost, Quartiles)]
+    fit = [p for p in points if belongs(p) and p.error is not None and p.error <= level]
+    costs = [p.cost for p in fit if p.cost is not None]
     return f"{1e3 * duration * min(c.median for c in costs):.3g}" if costs else "-"

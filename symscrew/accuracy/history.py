@@ -23,9 +23,10 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.accuracy.measuring import Point, Quartiles
+from symscrew.accuracy.measuring import Point
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.model import Model
+from symscrew.timing import quartiles
 
 Array = np.ndarray
 
@@ -100,7 +101,7 @@ class Reference:
             for error, seconds in points.items():
                 cost = seconds / duration
                 facts = {"peer": True, "panel": "peers"}
-                found.append(Point(engine, "as measured", float(error), Quartiles(cost, cost, cost, 1), "", facts))
+                found.append(Point(engine, "as measured", float(error), quartiles([cost]), "", facts))
         return tuple(found)
 
 

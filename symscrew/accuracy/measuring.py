@@ -11,18 +11,9 @@ from typing import Any
 import numpy as np
 
 from symscrew.console import Progress
+from symscrew.timing import Times, quartiles
 
 LEAST_ROUNDS = 3
-
-
-@dataclass(frozen=True)
-class Quartiles:
-    """Quartiles of repeated measurements, in the unit of the measurement."""
-
-    lower: float
-    median: float
-    upper: float
-    repeats: int
 
 
 @dataclass(frozen=True)
@@ -49,7 +40,7 @@ class Point:
     curve: str
     setting: str
     error: float | None
-    cost: Quartiles | None
+    cost: Times | None
     failure: str = ""
     facts: Mapping[str, Any] = field(default_factory=dict)
 
@@ -132,16 +123,13 @@ def measured(
             if not failures[k] and len(laps[k]) < repeats and not slow:
                 laps[k].append(setup.run())
     return tuple(
-        Point(s.curve, s.setting, errors[k], _quartiles(laps[k], s.share), failures[k], s.facts)
+        Point(s.curve, s.setting, errors[k], _cost(laps[k], s.share), failures[k], s.facts)
         for k, s in enumerate(setups)
     )
 
 
-def _quartiles(laps: Sequence[float], share: float) -> Quartiles | None:
-    if not laps:
-        return None
-    lower, median, upper = np.percentile(np.array(laps) / share, [25, 50, 75])
-    return Quartiles(float(lower), float(median), float(upper), len(laps))
+def _cost(laps: Sequence[float], share: float) -> Times | None:
+    return quartiles([lap / share for lap in laps]) if laps else None
 
 
 class Stopwatch:

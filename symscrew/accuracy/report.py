@@ -9,8 +9,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from symscrew.accuracy.measuring import Point, Quartiles, Study
+from symscrew.accuracy.measuring import Point, Study
 from symscrew.console import table
+from symscrew.timing import Times
 
 UNITS = {"ns": 1e9, "ms": 1e3, "s": 1.0}
 
@@ -75,7 +76,7 @@ def _row(point: Point, unit: str, counted: bool) -> list[str]:
     return [*row, str(point.facts.get("operations", "-"))] if counted else row
 
 
-def cost_text(cost: Quartiles | None, unit: str) -> str:
+def cost_text(cost: Times | None, unit: str) -> str:
     """Median (lower ... upper)."""
     if cost is None:
         return "-"

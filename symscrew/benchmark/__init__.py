@@ -17,12 +17,12 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.benchmark.timing import Times, interleaved
 from symscrew.compiled import CompileError, compile_c, find_compiler
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c
 from symscrew.model import Model
 from symscrew.program import Iteration, evaluate
+from symscrew.timing import Times, interleaved
 
 USUAL = (
     "inverse_dynamics",

@@ -23,6 +23,7 @@ from symscrew.program import Iteration
 from symscrew.report import margins
 from symscrew.report.document import Block, Bullets, Document, Picture, Section, Table, Text
 from symscrew.report.studies import accuracy_section, bill_section
+from symscrew.timing import Times
 from symscrew.workspace.configurations import Call
 
 LONG_SCREW = 160
@@ -33,7 +34,7 @@ def document(
     model: Model,
     *,
     call: Call | None = None,
-    times: Mapping[str, tuple[float, float, float]] | None = None,
+    times: Mapping[str, Times] | None = None,
     accuracy: Path | None = None,
     bill: Bill | None = None,
     progress: Progress | None = None,
@@ -253,7 +254,7 @@ def _screw(screw: sympy.Matrix, mechanism: Mechanism) -> tuple[str, str]:
 # -- size, functions --------------------------------------------------------------------------------------
 
 
-def _size(model: Model, times: Mapping[str, tuple[float, float, float]]) -> list[Block]:
+def _size(model: Model, times: Mapping[str, Times]) -> list[Block]:
     tree = model.system.tree
     rows = [
         ("coordinates q, rates v of the tree", f"{len(tree.q)}, {len(tree.v)}"),
@@ -278,16 +279,15 @@ def _size(model: Model, times: Mapping[str, tuple[float, float, float]]) -> list
     return [Table(("", ""), tuple(rows)), Text(note, "note")]
 
 
-def _time(quartiles: tuple[float, float, float]) -> str:
-    low, middle, high = quartiles
-    return f"{_short(middle)} ({_short(low)} \u2026 {_short(high)})"
+def _time(found: Times) -> str:
+    return f"{_short(found.median)} ({_short(found.lower)} \u2026 {_short(found.upper)})"
 
 
 def _short(value: float) -> str:
     return f"{value:.0f}" if value >= 100 else f"{value:.1f}"
 
 
-def _functions(model: Model, times: Mapping[str, tuple[float, float, float]]) -> list[Block]:
+def _functions(model: Model, times: Mapping[str, Times]) -> list[Block]:
     rows = []
     for name, program in model.programs.items():
         inputs = ", ".join(p.name for p in program.inputs)

@@ -6,8 +6,10 @@ import argparse
 import json
 from pathlib import Path
 
+from symscrew.machine import machine
+
 from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, optimisation, simulation
-from .timing import machine, table
+from .tables import C_FLAGS, CPP_FLAGS, table
 
 BENCHMARKS = {
     "inverse_dynamics": (inverse_dynamics.run, 25),
@@ -27,7 +29,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="folder for raw numbers, NAME.json each")
     parser.add_argument("--repeats", type=int, help="repeats of every measurement")
     arguments = parser.parse_args()
-    facts = machine()
+    facts = {**machine("pin"), "flags of benchmarks": " ".join(C_FLAGS), "C++ flags": " ".join(CPP_FLAGS)}
     print(table(["machine", ""], list(facts.items())))
     for name in BENCHMARKS if arguments.name == "all" else [arguments.name]:
         run, repeats = BENCHMARKS[name]

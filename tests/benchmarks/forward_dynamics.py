@@ -20,12 +20,13 @@ import numpy as np
 from symscrew import catalogue, interchange
 from symscrew.compiled import load
 from symscrew.model import Model, derive
+from symscrew.timing import Times, interleaved
 
 from .inverse_dynamics import generated
 from .pinocchio_build import python_model
 from .pinocchio_tree import PinocchioTree, pinocchio_tree
 from .states import consistent_states
-from .timing import Times, interleaved, table
+from .tables import table
 
 Array = np.ndarray
 STATES = 64

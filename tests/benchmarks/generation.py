@@ -10,7 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from .timing import interleaved, table
+from symscrew.timing import interleaved
+
+from .tables import table
 
 COMMAND = "import sys; from symscrew.cli import main; sys.exit(main())"  # what the script `symscrew` does
 CASES = ("three_ups_upu_s_physical", "stewart_6ups", "panda")

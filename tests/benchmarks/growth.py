@@ -12,9 +12,10 @@ from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
+from symscrew.timing import interleaved
 
 from .mechanisms import chain, platform
-from .timing import exponent, interleaved, table
+from .tables import exponent, table
 
 LIMBS = (2, 3, 4, 6, 8, 12, 16)
 JOINTS = (2, 4, 6, 8, 12, 16, 20, 25, 30)

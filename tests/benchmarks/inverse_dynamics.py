@@ -15,11 +15,12 @@ from symscrew import catalogue
 from symscrew.compiled import load
 from symscrew.export.c import print_c
 from symscrew.model import Model, derive
+from symscrew.timing import Times, interleaved
 
 from .pinocchio_build import PinocchioUnavailableError, build_pinocchio, python_rnea
 from .pinocchio_tree import pinocchio_tree
 from .states import consistent_states
-from .timing import C_FLAGS, Times, interleaved, table
+from .tables import C_FLAGS, table
 
 OURS = "symscrew, from the tree's coordinates"
 CASES = ("three_ups_upu_s_physical", "stewart_6ups", "ur5", "panda")

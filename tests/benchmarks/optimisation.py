@@ -27,7 +27,7 @@ from symscrew.optimisation.reading import load
 from symscrew.optimisation.solve import prepare
 from symscrew.optimisation.tableau import tableau
 
-from .timing import table
+from .tables import table
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "optimisation"
 DURATION = 0.5  # [s] of the Panda beside hand-written code

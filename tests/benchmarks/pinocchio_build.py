@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from .pinocchio_tree import PinocchioTree
-from .timing import CPP_FLAGS
+from .tables import CPP_FLAGS
 
 LIMITS = (
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",

@@ -20,7 +20,7 @@ from symscrew.simulation.programs import Plant
 from symscrew.simulation.run import _observed, prepare
 from tests.runs import error_of, scene_of
 
-from .timing import table
+from .tables import table
 
 GOALS = {
     "andrews": (1e-10, 3.0), "bricard": (1e-10, 5.0), "spatial_slider_crank": (1e-10, 10.0),

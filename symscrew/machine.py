@@ -1,4 +1,4 @@
-"""The machine that a study ran on: all that its times depend on, as far as it can be asked."""
+"""The machine that something was measured on: all that times depend on, as far as it can be asked."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from symscrew.compiled import FLAGS, find_compiler
 PACKAGES = ("symscrew", "sympy", "numpy", "scipy", "casadi", "matplotlib")
 
 
-def machine() -> dict[str, str]:
-    """Processor, system, compiler, flags and versions."""
+def machine(*packages: str) -> dict[str, str]:
+    """Processor, system, compiler, flags and versions: those of the usual and of further packages."""
     compiler = find_compiler()
     facts = {
         "processor": _processor(),
@@ -24,7 +24,7 @@ def machine() -> dict[str, str]:
         "flags": " ".join([*(f for f in FLAGS if f not in ("-shared", "-fPIC")), "-march=native"]),
         "python": platform.python_version(),
     }
-    for package in PACKAGES:
+    for package in (*PACKAGES, *packages):
         try:
             facts[package] = metadata.version(package)
         except metadata.PackageNotFoundError:
