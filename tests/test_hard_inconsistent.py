@@ -25,20 +25,20 @@ from symscrew.program import Iteration, Program, evaluate
 from symscrew.scene import Initial
 from symscrew.scene import load as load_scene
 from symscrew.simulation.initial import initial_state
-from symscrew.simulation.run import prepare
+from symscrew.simulation.run import prepare, simulate
 
 Y = [0, 1, 0]
 
 
 @pytest.fixture(scope="module")
-def crank() -> Callable[[dict, dict], dict[str, tuple[float, float]]]:
+def crank() -> Callable[..., dict[str, tuple[float, float]]]:
     """Where the spatial slider-crank begins with given coordinates and rates: label to (value, rate)."""
     scene = load_scene(EXAMPLES / "benchmarks" / "spatial_slider_crank.toml")
     found, plant = prepare(scene)
     labels = [c.label for c in found.system.tree.q]
 
-    def begin(coordinates: dict, rates: dict) -> dict[str, tuple[float, float]]:
-        given = dataclasses.replace(scene, initial=Initial(coordinates, rates))
+    def begin(coordinates: dict, rates: dict, hold: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
+        given = dataclasses.replace(scene, initial=Initial(coordinates, rates, hold))
         q, v = initial_state(given, found, plant.parameters)
         return {label: (float(x), float(y)) for label, x, y in zip(labels, q, v, strict=True)}
 
@@ -49,7 +49,9 @@ def crank() -> Callable[[dict, dict], dict[str, tuple[float, float]]]:
 
 
 def test_position_off_the_manifold(crank: Callable) -> None:
-    """1 mm off: refused with the residual (1 mm by the length 0.141647 m); with the crank alone given, put right."""
+    """1 mm off: refused with the residual (1 mm by the length 0.141647 m); with the crank alone given or held, put
+    right, and the run says by how much.
+    """
     assert "raise with the residual" in case(20)["pass_criterion"]
     with pytest.raises(
         DescriptionError, match=r"cannot be closed with slide = 0.201, A = 0: they stay open by 0.00706"
@@ -57,6 +59,16 @@ def test_position_off_the_manifold(crank: Callable) -> None:
         crank({"slide": 0.201, "A": 0.0}, {})
     assert pytest.approx(0.00706, abs=5e-6) == 0.001 / 0.141647
     assert crank({"A": 0.0}, {})["slide"][0] == pytest.approx(0.2, abs=1e-12)
+    held = crank({"slide": 0.201, "A": 0.0}, {}, hold=("A",))
+    assert held["slide"][0] == pytest.approx(0.2, abs=1e-12) and held["A"][0] == 0.0
+    assert "move reported" in case(20)["pass_criterion"]
+    scene = load_scene(EXAMPLES / "benchmarks" / "spatial_slider_crank.toml")
+    begin = Initial({"slide": 0.201, "A": 0.0}, {"A": 6.0, "slide": 0.0}, hold=("A",))
+    run = simulate(dataclasses.replace(scene, initial=begin, duration=1e-3))
+    assert run.events == (
+        "t = 0 s: slide put from 0.201 to 0.2 to close the loops",
+        "t = 0 s: slide (rate) put from 0 to 0.24 to close the loops",
+    )
 
 
 def test_velocity_off_the_manifold(crank: Callable) -> None:
@@ -69,6 +81,8 @@ def test_velocity_off_the_manifold(crank: Callable) -> None:
         crank({}, {"A": 6.0, "C.0": 0.0, "C.1": 0.0, "slide": 0.0})
     begun = crank({}, {"A": 6.0})
     assert begun["A"][1] == pytest.approx(6.0, abs=1e-12) and begun["slide"][1] == pytest.approx(0.24, abs=1e-12)
+    held = crank({}, {"A": 6.0, "C.0": 0.0, "C.1": 0.0, "slide": 0.0}, hold=("A",))
+    assert held["A"][1] == pytest.approx(6.0, abs=1e-12) and held["slide"][1] == pytest.approx(0.24, abs=1e-12)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])

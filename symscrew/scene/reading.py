@@ -2,7 +2,8 @@
 
     [scene]        name, mechanism (a catalogue name, or a file beside the scene's), description, duration [s],
                    rate (outputs per second), reactions (whether to record them)
-    [initial]      coordinates = {LABEL = value, ...}, rates = {LABEL = value, ...}
+    [initial]      coordinates = {LABEL = value, ...}, rates = {LABEL = value, ...}, hold = [LABELS]: the given values
+                   that are kept while the others are put onto the loops (all are kept without it)
     [[effects]]    type and the effect's own keys (`symscrew.effects`)
     [parameters]   NAME = value of a run-time parameter
     [tables.NAME]  times, values, interpolation ("linear" or "cubic")
@@ -36,7 +37,7 @@ from symscrew.scene.scene import FIXED_STEP, INTERPOLATIONS, METHODS, Initial, I
 
 KEYS: dict[str, tuple[str, ...]] = {
     "scene": ("name", "mechanism", "description", "duration", "rate", "reactions"),
-    "initial": ("coordinates", "rates"),
+    "initial": ("coordinates", "rates", "hold"),
     "integrator": ("method", "tolerance", "step", "longest_step", "most_steps"),
 }
 SECTIONS = (*KEYS, "effects", "parameters", "tables", "signals", "states", "drives", "inputs")
@@ -240,7 +241,18 @@ def _initial(table: Mapping[str, Any], read: _Reader) -> Initial:
         visit("", content)
         return flat
 
-    return Initial(values("coordinates"), values("rates"))
+    coordinates, rates, hold = values("coordinates"), values("rates"), table.get("hold")
+    if hold is None:
+        return Initial(coordinates, rates)
+    if not isinstance(hold, list) or not all(isinstance(label, str) for label in hold):
+        raise DescriptionError(f"initial.hold: expected a list of labels, got {shorten(hold)}")
+    for label in hold:
+        if label not in coordinates and label not in rates:
+            raise DescriptionError(
+                f"initial.hold: {shorten(label)} has no value to keep in initial.coordinates or initial.rates; "
+                f"{did_you_mean(label, [*coordinates, *rates])}"
+            )
+    return Initial(coordinates, rates, tuple(hold))
 
 
 def _parameters(table: Mapping[str, Any], mechanism: Mechanism, read: _Reader) -> dict[str, float]:

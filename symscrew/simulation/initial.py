@@ -25,11 +25,11 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     target = dict(_labelled(scene.initial.coordinates, known, "initial.coordinates"))
     target = _unit_quaternions(system, target)
-    q = None
-    for strides in STRIDES:
-        q = _followed(model, closure, target, strides)
-        if q is not None:
-            break
+    hold = scene.initial.hold
+    if hold is None:
+        q = next((q for n in STRIDES if (q := _followed(model, closure, target, n)) is not None), None)
+    else:
+        q = _nearest(model, closure, target, [k for label, k in known.items() if label in hold])
     if q is None:
         opened = np.array(system.reference)
         opened[list(target)] = list(target.values())
@@ -42,6 +42,24 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
         )
     known = {c.label: k for k, c in enumerate(system.tree.v)}
     return q, _rates(closure, q, dict(_labelled(scene.initial.rates, known, "initial.rates")), scene)
+
+
+def moves(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str, ...]:
+    """What `hold` let the start change: an event for each given value that is another now."""
+    if scene.initial.hold is None:
+        return ()
+    tree, found = model.system.tree, []
+    for what, given, coordinates, values in (
+        ("", scene.initial.coordinates, tree.q, q),
+        (" (rate)", scene.initial.rates, tree.v, v),
+    ):
+        at = {c.label: float(x) for c, x in zip(coordinates, values, strict=True)}
+        found += [
+            f"t = 0 s: {label}{what} put from {value:.12g} to {at[label]:.12g} to close the loops"
+            for label, value in given.items()
+            if abs(at[label] - value) > 1e-12 * max(1.0, abs(value))
+        ]
+    return tuple(found)
 
 
 def initial_states(scene: Scene, model: Model) -> np.ndarray:
@@ -119,6 +137,21 @@ def _followed(model: Model, closure: _Closure, target: dict[int, float], strides
     return q
 
 
+def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: list[int]) -> np.ndarray | None:
+    """By Newton's method from the given values, of which those at `held` are kept."""
+    system = model.system
+    start = np.array(system.reference)
+    plain = [k for k in given if system.tree.q[k].kind != "quaternion"]
+    start[plain] = [given[k] for k in plain]
+    start = _turned(system, start, given)
+    kept = {k: value for k, value in given.items() if k in held}
+    found = _solved(system, closure, start, kept)
+    if found is not None:
+        sure = [k for k in kept if k in plain]
+        found[sure] = [kept[k] for k in sure]  # to the last bit
+    return found
+
+
 def _solved(system, closure: _Closure, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray | None:  # type: ignore[no-untyped-def]
     moved = _turned(system, q, wanted)
     plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
@@ -168,13 +201,18 @@ def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Sce
     if not given:
         return np.zeros(n)
     _, jacobian = closure.at(q)
-    pick = np.zeros((len(given), n))
-    for i, k in enumerate(given):
+    hold, start = scene.initial.hold, np.zeros(n)
+    labels = [c.label for c in closure.system.tree.v]
+    kept = [k for k in given if hold is None or labels[k] in hold]
+    if hold is not None:
+        start[list(given)] = [value / closure.units[k] for k, value in given.items()]
+    pick = np.zeros((len(kept), n))
+    for i, k in enumerate(kept):
         pick[i, k] = 1.0
-    values = np.array([value / closure.units[k] for k, value in given.items()])
+    values = np.array([given[k] / closure.units[k] for k in kept])
     matrix = np.concatenate([pick, jacobian])
     right = np.concatenate([values, np.zeros(len(jacobian))])
-    v = np.linalg.lstsq(matrix, right, rcond=1e-11)[0]
+    v = start + np.linalg.lstsq(matrix, right - matrix @ start, rcond=1e-11)[0]
     v += np.linalg.lstsq(matrix, right - matrix @ v, rcond=1e-11)[0]
     if np.abs(matrix @ v - right).max(initial=0) > 1e-9 * max(1.0, np.abs(values).max(initial=0)):
         raise DescriptionError(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from symscrew.scene import Scene
 from symscrew.scene.controller import controller as controller_of
 from symscrew.scene.controller import parameter_values
 from symscrew.simulation.history import History
-from symscrew.simulation.initial import initial_state, initial_states
+from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.programs import Plant, commands, plant
 
 Progress = Callable[[float], None]
@@ -115,6 +115,7 @@ def simulate(
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
     history = _integrated(scene, programs, (q, v, x), contacts, controller, backend, progress)
+    history = replace(history, events=(*moves(scene, model, q, v), *history.events))
     return _observed(scene, model, programs, history)
 
 
