@@ -182,13 +182,13 @@ def source(plant: Plant, tables: str = "") -> str:
 class Library:
     """A compiled run: `start`, then `advance` until it is not going on."""
 
-    def __init__(self, plant: Plant, tables: str = "", flags: Sequence[str] = FLAGS) -> None:
+    def __init__(self, plant: Plant, tables: str = "", flags: Sequence[str] | None = None) -> None:
         self.plant = plant
         text = source(plant, tables)
         with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
             file, library = Path(temporary) / "run.c", Path(temporary) / "run.so"
             file.write_text(text, encoding="utf-8")
-            compile_c(file, library, flags=flags)
+            compile_c(file, library, flags=FLAGS if flags is None else flags)
             self.code = ctypes.CDLL(str(library))  # stays mapped when the file is gone
         self.hash = hashlib.sha256(text.encode()).hexdigest()[:16]
         for name in ("simulation_size", "crossing_size"):
