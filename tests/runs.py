@@ -57,9 +57,10 @@ def compiled(name: str):  # type: ignore[no-untyped-def]
     return model, plant, library
 
 
-def run_of(name: str, scene: Scene) -> Run:
-    """The run of a benchmark's scene by the loop compiled before, or without a compiler."""
+def run_of(name: str, scene: Scene, other: native.Library | None = None) -> Run:
+    """The run of a benchmark's scene by the loop compiled before (or another one), or without a compiler."""
     model, plant, library = compiled(name)
+    library = other or library
     if library is None:
         return simulate(scene, prepared=(model, plant))
     q, v = initial_state(scene, model, plant.parameters)

@@ -11,10 +11,9 @@ from functools import cache
 import numpy as np
 import pytest
 from hard import case, precise
-from hard.mechanisms import catalogue_text, changed, coupling, four_bars, swung
+from hard.mechanisms import catalogue_text, changed, coupling
 from model_states import body_states, output, relative
 from model_states import model as catalogued
-from runs import error_of, run_of, scene_of
 from scipy.optimize import brentq
 
 from symscrew.builder import MechanismBuilder
@@ -22,7 +21,7 @@ from symscrew.compiled import find_compiler, load
 from symscrew.effects import Gravity
 from symscrew.model import Model, derive
 from symscrew.newton_euler import newton_euler
-from symscrew.scene import Initial, Scene
+from symscrew.scene import Scene
 from symscrew.simulation.run import Run, simulate
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's")
@@ -121,47 +120,7 @@ def test_constraint_singularity_of_the_seed() -> None:
         assert np.abs(sides[d] - sides[-d]).max() < 30 * d + 1e-8
 
 
-# -- change points ------------------------------------------------------------------------------------------
-
-
-def swinging(name: str, **bars: str) -> Run:
-    scene = Scene(name, four_bars(1, **bars), FALL, 10.0, 20.0, Initial(rates={"A0": -1.0}))
-    return simulate(scene)
-
-
-@needs_compiler
-@pytest.mark.parametrize(
-    "name, bars, inertia, moment",
-    [("equal_links", {}, 2 / 3 + 1, 2), ("parallelogram", {"width": "2", "coupler": "3"}, 2 / 3 + 3, 1 + 3)],
-)
-def test_change_points_at_speed(name: str, bars: dict, inertia: float, moment: float) -> None:
-    """Ten times through the flat position: the coupler stays parallel, every crossing is reported.
-
-    Without the steps that follow a branch (kernels/branch.c) see the test below.
-    """
-    assert "1e-8" in case(3)["pass_criterion"]
-    run = swinging(name, **bars)
-    assert run.ok
-    at = columns(run.model)
-    assert np.abs(run.q[:, at["A0"]] + run.q[:, at["B0"]]).max() < 1e-8
-    assert np.abs(-run.q[:, at["A0"]] - swung(inertia, moment * 9.81, 1.0, run.t)).max() < 5e-8
-    assert len(run.crossings) == 10 and {c.lost for c in run.crossings} == {1}
-    for crossing in run.crossings:
-        assert np.abs(np.cos(crossing.q[at["A0"]])) < 1e-6
-
-
-@needs_compiler
-@pytest.mark.parametrize(
-    "integrator", [{"method": "rk4", "step": 1e-3}, *({"tolerance": t} for t in (1e-6, 1e-8, 1e-10))]
-)
-def test_singular_positions_crossed_in_motion(integrator: dict) -> None:
-    """A02, N = 2: right to 1e-6 for a fixed step and for every tolerance from 1e-6 down."""
-    assert case(1)["scenario"].startswith("A02 N=2")
-    run = run_of("n_four_bar", scene_of("n_four_bar", **integrator))
-    assert run.ok and len(run.crossings) == 10
-    assert error_of("n_four_bar", run) < 1e-6
-    labels = columns(run.model)
-    assert np.abs(run.q[:, labels["A0"]] - run.q[:, labels["A1"]]).max() < 1e-6  # no change of branch
+# -- flat delta ------------------------------------------------------------------------------------------
 
 
 def test_flat_delta() -> None:
