@@ -28,7 +28,7 @@ def integrate(
     options = {"abstol": local, "reltol": local, "max_num_steps": scene.integrator.most_steps}
     t, y, span = ca.SX.sym("t"), ca.SX.sym("y", nq + nv + nx), ca.SX.sym("span", 2)
     at = span[0] + t * span[1]
-    rates = span[1] * _slopes(scene, plant, functions, at, y)
+    rates = span[1] * state_rates(scene, plant, functions, at, y)
     ode = {"x": y, "t": t, "p": span, "ode": rates}
     solver = ca.integrator("run", "cvodes", ode, 0.0, 1.0, options)
     times = scene.times
@@ -53,7 +53,8 @@ def integrate(
     return History(times[: len(states)], *parts, ok, status, "cvodes")
 
 
-def _slopes(scene: Scene, plant: Plant, functions: Functions, t: ca.SX, y: ca.SX) -> ca.SX:
+def state_rates(scene: Scene, plant: Plant, functions: Functions, t: ca.SX, y: ca.SX) -> ca.SX:
+    """Rates of y = (q, v, x) at the time t under the scene's controller."""
     nq, nv = functions.nq, functions.nv
     q, v, x = y[:nq], y[nq : nq + nv], y[nq + nv :]
     s = ca.vertcat(ca.SX(0, 1), *[_table(table, t) for table in scene.tables.values()])
