@@ -32,7 +32,7 @@ FLAGS = (
     "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
     "--disable-sync", "--window-size=1360,860", "--force-device-scale-factor=1",
 )  # fmt: skip
-LAYERS = ("screws", "constraints", "freedoms", "momentum", "reactions", "drives", "masses", "points", "joints")
+LAYERS = ("screws", "constraints", "freedoms", "momentum", "reactions", "drives", "masses", "axes", "points", "joints")
 
 
 def start(profile: Path, *more: str) -> webdriver.Chrome:
@@ -66,7 +66,7 @@ class Page:
     def text(self, selector: str) -> str:
         return self.find(selector).text
 
-    def wait(self, condition: Callable[[], Any], seconds: float = 20.0) -> None:
+    def wait(self, condition: Callable[[], Any], seconds: float = 60.0) -> None:
         end = time.monotonic() + seconds
         while not condition():
             assert time.monotonic() < end, "the page did not get there"
@@ -216,7 +216,7 @@ def test_every_layer_can_be_shown_and_hidden(driver, files, layer: str) -> None:
 def test_labels_are_whole_and_apart(driver, files, name: str, size: tuple[int, int]) -> None:
     page = Page(driver, files(name), size)
     for layer in LAYERS:
-        if layer != "points":
+        if layer not in ("points", "axes"):  # shown from the start
             page.toggle(layer)
     page.slide("#time", 0.4)
     labels, frame = page.labels(), page.find(".picture").rect

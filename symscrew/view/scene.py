@@ -152,9 +152,14 @@ def _drives(model: Model) -> list[dict[str, Any]]:
 
 
 def _independent(model: Model) -> list[dict[str, Any]]:
-    """The independent coordinates y: entry of q, kind, and for a quaternion's component where it starts."""
+    """The independent coordinates y: entry of q, kind, for a quaternion's component where it starts, what they move.
+
+    `axis`: of the platform's free motion and of rotation vectors, x, y or z.
+    """
     tree = model.system.tree
     at = {c.label: k for k, c in enumerate(tree.q)}
+    pose = {k.q.start: "xyz"[k.motion.axis or 0] for k in tree.links[1:]
+            if k.motion.kind == "P" and k.joint not in model.mechanism.joints}  # fmt: skip
     result = []
     for label in next(p for p in model.programs["velocity"].inputs if p.name == "y_dot").labels:
         entry = at[label]
@@ -162,8 +167,9 @@ def _independent(model: Model) -> list[dict[str, Any]]:
             (k.q.start for k in tree.links[1:] if k.q.stop - k.q.start == 4 and k.q.start <= entry < k.q.stop), None
         )
         kind = "turn" if start is not None else tree.q[entry].kind
+        axis = pose.get(entry) if start is None else label[-1]
         made = {"label": label, "q": entry, "kind": kind, "unit": tree.q[entry].unit, "quaternion": start}
-        result.append(made)
+        result.append(made | {"axis": axis})
     return result
 
 

@@ -23,6 +23,7 @@ const Layers = (() => {
     { id: "reactions", title: "Joint reactions", hint: "force and moment from parent on child at each joint", look: { tail: "none" }, unit: "N" },
     { id: "drives", title: "Drive forces", hint: "arrow = force, arc = torque, at the driven joints", look: { tail: "box" }, unit: "N" },
     { id: "masses", title: "Centres of mass", hint: "balls in quarters; the largest is that of all bodies", look: {} },
+    { id: "axes", title: "Axes x, y, z at O", hint: "the absolute axes: screws stand at O, points and directions are given in them", look: { tail: "none" } },
     { id: "points", title: "Names of points", hint: "the named points of the description", look: {} },
     { id: "joints", title: "Names of joints", hint: "the joints of the description", look: {} },
   ];
@@ -30,7 +31,7 @@ const Layers = (() => {
   class Set {
     constructor(data, model, stage) {
       Object.assign(this, { data, model, stage });
-      this.shown = new globalThis.Set(["points"]);
+      this.shown = new globalThis.Set(["points", "axes"]);
       this.size = stage.size;
       this.boost = 1;
       this.listing = [];
@@ -153,6 +154,15 @@ const Layers = (() => {
             this.label(pitchText(joint.pitch), Screws.add(at, Screws.scale(0.1 * this.size, direction)), "screws", 2);
           }
         });
+      });
+    }
+
+    /* The absolute axes at O. */
+    draw_axes(_, pen) {
+      ["x", "y", "z"].forEach((name, k) => {
+        const direction = [0, 1, 2].map((i) => (i === k ? 1 : 0));
+        pen.arrow([0, 0, 0], direction, 0.17 * this.size, { thick: 0.7 });
+        this.label(name, Screws.scale(0.17 * this.size, direction), "axes", 0.5);
       });
     }
 

@@ -79,7 +79,7 @@ const Panel = (() => {
     }
     return data.independent.map((entry, k) => {
       const [low, high] = ranges[k], id = `y${k}`;
-      const axis = entry.quaternion === null ? "" : `, rotation about ${entry.label.slice(-1)}`;
+      const axis = entry.axis === null ? "" : `, ${entry.quaternion === null ? "along" : "rotation about"} ${entry.axis}`;
       const input = element("input", { type: "range", id, min: low, max: high, step: "any", disabled: !(high > low) });
       const shown = element("output", {}), problem = element("p", { className: "problem", hidden: true, role: "alert" });
       shown.htmlFor = id;

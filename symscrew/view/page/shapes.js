@@ -11,13 +11,13 @@ const Shapes = (() => {
       background: "#f6f6f3", text: "#16181a", grid: "#d6d6d0", ground: "#85888c", link: "#4d5257", rod: "#8d949a",
       platform: "#0072b2", joint: "#f4f4f2", driven: "#d55e00", warn: "#f0c808", danger: "#9c0038",
       screws: "#56b4e9", constraints: "#009e73", freedoms: "#cc79a7", momentum: "#e69f00", reactions: "#16181a",
-      drives: "#d55e00", com_dark: "#111111", com_light: "#ffffff",
+      drives: "#d55e00", axes: "#6b4fa0", com_dark: "#111111", com_light: "#ffffff",
     },
     dark: {
       background: "#14171a", text: "#eceff1", grid: "#2d3236", ground: "#7d8388", link: "#b6bcc2", rod: "#7f868c",
       platform: "#4aa3df", joint: "#e9ecee", driven: "#e8752a", warn: "#f0e442", danger: "#e0105c",
       screws: "#8fd0f5", constraints: "#1ec796", freedoms: "#e3a0c4", momentum: "#f0e442", reactions: "#eceff1",
-      drives: "#ff8a4c", com_dark: "#111111", com_light: "#ffffff",
+      drives: "#ff8a4c", axes: "#b9a5e6", com_dark: "#111111", com_light: "#ffffff",
     },
   };
 

@@ -194,15 +194,10 @@ const Stage = (() => {
       this.dirty = true;
     }
 
-    /* The platform in the colour of a warning: 0 none, 1 at the singularity. */
+    /* The platform in the colour of a warning: 0 none, 1 at the singularity; any warning is at once yellow. */
     warn(level) {
-      const colour = new L.Color(this.colours.platform);
-      if (level > 0) {
-        colour.lerp(new L.Color(this.colours.warn), Math.min(1, 2 * level));
-      }
-      if (level > 0.5) {
-        colour.lerp(new L.Color(this.colours.danger), 2 * level - 1);
-      }
+      const colour = new L.Color(level > 0 ? this.colours.warn : this.colours.platform);
+      colour.lerp(new L.Color(this.colours.danger), Math.max(0, level));
       this.paints.platform.color.copy(colour);
       this.paints.platform_sheet.color.copy(colour);
     }
