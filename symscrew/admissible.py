@@ -86,9 +86,10 @@ class Admissible:
         """N^T M N; only the lower half counts."""
         system, tree = self.system, mass_matrix(self.system, self.reflected)
         rows = []
-        for k, column in enumerate(self.tree_columns):
-            pushed = [_inner(system, row, column) for row in tree]
-            rows.append([_inner(system, self.tree_columns[i], pushed) for i in range(k + 1)])
+        sparse = [_entries(system, column) for column in self.tree_columns]
+        for k, column in enumerate(sparse):
+            pushed = [_paired(system, column, row) for row in tree]
+            rows.append([_paired(system, sparse[i], pushed) for i in range(k + 1)])
         return rows
 
     def solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
@@ -128,7 +129,16 @@ class Admissible:
 
 
 def _inner(system: System, x: Sequence[Node], y: Sequence[Node]) -> Node:
+    return _paired(system, _entries(system, x), y)
+
+
+def _entries(system: System, x: Sequence[Node]) -> list[tuple[int, Node]]:
+    """The entries of a vector that are not always zero: of long trees and chains of loops these are few."""
+    return [(k, entry) for k, entry in enumerate(x) if entry is not system.tape.zero]
+
+
+def _paired(system: System, x: Sequence[tuple[int, Node]], y: Sequence[Node]) -> Node:
     total = system.tape.zero
-    for a, b in zip(x, y, strict=True):
-        total = total + a * b
+    for k, entry in x:
+        total = total + entry * y[k]
     return total

@@ -49,6 +49,7 @@ from symscrew.volumes import (
     zeroed,
 )
 
+LONG = 10  # limbs with more freedoms are not looked at from all of their links
 MOST_SUBSETS = 20  # sets of drives that get a margin of their own
 
 FORMS = {
@@ -176,7 +177,7 @@ def _limb_volume(system: System, joints: Sequence[str]) -> Volume:
     tape = system.tape
     pieces = [piece for joint in joints for piece in _pieces(system, joint)]
     best: tuple[tuple, Grid] | None = None
-    for frame in dict.fromkeys([*(link for link, *_ in pieces), GROUND]):
+    for frame in _candidate_frames([link for link, *_ in pieces]):
         columns = [_seen(system, piece, frame) for piece in pieces]
         grid = zeroed(tape, [[column[i] for column in columns] for i in range(6)])
         rows = _constant_span(tape, grid)
@@ -187,6 +188,15 @@ def _limb_volume(system: System, joints: Sequence[str]) -> Volume:
     if best is None:
         return Volume(tape.one, "signed")
     return volume(tape, best[1], rank_of(tape, best[1]))
+
+
+def _candidate_frames(links: Sequence[int]) -> list[int]:
+    """The links in whose axes a limb is looked at: all of a limb of usual length.
+
+    A long one is seen from its ends and its middle only, where paths are short: all of its links would be cubic.
+    """
+    found = list(dict.fromkeys([*links, GROUND]))
+    return found if len(found) <= LONG + 1 else [found[0], found[len(found) // 2], found[-2], GROUND]
 
 
 Piece = tuple[int, str, Vector, Vector, object]
