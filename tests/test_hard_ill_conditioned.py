@@ -18,11 +18,13 @@ from model_states import model as catalogued
 from model_states import relative
 from runs import error_of, run_of, scene_of
 
+from symscrew import elimination
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler
 from symscrew.effects import Gravity
 from symscrew.effects.joint_spring import JointSpring
 from symscrew.mechanism import Mechanism
+from symscrew.mobility import analyse_mobility
 from symscrew.model import Model, derive
 from symscrew.scene import Initial, Scene
 from symscrew.scene.scene import Integrator
@@ -246,26 +248,31 @@ def tilted_bar(angle: str) -> Mechanism:
 
 
 @pytest.mark.parametrize("angle", ["1e-3", "1e-6", "1e-9", "1e-12"])
-def test_one_axis_nearly_parallel_to_the_others(angle: str) -> None:
-    """Exactly, the loop is rigid for every angle > 0. Numbers decide by 1e-9 of the largest singular value.
+def test_one_axis_nearly_parallel_to_the_others(angle: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Exactly, the loop is rigid for every angle > 0, and mobility says so with the smallest singular value.
 
-    The model says 0 freedoms down to 1e-9 ("independent coordinates y: none") and 1 at 1e-12, where the tilt drowns in
-    the rounding of its samples; there the accelerations are those of the planar loop. Singular values in 50 digits.
+    A model's samples decide by `elimination.NEGLIGIBLE`, 1e-9 of the largest entry: 0 freedoms down to 1e-9, 1 at
+    1e-12, where the tilt drowns in the samples' rounding; its notes say which. Under a tolerance above the tilt the
+    loop has its one freedom and the accelerations of the planar loop.
     """
     assert "0 dof for every eps > 0" in case(25)["pass_criterion"]
-    found, planar = derive(tilted_bar(angle), DOWN), derive(tilted_bar("0"), DOWN)
-    q = planar.system.reference
-    _, jacobian = precise.closure(found, q)
+    tilt, planar = float(angle), derive(tilted_bar("0"), DOWN)
+    analysis = analyse_mobility(tilted_bar(angle))
+    assert analysis.dof == 0 and analysis.decisions.singular_values[0] == pytest.approx(0.18354 * tilt, rel=1e-3)
+    assert analyse_mobility(tilted_bar("0")).dof == 1
+    found = derive(tilted_bar(angle), DOWN)
+    _, jacobian = precise.closure(found, planar.system.reference)
     values = [float(x) for x in precise.singular_values(jacobian)]
-    tilt = float(angle)
     assert 0.01 * tilt < values[2] < 10 * tilt  # the smallest: exactly, three rates and rank three
-    freedoms = found.programs["velocity"].inputs[1].size
-    assert freedoms == (1 if angle == "1e-12" else 0)
-    if freedoms:  # treated as planar: the same accelerations
-        v = np.array(planar.system.sample_states[1][0])
-        (a,), status = found("forward_dynamics", q, v)
-        (expected,), _ = planar("forward_dynamics", q, v)
-        assert status <= 0 and relative(a, expected) < 1e-6
+    strict = "A" if angle == "1e-12" else "none"
+    assert f"independent coordinates y: {strict}" in found.notes
+    monkeypatch.setattr(elimination, "NEGLIGIBLE", 10 * tilt)
+    loose = derive(tilted_bar(angle), DOWN)
+    assert "independent coordinates y: A" in loose.notes
+    q, v = planar.system.reference, np.array(planar.system.sample_states[1][0])
+    (a,), status = loose("forward_dynamics", q, v)
+    (expected,), _ = planar("forward_dynamics", q, v)
+    assert status <= 0 and relative(a, expected) < 1e-6
 
 
 def nearly_equal_legs(gap: str) -> Mechanism:
