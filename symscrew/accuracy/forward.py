@@ -32,8 +32,9 @@ from symscrew.simulation.run import prepare
 Array = np.ndarray
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
 OURS = (1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)
-SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
-MOST = 100_000  # steps of a run
+SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 1024)  # the last for stiff scenes: explicit methods need it there
+FULL_SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096)
+MOST = 150_000  # steps of a run
 LONGEST = 1.0  # seconds: after a run that takes longer, finer settings of its curve are not run
 OWN = "symscrew simulate"
 ENGINES = {"exudyn": "Exudyn", "mujoco": "MuJoCo", "generatedC": "bare generated C"}
@@ -180,8 +181,8 @@ def _all_formulations(scene: Scene, made: Formulated, error_of: Callable[[Array]
     gain = 50.0 / min(1.0, scene.duration)
     kinds = made.kinds
     for kind in kinds:
-        for count in SUBSTEPS[: len(SUBSTEPS) if full else -2]:
-            most = MOST if count == 1 else max(1, min(MOST, len(times) * count + 10))
+        for count in FULL_SUBSTEPS if full else SUBSTEPS:
+            most = max(MOST, len(times) * count + 10)
             setups.append(_formulation(made, kind, "RK4", times, interval / count, 0.0, gain, most, error_of, scene))
         for tolerance in TOLERANCES:
             setups.append(

@@ -102,7 +102,7 @@ def measured(
         if setups[k].curve in slow_curves:
             failures[k] = f"not run: the setting before took {slow_curves[setups[k].curve]:.1f} s"
             continue
-        begin = time.perf_counter()
+        begin, first = time.thread_time(), None
         try:
             first = setups[k].run()
             errors[k] = float(setups[k].error())
@@ -112,8 +112,9 @@ def measured(
                 laps[k].append(first)
         except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
             failures[k] = str(error) or type(error).__name__
-        if time.perf_counter() - begin > longest:
-            slow_curves[setups[k].curve] = time.perf_counter() - begin
+        taken = time.thread_time() - begin if first is None else first
+        if taken > longest:
+            slow_curves[setups[k].curve] = taken
     for done in shown.bar(range(repeats), f"{text}: repeats"):
         over = time.perf_counter() - start > seconds
         if over and done >= LEAST_ROUNDS:

@@ -49,7 +49,7 @@ def work_precision(study: Study) -> Figure:
         return _settings_figure(study)
     if any("N" in p.facts for p in study.points):
         return _growth_figure(study)
-    panels = list(dict.fromkeys(str(p.facts.get("panel", "")) for p in study.points))
+    panels = list(dict.fromkeys(str(p.facts.get("panel", "")) for p in study.points if _drawn(p, study)))
     stepped = any("h" in p.facts for p in study.points)
     count = len(panels) + stepped
     rows = max(len(_of_panel(study, panel)) for panel in panels)
@@ -118,7 +118,7 @@ def _of_panel(study: Study, panel: str) -> dict[str, list[Point]]:
     if panel == "peers":
         found |= {name: points for name, points in study.curves.items() if name.startswith("symscrew simulate")}
     if len(found) <= MOST_CURVES:
-        return found
+        return {_peer(name) if points[0].facts.get("peer") else name: points for name, points in found.items()}
     groups: dict[str, list[Point]] = {}
     for name, points in found.items():
         group = name.split()[0]
@@ -127,6 +127,11 @@ def _of_panel(study: Study, panel: str) -> dict[str, list[Point]]:
             continue
         groups.setdefault(f"{PEERS.get(group, group)}: best of all settings", []).extend(points)
     return {n: _envelope(points) if points[0].facts.get("peer") else points for n, points in groups.items()}
+
+
+def _peer(name: str) -> str:
+    engine, _, rest = name.partition(" ")
+    return f"{PEERS.get(engine, engine)}: {rest}"
 
 
 def _envelope(points: Sequence[Point]) -> list[Point]:
@@ -243,6 +248,6 @@ def _reference_line(axes: Sequence[Axes], study: Study) -> None:
         axis.set_ylim(min(low, own / 3), high)
         axis.axhline(own, color="#808080", linewidth=0.7, linestyle=(0, (6, 3)), zorder=1)
     axes[0].annotate(
-        "error of the reference", (0.985, own), xycoords=("axes fraction", "data"), xytext=(0, 2),
-        textcoords="offset points", ha="right", va="bottom", fontsize=7, color="#606060",
+        "error of the reference", (0.015, own), xycoords=("axes fraction", "data"), xytext=(0, 2),
+        textcoords="offset points", ha="left", va="bottom", fontsize=7, color="#606060",
     )  # fmt: skip

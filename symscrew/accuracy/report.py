@@ -71,9 +71,13 @@ def points_table(points: Sequence[Point], study: Study) -> str:
 
 
 def _row(point: Point, unit: str, counted: bool) -> list[str]:
-    error = f"failed: {point.failure}" if point.failure else ("-" if point.error is None else f"{point.error:.2e}")
+    error = _failed(point) if point.failure else ("-" if point.error is None else f"{point.error:.2e}")
     row = [point.curve, point.setting, error, cost_text(point.cost, unit), str(point.cost.repeats if point.cost else 0)]
     return [*row, str(point.facts.get("operations", "-"))] if counted else row
+
+
+def _failed(point: Point) -> str:
+    return point.failure if point.failure.startswith("not run") else f"failed: {point.failure}"
 
 
 def cost_text(cost: Times | None, unit: str) -> str:
@@ -108,7 +112,7 @@ def short(studies: Sequence[Study]) -> str:
                 )
             failed = [p for p in points if p.failure]
             if failed and len(failed) == len(points):
-                rows.append([study.name, curve, f"{len(failed)} settings", f"failed: {failed[0].failure}", "-"])
+                rows.append([study.name, curve, f"{len(failed)} settings", _failed(failed[0]), "-"])
     return table(("study", "curve", "setting", "error", "cost"), rows)
 
 

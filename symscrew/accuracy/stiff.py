@@ -78,9 +78,12 @@ def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> 
 
         def slopes(t: float, y: Array) -> Array:
             if time.thread_time() - begin > LONGEST:
-                raise RunError(f"given up after {LONGEST:g} s")
+                raise ArithmeticError(f"given up after {LONGEST:g} s")
             q, v = y[:nq], y[nq : nq + nv]
-            a, x_dot = functions.slopes(t, q, v, y[nq + nv :], nothing, nothing)
+            try:
+                a, x_dot = functions.slopes(t, q, v, y[nq + nv :], nothing, nothing)
+            except RunError:  # the integrator then takes a smaller step
+                return np.full_like(y, np.nan)
             return np.concatenate([functions.coordinate_rates(q, v), a, x_dot])
 
         y = np.concatenate(start)
