@@ -93,11 +93,15 @@ def parser() -> argparse.ArgumentParser:
     generate = _command(verbs, "generate", commands.generate_code, "C, CasADi and NumPy functions of a mechanism")
     _mechanism(generate)
     generate.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
-    text = "default: c casadi numpy; external: C for casadi.external, with derivatives; markdown: formulas to read"
+    text = "default: c casadi numpy; external: C for casadi.external, with derivatives; fmu: FMI 3.0, sources only"
     generate.add_argument("--target", nargs="+", choices=TARGETS, help=text)
     generate.add_argument(
         "--precision", choices=("double", "single"), default="double", help="single: C of type float, no other target"
     )
+    generate.add_argument(
+        "--embedded", nargs="+", choices=("m4f", "m7"), default=[], metavar="CORE",
+        help="measure the C on m4f or m7 in QEMU: flash, stack and instructions go into the header and ops.json",
+    )  # fmt: skip
     _effects(generate)
     generate.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
     generate.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")

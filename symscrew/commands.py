@@ -84,13 +84,21 @@ def generate_code(options: argparse.Namespace) -> int:
 
     single = options.precision == "single"
     targets = [t for t in TARGETS if t in (options.target or (["c"] if single else USUAL))]
+    if options.embedded and not {"c", "external"} & set(targets):
+        raise UsageError("--embedded measures C; add it to --target")
     doubles = [t for t in targets if t not in SINGLE_TARGETS]
     if single and doubles:
         raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(SINGLE_TARGETS)}")
     progress = Progress()
     model = _derived(options, progress)
+    measured = []
+    for core in dict.fromkeys(options.embedded):
+        from symscrew.embedded import measure
+
+        with progress.step(f"measure on {core}"):
+            measured.append(measure(model, core, options.precision))
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
-        files = generate(model, options.out, targets, precision=options.precision)
+        files = generate(model, options.out, targets, precision=options.precision, measured=measured)
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     show(("function", "operations"), rows)

@@ -4,6 +4,10 @@
     <function>.casadi                                               target "casadi"
     <name>_numpy.py                                                 target "numpy"
     <name>_external.c  <name>_jacobians.h  <name>_jacobians.c       target "external", with those of "c"
+    <name>.js                                                       target "javascript"
+    <name>.fmu                                                      target "fmu", FMI 3.0 without binaries
+    <name>.xml                                                      target "mjcf"
+    <name>.urdf                                                     target "urdf", open chains only
     model.md                                                        target "markdown"
     README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
 
@@ -21,31 +25,44 @@ import secrets
 import shutil
 import tempfile
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew import description
+from symscrew import description, interchange
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import DOUBLE, PRECISIONS
 from symscrew.export.casadi_external import print_external
 from symscrew.export.cpp import print_cpp
 from symscrew.export.example import print_cmake, print_example
+from symscrew.export.javascript import print_javascript
 from symscrew.export.markdown import print_markdown
 from symscrew.export.numpy import print_numpy
 from symscrew.export.readme import print_readme
+from symscrew.fmu.archive import archive, at_rest, readme_section
+from symscrew.fmu.archive import contents as unit_contents
 from symscrew.manifest import OutputError, manifest, read_manifest
 from symscrew.model import Model
+from symscrew.program import Iteration, Program
+from symscrew.usage import TARGETS, USUAL
 
-TARGETS = ("c", "casadi", "numpy", "external", "markdown")
-USUAL = ("c", "casadi", "numpy")
+__all__ = ["SINGLE_TARGETS", "TARGETS", "USUAL", "generate", "render"]
+
 SINGLE_TARGETS = ("c", "markdown")
+EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
+FORMATS = {"mjcf": ".xml", "urdf": ".urdf"}
 _PLAIN_FILE = re.compile(r"[A-Za-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", re.ASCII)
 
 
 def generate(
-    model: Model, out_dir: str | Path, targets: Sequence[str] = USUAL, *, precision: str = "double"
+    model: Model,
+    out_dir: str | Path,
+    targets: Sequence[str] = USUAL,
+    *,
+    precision: str = "double",
+    measured: Sequence[Mapping[str, Any]] = (),
 ) -> tuple[Path, ...]:
     """Write the files of a model into `out_dir` and return their paths, sorted.
 
@@ -54,13 +71,15 @@ def generate(
         out_dir: a directory that does not exist, is empty, or holds earlier output of this tool.
         targets: any of TARGETS; "external" brings "c" with it.
         precision: "double", or "single" for C of type float; the other targets are double only.
+        measured: results of `symscrew.embedded.measure`, which stand in the C header and in ops.json then.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.
+        DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
     directory = Path(os.path.abspath(out_dir))
     earlier = _earlier_files(directory)
-    files = render(model, targets, precision=precision)
+    files = render(model, targets, precision=precision, measured=measured)
     foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
     if foreign:
         raise OutputError(f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory")
@@ -68,7 +87,13 @@ def generate(
     return tuple(directory / file for file in sorted(files))
 
 
-def render(model: Model, targets: Sequence[str] = USUAL, *, precision: str = "double") -> dict[str, bytes]:
+def render(
+    model: Model,
+    targets: Sequence[str] = USUAL,
+    *,
+    precision: str = "double",
+    measured: Sequence[Mapping[str, Any]] = (),
+) -> dict[str, bytes]:
     """File name to content of everything that `generate` writes."""
     unknown = [target for target in targets if target not in TARGETS]
     if unknown:
@@ -84,7 +109,7 @@ def render(model: Model, targets: Sequence[str] = USUAL, *, precision: str = "do
     texts: dict[str, str] = {}
     files: dict[str, bytes] = {}
     if "c" in targets:
-        texts |= print_c(model, precision=real) | print_cpp(model, real)
+        texts |= print_c(_noted(model, measured), precision=real) | print_cpp(model, real)
         texts |= {"example.c": print_example(model, real), "CMakeLists.txt": print_cmake(model)}
     if "numpy" in targets:
         texts |= print_numpy(model)
@@ -92,16 +117,38 @@ def render(model: Model, targets: Sequence[str] = USUAL, *, precision: str = "do
         files |= _casadi_files(model)
     if "external" in targets:
         texts |= print_external(model)
+    if "javascript" in targets:
+        texts |= print_javascript(model)
+    if "fmu" in targets:
+        files[f"{model.name}.fmu"] = archive(unit_contents(at_rest(model.mechanism, model.effects)))
+    for target, suffix in FORMATS.items():
+        if target in targets:
+            texts[f"{model.name}{suffix}"] = interchange.dumps(model.mechanism, suffix)
     if "markdown" in targets:
         texts |= print_markdown(model)
-    texts["README.md"] = print_readme(model, chosen, real)
-    texts["ops.json"] = _table_text({name: p.operations for name, p in model.programs.items()})
+    section = readme_section(model.name, model.system.tree.q[0].label) if "fmu" in targets else []
+    texts["README.md"] = print_readme(model, chosen, real, section)
+    counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}
+    texts["ops.json"] = _table_text(counts | ({EMBEDDED: list(measured)} if measured else {}))
     texts["test_vectors.json"] = _vectors_text(model)
     texts["mechanism.toml"] = description.dumps(model.mechanism)
     files |= {name: text.encode("utf-8") for name, text in texts.items()}
     content = manifest(model, targets=chosen, files=[*files, "manifest.json"], precision=precision)
     files["manifest.json"] = (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")
     return files
+
+
+def _noted(model: Model, measured: Sequence[Mapping[str, Any]]) -> Model:
+    """The model with what its functions cost on microcontrollers among their notes."""
+    programs: dict[str, Program | Iteration] = dict(model.programs)
+    for found in measured:
+        where = f"{found['core']}, {' '.join(found['compiler'].split()[:2])} -O2"
+        for name, entry in found["functions"].items():
+            if name in programs:
+                size = f"{entry['flash']} bytes of flash, {entry['stack']} of stack"
+                note = f"{where}: {size}, {entry['instructions']} instructions"
+                programs[name] = replace(programs[name], notes=(*programs[name].notes, note))
+    return replace(model, programs=programs)
 
 
 def _casadi_files(model: Model) -> dict[str, bytes]:

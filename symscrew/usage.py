@@ -8,7 +8,7 @@ from typing import Any, NoReturn
 from symscrew.errors import did_you_mean
 
 FAILED = 1
-TARGETS = ("c", "casadi", "numpy", "external", "markdown")
+TARGETS = ("c", "casadi", "numpy", "external", "javascript", "fmu", "mjcf", "urdf", "markdown")
 USUAL = ("c", "casadi", "numpy")
 
 OVER = (

@@ -16,13 +16,14 @@ import handmade
 import numpy as np
 import pytest
 
+from symscrew.agreement import relative_difference
 from symscrew.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
 from symscrew.generation import generate, render
 from symscrew.manifest import OutputError, effect_from_json, effect_to_json
 from symscrew.program import COUNTED, Instruction
-from symscrew.verification import STRICT, relative_difference
+from symscrew.verification import STRICT
 
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang")) if path]
 

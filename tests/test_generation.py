@@ -10,10 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew import catalogue, description
+from symscrew import agreement, catalogue, description
 from symscrew.compiled import load
 from symscrew.effects import ExternalWrench, Gravity
-from symscrew.generation import generate
+from symscrew.errors import DescriptionError
+from symscrew.generation import TARGETS, generate
 from symscrew.manifest import OutputError
 from symscrew.model import derive
 from symscrew.verification import check
@@ -58,6 +59,35 @@ def test_check_passes_what_generate_writes(four_bar, seed, tmp_path):
             "NumPy module agrees",
         ):
             assert what in lines
+
+
+def test_check_covers_every_target(four_bar, tmp_path):
+    """What `check` does for each; Node may be missing, the compiler not."""
+    generate(four_bar, tmp_path / "loop", [t for t in TARGETS if t != "urdf"])
+    generate(derive(catalogue.load("ur5")), tmp_path / "arm", ["urdf"])
+    result = check(tmp_path)
+    assert result.ok, "\n".join(result.lines)
+    said = "\n".join(result.lines)
+    for what in (
+        "C agrees", "CasADi agrees", "NumPy module agrees", "CasADi external agrees", "Jacobians of CasADi externals",
+        "JavaScript", "FMU: accelerations agree", "FMU: a step", "MJCF read back", "arm: ok: URDF read back",
+    ):  # fmt: skip
+        assert what in said
+
+
+@pytest.mark.tools
+def test_javascript_is_run_by_check(four_bar, tmp_path, monkeypatch):
+    generate(four_bar, tmp_path / "out", ["javascript"])
+    assert any("JavaScript agrees with the evaluator" in line for line in check(tmp_path / "out").lines)
+    doubled = agreement.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
+    monkeypatch.setattr(agreement, "NODE", doubled)
+    assert any("JavaScript" in line for line in failures(tmp_path / "out"))
+
+
+def test_a_format_that_cannot_hold_the_mechanism_leaves_nothing(four_bar, tmp_path):
+    with pytest.raises(DescriptionError, match="a URDF is a tree"):
+        generate(four_bar, tmp_path / "out", ["c", "urdf"])
+    assert not list(tmp_path.iterdir())
 
 
 def test_other_effects_and_coordinates_are_regenerated(tmp_path):

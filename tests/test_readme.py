@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,9 +17,11 @@ from symscrew import catalogue
 from symscrew.compiled import find_compiler
 from symscrew.export.markdown import READABLE, print_markdown
 from symscrew.export.readme import SHOWN
+from symscrew.fmu.archive import at_rest
 from symscrew.generation import TARGETS, USUAL, generate
 from symscrew.model import derive
 from symscrew.quantities import Quantities
+from symscrew.simulation.run import simulate
 
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"]
 
@@ -26,7 +29,8 @@ STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"
 @pytest.fixture(scope="module", params=["four_bar", "ur5"])
 def directory(request, tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("generated") / request.param
-    generate(model(request.param), folder, TARGETS if request.param == "four_bar" else USUAL)
+    further = [t for t in TARGETS if t != "urdf"] if request.param == "four_bar" else [*USUAL, "urdf"]
+    generate(model(request.param), folder, further)
     return folder
 
 
@@ -86,10 +90,43 @@ def test_python_examples_of_the_readme(directory, title):
     assert printed(output) == pytest.approx(expected(directory), rel=1e-11, abs=1e-11)
 
 
+@pytest.mark.tools
+def test_javascript_example_of_the_readme(directory):
+    if directory.name != "four_bar":
+        return
+    if shutil.which("node") is None:
+        pytest.fail("this test needs Node: apt-get install nodejs")
+    (directory / "main.js").write_text(example(directory, "JavaScript")[0])
+    output = run("node main.js", directory)
+    assert output.startswith("0: ") and printed(output) == pytest.approx(expected(directory), rel=1e-11, abs=1e-11)
+
+
+@pytest.mark.parametrize(("name", "title", "package"), [
+    ("four_bar", "FMU", "fmpy"), ("four_bar", "MJCF", "mujoco"), ("ur5", "URDF", "pinocchio"),
+])  # fmt: skip
+def test_examples_with_other_programs(directory, name, title, package):
+    """The four-bar at rest under its weight for 0.1 s; the freedoms of the trees that the files describe."""
+    pytest.importorskip(package)
+    if directory.name != name:
+        return
+    code, command = example(directory, title)
+    if command:
+        run(command, directory)
+    (directory / "main.py").write_text(code)
+    output = run(f"{sys.executable} main.py", directory)
+    if title == "FMU":
+        scene = at_rest(model(name).mechanism, model(name).effects)
+        integrator = replace(scene.integrator, method="rk4", step=1e-3)
+        q = simulate(replace(scene, duration=0.1, rate=10.0, integrator=integrator)).q[-1]
+        assert abs(q[0]) > 1e-3 and printed(output) == pytest.approx(q[0], rel=1e-9)
+    else:
+        assert printed(output) == len(model(name).system.tree.v)
+
+
 def test_every_file_is_named_in_the_readme(directory):
     text = (directory / "README.md").read_text()
-    written = {p.name for p in directory.iterdir() if p.suffix not in (".casadi", "", ".so", ".o")}
-    written -= {"main.c", "main.cpp", "main.py", "README.md"}
+    written = {p.name for p in directory.iterdir() if p.is_file() and p.suffix not in (".casadi", "", ".so", ".o")}
+    written -= {"main.c", "main.cpp", "main.py", "main.js", "README.md"}
     for name in written:
         if not name.startswith("lib"):
             assert f"`{name}`" in text, name

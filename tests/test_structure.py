@@ -26,7 +26,7 @@ STAGES = (
     ("functions", "quantities"),
     ("model", "scene", "inertial_parameters"),
     ("export", "manifest", "compiled", "timing", "machine"),
-    ("simulation", "fmu", "generation", "verification"),
+    ("simulation", "fmu", "console", "embedded", "generation", "agreement", "verification"),
     (
         "motion",
         "outline",
@@ -36,8 +36,6 @@ STAGES = (
         "accuracy",
         "cost",
         "demo",
-        "console",
-        "embedded",
         "benchmark",
         "view",
         "report",
@@ -96,7 +94,7 @@ def test_no_module_imports_in_a_circle() -> None:
 
 @pytest.mark.parametrize(
     "library, allowed",
-    [("casadi", {"export", "compiled", "verification", "generation", "simulation", "console", "optimisation"})],
+    [("casadi", {"export", "compiled", "agreement", "generation", "simulation", "console", "optimisation"})],
 )
 def test_heavy_libraries_stay_in_their_stages(library: str, allowed: set[str]) -> None:
     for path in modules():

@@ -17,6 +17,7 @@ from symscrew.embedded import EmbeddedError, measure, missing_tools
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c, print_source
 from symscrew.export.c_precision import PRECISIONS
+from symscrew.verification import check
 
 EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
 
@@ -64,6 +65,29 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     assert str(entry["functions"]["inverse_dynamics"]["instructions"]) in printed
     assert main([*arguments[:4], "--function", "inverse"]) == 2
     assert "no function 'inverse'" in capsys.readouterr().err
+
+
+@pytest.mark.tools
+@EMULATED
+def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    out = tmp_path / "out"
+    arguments = ["generate", "four_bar", "--target", "c", "--precision", "single", "--embedded", "m4f"]
+    assert main([*arguments, "--out", str(out)]) == 0
+    (record,) = json.loads((out / "ops.json").read_text())["embedded"]
+    figures = record["functions"]["inverse_dynamics"]
+    header = re.sub(r"\s*\n \*\s*", " ", (out / "four_bar.h").read_text())
+    said = f"{figures['flash']} bytes of flash, {figures['stack']} of stack, {figures['instructions']} instructions"
+    assert f"Note: Cortex-M4F, arm-none-eabi-gcc {record['compiler'].split()[1]} -O2: {said}" in header
+    result = check(out)
+    assert result.ok, result.lines
+    assert any("flash, stack and instructions of" in line and "as in ops.json" in line for line in result.lines)
+    figures["instructions"] -= 1
+    (out / "ops.json").write_text(json.dumps({**json.loads((out / "ops.json").read_text()), "embedded": [record]}))
+    failed = [line for line in check(out).lines if "FAILED" in line]
+    before = figures["instructions"]
+    assert any(f"instructions of inverse_dynamics changed from {before} to {before + 1}" in line for line in failed)
+    assert main(["generate", "four_bar", "--target", "numpy", "--embedded", "m7", "--out", str(tmp_path / "no")]) == 2
+    assert "--embedded measures C" in capsys.readouterr().err
 
 
 def test_missing_tools_are_named(

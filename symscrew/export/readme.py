@@ -18,6 +18,10 @@ FILES = {
     "casadi": "`*.casadi`: CasADi functions, one per file",
     "numpy": "`{0}_numpy.py`: NumPy functions on batches of states, without this tool",
     "external": "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi",
+    "javascript": "`{0}.js`: JavaScript for a page or Node",
+    "fmu": "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only",
+    "mjcf": "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints",
+    "urdf": "`{0}.urdf`: URDF",
     "markdown": "`model.md`: screws, momentum screws, equations and symbols to read",
 }
 ALWAYS = (
@@ -26,8 +30,10 @@ ALWAYS = (
 )
 
 
-def print_readme(model: Model, targets: Sequence[str], precision: Precision = DOUBLE) -> str:
-    """The text; deterministic, its examples use the first test state of one function."""
+def print_readme(
+    model: Model, targets: Sequence[str], precision: Precision = DOUBLE, further: Sequence[str] = ()
+) -> str:
+    """The text; deterministic, its examples use the first test state of one function; `further` lines at the end."""
     name = _shown(model)
     program = model.programs[name]
     lines = [f"# {model.name}", "", *(f"{line}  " for line in banner(model)[:3]), "", "## Files"]
@@ -41,10 +47,14 @@ def print_readme(model: Model, targets: Sequence[str], precision: Precision = DO
         "casadi": [_casadi],
         "numpy": [_numpy],
         "external": [_external],
+        "javascript": [_javascript],
+        "mjcf": [_mjcf],
+        "urdf": [_urdf],
     }
     for target in targets:
         for example in examples.get(target, ()):
             lines += ["", *example(model, name, program)]
+    lines += ["", *further] if further else []
     return "\n".join([*lines, ""])
 
 
@@ -170,3 +180,39 @@ def _external(model: Model, name: str, program: Program | Iteration) -> list[str
     sources = f"{model.name}.c {model.name}_jacobians.c {model.name}_external.c"
     command = f"`cc -std=c99 -O2 -fno-math-errno -shared -fPIC {sources} -lm -o {library}`"
     return ["### CasADi external functions", "", command, "", "```python", *main, "```"]
+
+
+def _javascript(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    inputs = [f"const {k}_ = {v};" for k, v in _states(model, name, "[", "]").items()]
+    given = ", ".join(f"{p.name}_" for p in program.inputs)
+    main = [
+        f'const model = require("./{model.name}.js");',
+        *inputs,
+        f"const result = model.{name}({given});",
+        f"console.log(`${{result.status}}: ${{result.{_first(program).name}[0]}}`);",
+    ]
+    return ["### JavaScript", "", "```js", *main, "```"]
+
+
+def _mjcf(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    main = [
+        "import mujoco",
+        "",
+        f'model = mujoco.MjModel.from_xml_path("{model.name}.xml")',
+        "data = mujoco.MjData(model)",
+        "mujoco.mj_forward(model, data)",
+        'print(f"freedoms of the tree: {model.nv}")',
+    ]
+    return ["### MJCF", "", "```python", *main, "```"]
+
+
+def _urdf(model: Model, name: str, program: Program | Iteration) -> list[str]:
+    main = [
+        "import pinocchio",
+        "",
+        f'model = pinocchio.buildModelFromUrdf("{model.name}.urdf")',
+        "data = model.createData()",
+        "pinocchio.forwardKinematics(model, data, pinocchio.neutral(model))",
+        'print(f"freedoms: {model.nv}")',
+    ]
+    return ["### URDF", "", "```python", *main, "```"]

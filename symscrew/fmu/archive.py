@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import platform
 import sys
 import tempfile
 import zipfile
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from html import escape
 from importlib import resources
 from pathlib import Path
+from typing import IO
 
 from symscrew.compiled import compile_c, find_compiler
+from symscrew.effects import Effect
 from symscrew.errors import DescriptionError
 from symscrew.export.listing import decimal
 from symscrew.fmu.description import describe
-from symscrew.fmu.variables import DEFAULT_STEP, variables
+from symscrew.fmu.variables import DEFAULT_STEP, Variable, structured, variables
+from symscrew.mechanism import Mechanism
 from symscrew.scene import Scene
+from symscrew.simulation.files import replaced
 from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.loop import REAL_TIME, loop_plant, loop_source
 from symscrew.simulation.programs import Plant
@@ -24,10 +31,38 @@ from symscrew.simulation.programs import Plant
 FOLDERS = {"linux": ("linux64", "x86_64-linux"), "darwin": ("darwin64", "x86_64-darwin")}
 FLAGS = ("-fvisibility=hidden", "-Wno-unused-function")
 DATE = (1980, 1, 1, 0, 0, 0)
+UNIX = 3
+ABOUT = """Co-simulation takes steps of at most the parameter <code>step</code>, each projected onto the closure of the
+loops; model exchange has the states q, v and x. Inputs are the drives (u) and what effects take from outside. Without a
+binary for your system, compile the one C file in <code>sources</code>."""
+
+
+def at_rest(mechanism: Mechanism, effects: Sequence[Effect]) -> Scene:
+    """A mechanism that starts at rest in its reference configuration, with the drives as inputs."""
+    return Scene(mechanism.name, mechanism, tuple(effects), duration=1.0, rate=100.0)
 
 
 def build(scene: Scene, path: Path, *, version: int = 3) -> list[str]:
-    """Write a scene as a functional mock-up unit; returns notes for the user.
+    """Write a scene as a functional mock-up unit with a binary for this system; returns notes for the user.
+
+    Raises:
+        DescriptionError: see `contents`.
+    """
+    files = contents(scene, version=version)
+    notes = _add_binary(scene.name, files[f"sources/{scene.name}.c"], version, files)
+    replaced(path, lambda target: _fill(target, files))
+    return notes
+
+
+def archive(files: Mapping[str, bytes]) -> bytes:
+    """The bytes of a unit, not compressed: the same on every machine for the same files."""
+    made = io.BytesIO()
+    _fill(made, files, zipfile.ZIP_STORED)
+    return made.getvalue()
+
+
+def contents(scene: Scene, *, version: int = 3) -> dict[str, bytes]:
+    """File name to content of a unit without binaries: model description, sources, documentation.
 
     Co-simulation takes the scene's own fixed-step method (RK4 where the scene has none), in steps of at most the
     parameter `step`, each projected onto the closure. Model exchange gives q, v and the effects' states x; after a
@@ -55,9 +90,8 @@ def build(scene: Scene, path: Path, *, version: int = 3) -> list[str]:
     files = {"modelDescription.xml": xml, f"sources/{scene.name}.c": text.encode()}
     if version == 3:
         files["sources/buildDescription.xml"] = build_description(scene.name)
-    notes = _add_binary(scene.name, text, version, files)
-    _write(path, files)
-    return notes
+    files["documentation/index.html"] = documentation(scene.name, about, listed).encode()
+    return files
 
 
 def outside_inputs(scene: Scene) -> dict[str, list[tuple[str, str]]]:
@@ -105,25 +139,61 @@ def build_description(name: str) -> bytes:
     ).encode()
 
 
-def _add_binary(name: str, text: str, version: int, files: dict[str, bytes]) -> list[str]:
+def documentation(name: str, about: str, listed: Sequence[Variable]) -> str:
+    """documentation/index.html: what is inside, the variables, an example with FMPy."""
+    shown = next((v.name for v in listed if v.causality == "output"), listed[0].name)
+    rows = "\n".join(
+        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in (v.name, v.causality, v.unit, v.description)) + "</tr>"
+        for v in listed
+    )
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}</title></head><body>\n'
+        f"<h1>{name}</h1>\n<p>{escape(about)}</p>\n<p>{ABOUT}</p>\n"
+        f"<pre>\n{escape(chr(10).join(example(f'{name}.fmu', shown)))}\n</pre>\n"
+        f"<table>\n<tr><th>variable</th><th>causality</th><th>unit</th><th>what</th></tr>\n{rows}\n</table>\n"
+        "</body></html>\n"
+    )
+
+
+def example(unit: str, shown: str) -> list[str]:
+    """Lines of Python that run a unit (a file, or the folder it was unpacked to) for 0.1 s and print a variable."""
+    return [
+        "from fmpy import simulate_fmu",
+        "",
+        f'result = simulate_fmu("{unit}", stop_time=0.1, output=["{shown}"], fmi_type="CoSimulation")',
+        f"print(f\"{shown}: {{result['{shown}'][-1]:.12g}}\")",
+    ]
+
+
+def readme_section(name: str, coordinate: str) -> list[str]:
+    """How to compile and run a unit without binaries, in Markdown; prints the coordinate of this label."""
+    code = example("unit", structured("q", coordinate))
+    return ["### FMU", "", f"`{unpacked(name)}`", "", "```python", *code, "```"]
+
+
+def unpacked(name: str) -> str:
+    """Commands that unpack a unit of FMI 3.0 without binaries to the folder `unit` and compile it for Linux."""
+    binary = "unit/binaries/x86_64-linux"
+    compiled = f"cc -std=c99 -O2 -shared -fPIC unit/sources/{name}.c -o {binary}/{name}.so -lm"
+    return f"python3 -m zipfile -e {name}.fmu unit && mkdir -p {binary} && {compiled}"
+
+
+def _add_binary(name: str, text: bytes, version: int, files: dict[str, bytes]) -> list[str]:
     folders = FOLDERS.get(sys.platform)
     if find_compiler() is None or folders is None or platform.machine() not in ("x86_64", "AMD64"):
         return ["no binary inside: no C compiler for a known platform here; the importer must compile the sources"]
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         file, library = Path(temporary) / f"{name}.c", Path(temporary) / f"{name}.so"
-        file.write_text(text, encoding="utf-8")
+        file.write_bytes(text)
         compile_c(file, library, flags=FLAGS, native=False)
         files[f"binaries/{folders[version - 2]}/{name}.so"] = library.read_bytes()
     return []
 
 
-def _write(path: Path, files: dict[str, bytes]) -> None:
-    """The archive, with fixed dates so that equal content gives equal bytes; beside the target, then renamed."""
-    from symscrew.simulation.files import replaced
-
-    def make(target: Path) -> None:
-        with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-            for name, data in sorted(files.items()):
-                archive.writestr(zipfile.ZipInfo(name, DATE), data, zipfile.ZIP_DEFLATED)
-
-    replaced(path, make)
+def _fill(target: Path | IO[bytes], files: Mapping[str, bytes], compression: int = zipfile.ZIP_DEFLATED) -> None:
+    """The archive, with fixed dates and systems so that equal content gives equal bytes."""
+    with zipfile.ZipFile(target, "w") as made:
+        for name, data in sorted(files.items()):
+            entry = zipfile.ZipInfo(name, DATE)
+            entry.create_system = UNIX
+            made.writestr(entry, data, compression)

@@ -9,7 +9,7 @@ from pathlib import Path
 from symscrew import catalogue, scene
 from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
-from symscrew.fmu.archive import build
+from symscrew.fmu.archive import at_rest, build
 from symscrew.scene import Scene
 
 
@@ -29,6 +29,5 @@ def run(options: argparse.Namespace) -> int:
 def _scene(name: str) -> Scene:
     """A scene file, or a mechanism at rest under its weight with the drives as inputs."""
     if name in catalogue.names():
-        mechanism = catalogue.load(name)
-        return Scene(mechanism.name, mechanism, (Gravity(),), duration=1.0, rate=100.0)
+        return at_rest(catalogue.load(name), (Gravity(),))
     return scene.load(name)
