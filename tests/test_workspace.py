@@ -52,6 +52,53 @@ def test_seed_swings_10_degrees_in_every_direction() -> None:
     assert np.arccos(np.clip(E[:, 2] / height, -1, 1)) == pytest.approx(results["tilt"], abs=1e-7)
 
 
+@pytest.mark.slow
+def test_edge_of_the_seeds_map_is_the_constraint_singularity() -> None:
+    """Where the map about azimuth 270 degrees ends, against the scalar equation of the UPU limb, solved by itself.
+
+    With e1 = x the first axis at the base, d = C1 - A1 and e4 the platform's y axis, the two universal joints of the
+    limb demand f = e4 . (d (e1 . d) - e1 |d|^2) = 0: it gives the platform's turn about z for a tilt. The singularity
+    is where df/dqz = 0; at azimuth 270 degrees it is |d| = R sin(theta), which the paper does not mention.
+    """
+    tilt, azimuth = Axis("tilt", 18 * DEG, 26 * DEG, 33), Axis("azimuth", 230 * DEG, 310 * DEG, 5)
+    plan = plan_of("three_ups_upu_s", tilt, azimuth)
+    allowed = whole(plan)["allowed"].reshape(33, 5) > 0
+    limits = np.array([_singular_tilt(a) for a in azimuth.values])
+    expected = tilt.values[:, None] < limits
+    assert np.array_equal(allowed, expected)
+    assert expected.any() and not expected.all()
+    where, height = limits[2], 0.3 * math.sqrt(3)
+    x, z = 0.8 - 0.5 * math.cos(where) - height * math.sin(where), height * math.cos(where) - 0.5 * math.sin(where)
+    assert x**2 + z**2 == pytest.approx(0.8 * x, abs=5e-4)
+
+
+def _singular_tilt(azimuth: float) -> float:
+    """Tilt [rad] at which df/dqz changes its sign on the branch through the reference configuration."""
+    A, C = np.array([-0.8, 0, 0]), np.array([-0.5, 0, 0.3 * math.sqrt(3)])
+
+    def f(s: float, qz: float) -> float:
+        vector = np.array([s * math.cos(azimuth), s * math.sin(azimuth), qz])
+        w = math.sqrt(1 - vector @ vector)
+
+        def turned(a: np.ndarray) -> np.ndarray:
+            return a + 2 * np.cross(vector, np.cross(vector, a) + w * a)
+
+        d = turned(C) - A
+        return turned(np.array([0.0, 1.0, 0.0])) @ (d * d[0] - np.array([d @ d, 0, 0]))
+
+    def slope(s: float, qz: float) -> float:
+        return (f(s, qz + 1e-6) - f(s, qz - 1e-6)) / 2e-6
+
+    qz, before, step = 0.0, slope(0.0, 0.0), 0.05 * DEG
+    for k in range(1, 900):
+        s = math.sin(k * step / 2)
+        for _ in range(4):
+            qz -= f(s, qz) / slope(s, qz)
+        if slope(s, qz) * before < 0:
+            return (k - 0.5) * step
+    return math.inf
+
+
 def test_strokes_are_distances_of_the_leg_ends() -> None:
     """Displacement of a slider = distance A C now, less that in the reference (0.6 m), plus 0.3 m there."""
     results = whole(SEED)
