@@ -147,10 +147,10 @@ def test_refinement_reaches_the_asked_accuracy() -> None:
 
     found = solve(replace(problem, accuracy=(1e-6, 1e-9)))
     assert found.ok and found.refinements > 0
-    assert found.errors.velocity < 1e-6
+    assert found.errors.drift < 1e-6
     steps = np.diff(found.mesh)
     assert steps.max() > 1.5 * steps.min()  # finer where it is needed
-    assert replay(found).end_error < 1e-5
+    assert replay(found).end_error < found.errors.drift  # as the errors on the way grow: the pole stands on its head
 
 
 def test_warm_start_needs_fewer_iterations() -> None:

@@ -92,7 +92,7 @@ def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
     if found.ok:
         errors = found.errors
         result["errors"] = {
-            name: getattr(errors, name) for name in ("closure", "dynamic", "velocity", "cost", "pivot", "violation")
+            name: getattr(errors, name) for name in ("closure", "dynamic", "drift", "cost", "pivot", "violation")
         }
     if again is not None:
         result["replay"] = {

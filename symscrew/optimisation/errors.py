@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.polynomial import legendre
 
+from symscrew.optimisation.deviation import deviation_of, stacked
 from symscrew.optimisation.result import Errors
 from symscrew.optimisation.rows import PointFunction
 
@@ -38,19 +39,19 @@ def errors_of(trajectory: Trajectory) -> Errors:
     blocks = {**trajectory.blocks(tau), "z": samples.z}
     closure = _closure(trajectory, samples.y, samples.z)
     nodal = _nodal_closure(trajectory)
-    acceleration = _acceleration_error(trajectory, blocks, tau)
-    size = np.abs(acceleration).max(axis=1, initial=0.0)
-    per_interval = (size * weight * trajectory.duration).reshape(len(steps), per).sum(axis=1)
+    deviation = deviation_of(trajectory, blocks, tau)
+    size = np.abs(deviation.acceleration).max(axis=1, initial=0.0)
+    defects = deviation.at_the_end(steps, nodes, weights)
     cost, violation = (np.nan, np.nan) if scheme is None else _cost_error(trajectory, blocks, tau, weight)
     failed = not samples.assembled.all()
     return Errors(
         closure=np.inf if failed else closure,
         nodal_closure=nodal,
         dynamic=float(size.max()),
-        velocity=float(per_interval.max()),
+        drift=float(defects.sum()),
         cost=cost,
         pivot=float(trajectory.kinematics.pivots(samples.q).min()),
-        worst=per_interval,
+        defects=defects,
         violation=violation,
     )
 
@@ -66,41 +67,6 @@ def _nodal_closure(trajectory: Trajectory) -> float:
     tau = trajectory.transcribed.point_tau.ravel()
     y = trajectory.blocks(tau)["y"]
     return _closure(trajectory, y, trajectory.arrays["z"].reshape(len(y), len(layout.z)))
-
-
-def _stacked(
-    trajectory: Trajectory, function: PointFunction, blocks: dict[str, np.ndarray], tau: np.ndarray
-) -> np.ndarray:
-    """Arguments of a point function at samples: (arguments, n)."""
-    n = len(tau)
-    known = {**blocks, "tau": tau[:, None]}
-    if "T" in trajectory.arrays:
-        known["T"] = np.full((n, 1), trajectory.duration)
-    if "p" in trajectory.arrays:
-        known["p"] = np.repeat(trajectory.arrays["p"][None], n, 0)
-    parts = [known[name].T if symbol.numel() else np.zeros((0, n)) for name, symbol in function.blocks.items()]
-    return np.concatenate(parts)
-
-
-def _acceleration_error(trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.ndarray) -> np.ndarray:
-    """y_ddot of the motion less that of the equations of motion: (n, d)."""
-    model = trajectory.model
-    symbols = model.blocks(moving=True)
-    at = model.state(symbols)
-    from symscrew.optimisation.straight_line import run
-
-    residual = run(model.equations.dynamics, at.known)["residual"]
-    inertia = ca.jacobian(residual, symbols["y_2"])
-    function = PointFunction(symbols, ())
-    found = ca.Function("residual", [function.arguments], [residual, ca.densify(inertia)])
-    values, matrices = found.map(len(tau))(_stacked(trajectory, function, blocks, tau))
-    values = np.array(values).T
-    matrices = np.array(matrices).reshape(model.d, len(tau), model.d).transpose(1, 0, 2)
-    error = np.full_like(values, np.nan)
-    for k in range(len(tau)):
-        if np.isfinite(matrices[k]).all() and np.isfinite(values[k]).all():
-            error[k] = np.linalg.lstsq(matrices[k], values[k], rcond=None)[0]
-    return np.nan_to_num(error, nan=np.inf) / trajectory.duration**2
 
 
 def costates(trajectory: Trajectory) -> np.ndarray:
@@ -120,7 +86,7 @@ def switching(trajectory: Trajectory) -> np.ndarray:
     family = trajectory.transcribed.families[0]
     function = _hamiltonian(family.function).map(family.count)
     found = function(
-        _stacked(trajectory, family.function, trajectory.point_blocks(), family.tau), costates(trajectory).T
+        stacked(trajectory, family.function, trajectory.point_blocks(), family.tau), costates(trajectory).T
     )
     return np.array(found[2]).T
 
@@ -153,13 +119,13 @@ def _cost_error(
     basis = scheme.basis(s)
     dense = np.einsum("nj,njm->nm", basis, at_points.reshape(-1, scheme.degree, len(rows))[k])
     values, cost, slopes, curves = (
-        np.array(x) for x in function.map(n)(_stacked(trajectory, family.function, blocks, tau), dense.T)
+        np.array(x) for x in function.map(n)(stacked(trajectory, family.function, blocks, tau), dense.T)
     )
     over = np.maximum(np.maximum(low[:, None] - values, values - high[:, None]), 0.0)
     off = np.where(values < low[:, None], values - low[:, None], np.where(values > high[:, None], over, 0.0))
     per_interval = ((dense.T * off) * weight).reshape(len(rows), -1, per).sum(axis=2)
     residual_part = SAFETY * float(np.abs(per_interval).sum())
-    at_nodes = _stacked(trajectory, family.function, trajectory.point_blocks(), family.tau)
+    at_nodes = stacked(trajectory, family.function, trajectory.point_blocks(), family.tau)
     coarse = np.array(ca.Function("cost", [z], [integrand]).map(family.count)(at_nodes)).ravel() @ family.weights
     quadrature = abs(float(cost.ravel() @ weight) - float(coarse))
     excess, beyond = _excess(trajectory, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)

@@ -18,6 +18,7 @@ OBJECTIVES = ("effort", "time", "energy", "electrical", "jerk", "peak", "preload
 METHODS = ("radau", "gauss", "shooting")
 FORMULATIONS = ("inverse", "forward")
 RULES = ("free", "least_squares")
+ACCURACY = (5e-7, 1e-9)  # a replay ends within 1e-6 of the goal
 
 
 @dataclass(frozen=True)
@@ -145,8 +146,9 @@ class TrajectoryProblem:
     `duration` [s] is a number, or a range (lower, upper) for a free one. `independent` names the independent
     coordinates y by labels of q. `design`: name of a parameter of the mechanism -> range in which it is chosen.
     `drive_rule`: "free" within the bounds, or "least_squares" distribution of redundant drives about `preload`.
-    `inputs`: port of an effect -> its constant values. `accuracy`: (dynamic, kinematic) error until which the mesh
-    is refined, None for no refinement. `guess`: name of a coordinate of y -> values at equal times.
+    `inputs`: port of an effect -> its constant values. `accuracy`: (dynamic, kinematic) errors until which the mesh
+    is refined: how far a replay ends off the plan [rad, m], opening of the loops between the points; None for no
+    refinement. `guess`: name of a coordinate of y -> values at equal times.
     """
 
     mechanism: Mechanism
@@ -167,7 +169,7 @@ class TrajectoryProblem:
     guess: Mapping[str, Sequence[float]] = field(default_factory=dict)
     transcription: Transcription = Transcription()
     solver: Solver = Solver()
-    accuracy: tuple[float, float] | None = None
+    accuracy: tuple[float, float] | None = ACCURACY
     name: str = "trajectory"
     text: str = ""
 

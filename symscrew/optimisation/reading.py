@@ -3,7 +3,7 @@
     [problem]          mechanism (a catalogue name, or a file beside the problem's) or scene (a scene's file: its
                        mechanism, effects, inputs and parameters), name, description, duration (a number, or
                        [lower, upper]), periodic, independent = [labels of q], drive_rule,
-                       accuracy = [dynamic, kinematic]
+                       accuracy = [dynamic, kinematic] until which the mesh is refined ([inf, inf]: never)
     [[effects]]        type and the effect's own keys, as in scenes; no gravity acts unless named
     [start], [end], [[via]]   coordinates, rates = {LABEL = value}, points = {NAME = [x, y, z]} with "free" for a
                        coordinate that is free, platform_normal, platform_position, platform_rotation, at_rest;
@@ -37,6 +37,7 @@ from symscrew.functions.ports import u_port
 from symscrew.mechanism import Mechanism
 from symscrew.names import check_name
 from symscrew.optimisation.problem import (
+    ACCURACY,
     Bounds,
     Conditions,
     Distance,
@@ -114,7 +115,7 @@ def loads(text: str, *, folder: Path | None = None, name: str = "trajectory") ->
         guess=read.lists(tables.get("guess", {}), "guess"),
         transcription=_transcription(tables.get("transcription", {}), read),
         solver=_solver(tables.get("solver", {}), read),
-        accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else None,
+        accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else ACCURACY,
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
         text=text,
     )

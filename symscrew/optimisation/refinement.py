@@ -8,27 +8,24 @@ from symscrew.optimisation.result import Trajectory
 
 MOST_PARTS = 4
 MARGIN = 0.5  # of the wanted error is aimed at
-SWITCHING = 2.5
 MOST_INTERVALS = 2000
 
 
 def refined(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[float, ...] | None:
-    """Ends of the intervals of a finer mesh, or None where both errors are reached.
+    """Ends of the intervals of a finer mesh, or None where both errors are reached or no finer mesh would do.
 
-    `accuracy`: (dynamic, kinematic): the integral over an interval of the error of y_ddot [1/s] (the error of the
-    rates that it brings about), and the opening of the loops between the points. An interval is cut in as many
-    parts as the order of the scheme needs, at most 4.
+    `accuracy`: (dynamic, kinematic): the sum of the intervals' defects (how far a replay ends off the plan, to first
+    order), and the opening of the loops between the points. An interval is cut in as many parts as the order of the
+    scheme needs for its share, at most 4.
     """
     errors, (dynamic, kinematic) = trajectory.errors, accuracy
-    per = errors.worst
-    if per.max() <= dynamic and errors.closure <= kinematic:
+    if errors.drift <= dynamic and errors.closure <= kinematic:
         return None
     scheme = trajectory.transcribed.scheme
+    # a smooth motion's defect falls with a power of twice the degree, less where a drive switches
     order = (scheme.degree if scheme else 2) + 1
-    # a smooth part's error falls with the power `order`, that of an interval in which a drive switches with the first
-    ratio = np.maximum(per / (MARGIN * dynamic), 1e-12)
+    ratio = np.maximum(errors.defects * len(errors.defects) / (MARGIN * dynamic), 1e-12)
     parts = np.clip(np.ceil(ratio ** (1.0 / order)), 1, MOST_PARTS).astype(int)
-    parts = np.where(ratio > SWITCHING**order, MOST_PARTS, parts)
     mesh = trajectory.transcribed.mesh
     if parts.max() == 1 or parts.sum() > MOST_INTERVALS:
         return None

@@ -22,18 +22,19 @@ class Errors:
     `closure`: largest opening of the loops (without units) of the assembled configurations; `nodal_closure`: of the
     solver's own configurations at the points; `dynamic`: largest error of y_ddot against the drives'
     polynomial [1/s^2];
-    `velocity`: its integral over the longest-erring interval [1/s]; `cost`: estimated error of the cost, in its
-    units; `pivot`: smallest pivot of the closure (0: the coordinates y are singular); `worst` (intervals,): dynamic
-    error per interval, integrated; `violation`: largest violation of a bound between the points, scaled.
+    `defects` (intervals,): what the error in an interval makes of the end of a replay, the larger of y and, times the
+    duration, y_dot; `drift`: their sum, above which a replay does not end off the plan; `cost`: estimated error
+    of the cost, in its units; `pivot`: smallest pivot of the closure (0: the coordinates y are singular);
+    `violation`: largest violation of a bound between the points, scaled.
     """
 
     closure: float
     nodal_closure: float
     dynamic: float
-    velocity: float
+    defects: np.ndarray
+    drift: float
     cost: float
     pivot: float
-    worst: np.ndarray
     violation: float
 
 

@@ -24,9 +24,16 @@ from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
 from symscrew.optimisation.sparse import Program, assemble, cost_of
 from symscrew.optimisation.transcription import Collocation, Transcribed
+from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
 Progress = Callable[[str], None]
 MOST_REFINEMENTS = 6
+# IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh
+WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
+REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} | dict.fromkeys(
+    ("warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
+     "warm_start_mult_bound_push"), 1e-7
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -92,13 +99,17 @@ def solve(
         if mesh is None:
             break
         count += 1
-        say(f"refinement {count}: {len(mesh)} intervals, dynamic error {trajectory.errors.dynamic:.1e}")
+        say(f"refinement {count}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
         finer = replace(
             model.problem, transcription=replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         )
         model = PointModel(finer, model.equations, model.scales)
-        again = _once(model, found.guess, trajectory, say, time.perf_counter())
-        trajectory = replace(again, refinements=count, statistics=_sum(trajectory.statistics, again.statistics))
+        again = _once(model, found.guess, trajectory, say, time.perf_counter(), REFINING)
+        spent = _sum(trajectory.statistics, again.statistics)
+        if not again.ok:  # the coarser motion is an optimum still
+            say(f"the finer mesh is given up: {again.status}")
+            return replace(trajectory, statistics=spent)
+        trajectory = replace(again, refinements=count, statistics=spent)
     return trajectory
 
 
@@ -114,12 +125,21 @@ def transcribe(model: PointModel) -> Transcribed:
     return Collocation(model).transcribed()
 
 
-def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progress, began: float) -> Trajectory:
+def _once(
+    model: PointModel,
+    guess: Guess,
+    warm: Trajectory | None,
+    say: Progress,
+    began: float,
+    start_options: Mapping[str, Any] = WARM,
+) -> Trajectory:
     ready = time.perf_counter()
     transcribed = transcribe(model)
     unknowns = transcribed.unknowns
     _check_bounds(transcribed)
-    arrays = warm_arrays(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
+    arrays = (
+        carried_unknowns(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
+    )
     arrays["u"] = _control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
     if guess.trouble and warm is None:
@@ -127,11 +147,11 @@ def _once(model: PointModel, guess: Guess, warm: Trajectory | None, say: Progres
     scale = _cost_scale(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
-    solver = _solver(model.problem, program, warm is not None)
+    solver = _solver(model.problem, program, start_options if warm else {})
     made = time.perf_counter()
     extra = {}
-    if warm is not None and len(warm.multipliers) == len(program.labels) and len(warm.x) == unknowns.size:
-        extra = {"lam_g0": warm.multipliers, "lam_x0": warm.bound_multipliers}
+    if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
+        extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
     answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
     done = time.perf_counter()
@@ -187,7 +207,7 @@ def _check_bounds(transcribed: Transcribed) -> None:
         )
 
 
-def _solver(problem: TrajectoryProblem, program: Program, warm: bool) -> ca.Function:
+def _solver(problem: TrajectoryProblem, program: Program, start: Mapping[str, Any]) -> ca.Function:
     given = problem.solver
     if not ca.has_nlpsol(given.name):
         raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
@@ -198,8 +218,7 @@ def _solver(problem: TrajectoryProblem, program: Program, warm: bool) -> ca.Func
             "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
             "constr_viol_tol": min(1e-8, given.tolerance), "nlp_scaling_method": "none",
         }  # fmt: skip
-        if warm:
-            own |= {"warm_start_init_point": "yes", "mu_init": 1e-4}
+        own |= start
         derivatives = {"grad_f": program.gradient, "jac_g": program.jacobian, "hess_lag": program.hessian}
         options |= {**derivatives, "ipopt": own | dict(given.options)}
     else:
@@ -229,25 +248,6 @@ def _times(
         "model and guess": model, "transcription": transcription, "functions": functions,
         "solver": solver - functions, "total": total,
     }  # fmt: skip
-
-
-def warm_arrays(warm: Trajectory, transcribed: Transcribed) -> dict[str, np.ndarray]:
-    """Unknowns of a transcription from an earlier trajectory of the same mechanism."""
-    mesh, points = transcribed.mesh, transcribed.point_tau
-    at_mesh = warm.blocks(mesh)
-    same = np.array_equal(mesh, warm.transcribed.mesh)
-    # the end of an interval belongs to it, not to the next one
-    inside = warm.blocks(points.ravel(), np.repeat(np.arange(len(points)), points.shape[1]) if same else None)
-    q, _ = warm.configurations(points.ravel(), inside["y"])
-    layout = transcribed.model.equations.layout
-    result = {**inside, "z": q[:, list(layout.z)]}
-    result |= {name: at_mesh[name] for name in ("y", "y_1", "x")}
-    for name in ("T", "p", "peak", *(n for n in warm.arrays if n.startswith("observed_"))):
-        if name in warm.arrays:
-            result[name] = warm.arrays[name]
-    if "T" not in result:
-        result["T"] = np.array([warm.duration])
-    return result
 
 
 __all__ = ["Prepared", "prepare", "solve", "transcribe"]
