@@ -15,7 +15,8 @@ from dataclasses import dataclass, field, replace
 
 from symscrew.admissible import Admissible
 from symscrew.differentiation import count_operations, differentiate, substitute
-from symscrew.effects import Effect
+from symscrew.effects import Acting, Effect
+from symscrew.functions import closed_derivatives
 from symscrew.functions.closure import guarded
 from symscrew.functions.forward import driven
 from symscrew.loops import Loops
@@ -26,6 +27,8 @@ from symscrew.tape import Node
 
 Seeds = dict[Node, dict[str, Node]]
 TREE_TEXT = "spherical joints: per rotation vector in the child's axes"
+LOSING = 2e-5
+"""Pivots of the closure below this, without units, fail: derivatives lose the square of it, ten digits at least."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +60,7 @@ def derivative_functions(
 ) -> list[Function]:
     """Derivatives of inverse and forward dynamics, of the tree and along the independent coordinates."""
     found = {f.name: f for f in functions}
-    closed = guarded(loops.guards)
+    closed = guarded(loops.guards, LOSING)
     result = []
     for name in ("inverse_dynamics", "inverse_dynamics_independent"):
         if name in found:
@@ -65,6 +68,10 @@ def derivative_functions(
             groups = _groups(system, loops, found[name], independent=independent)
             text = "along the independent coordinates, all loops held closed" if independent else _tree_text(system)
             text = f"Derivatives of the drives {text}."
+            equations = closed_derivatives.inverse_derivatives(system, effects, loops) if independent and lean else None
+            if equations is not None:
+                result.append(_given(found[name], f"{name}_derivatives", groups, text, equations))
+                continue
             result.append(
                 differentiated(found[name], f"{name}_derivatives", groups, text, guards=closed if independent else ())
             )
@@ -102,7 +109,7 @@ def _by_parameters(system: System, loops: Loops, found: Mapping[str, Function]) 
         group = closed_parameter_directions(system, loops) if independent else parameter_directions(system)
         fixed = "independent coordinates and rates, all loops held closed" if independent else "state of the tree"
         text = f"Derivatives by the run-time parameters at fixed {fixed}."
-        guards = guarded(loops.guards) if independent else ()
+        guards = guarded(loops.guards, LOSING) if independent else ()
         result.append(differentiated(found[name], f"{name}_parameters", [group], text, guards=guards))
     return result
 
@@ -122,7 +129,7 @@ def forward_derivatives(
         function = found["forward_dynamics_independent"]
         groups = _groups(system, loops, function, independent=True)
         text = "Derivatives of the second rates of the independent coordinates, all loops held closed."
-        guards = guarded(loops.guards)
+        guards = guarded(loops.guards, LOSING)
         straight = differentiated(function, "forward_dynamics_independent_derivatives", groups, text, guards=guards)
         implicit = _implicit(system, effects, loops, straight, groups, independent=True)
         chosen = min(straight, implicit, key=_size)
@@ -228,6 +235,17 @@ def differentiated(
     return replace(
         function, name=name, description=text, outputs=outputs, results=results, guards=(*function.guards, *guards)
     )
+
+
+def _given(
+    function: Function, name: str, groups: Sequence[Directions], text: str, found: closed_derivatives.Derivatives
+) -> Function:
+    """A function of derivatives that are known."""
+    port = function.outputs[0]
+    outputs = tuple(derivative_port(port, group) for group in groups)
+    results = tuple(tuple(node for column in group for node in column) for group in found.groups[: len(groups)])
+    guards = tuple(guarded(found.guards))
+    return replace(function, name=name, description=text, outputs=outputs, results=results, guards=guards)
 
 
 def _columns(outputs: Sequence[Node], groups: Sequence[Directions]) -> list[list[list[Node]]]:
