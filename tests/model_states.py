@@ -21,6 +21,12 @@ def model(name: str) -> Model:
     return derive(HAND_TYPED[name]() if name in HAND_TYPED else catalogue.load(name))
 
 
+@cache
+def differentiated(name: str) -> Model:
+    """The model with derivatives."""
+    return derive(HAND_TYPED[name]() if name in HAND_TYPED else catalogue.load(name), derivatives=True)
+
+
 def run(name: str, function: str, *arguments: np.ndarray) -> np.ndarray:
     """The first output of a function; every status must be 0."""
     results, status = model(name)(function, *arguments)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import sympy
 from model_states import HAND_TYPED, relative
+from model_states import differentiated as model
 
 from symscrew import catalogue
 from symscrew.cli import main
@@ -25,12 +26,6 @@ from symscrew.tape import Tape
 Array = np.ndarray
 NAMES = (*catalogue.names(), *HAND_TYPED)
 CLOSED = tuple(n for n in NAMES if n not in ("ur5", "panda"))
-
-
-@cache
-def model(name: str) -> Model:
-    mechanism = HAND_TYPED[name]() if name in HAND_TYPED else catalogue.load(name)
-    return derive(mechanism, derivatives=True)
 
 
 def values(found: Model, function: str, *arguments: Array) -> tuple[Array, ...]:
