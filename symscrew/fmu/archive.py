@@ -158,9 +158,11 @@ def documentation(name: str, about: str, listed: Sequence[Variable]) -> str:
 def example(unit: str, shown: str) -> list[str]:
     """Lines of Python that run a unit (a file, or the folder it was unpacked to) for 0.1 s and print a variable."""
     return [
+        "from os.path import abspath",
+        "",
         "from fmpy import simulate_fmu",
         "",
-        f'result = simulate_fmu("{unit}", stop_time=0.1, output=["{shown}"], fmi_type="CoSimulation")',
+        f'result = simulate_fmu(abspath("{unit}"), stop_time=0.1, output=["{shown}"], fmi_type="CoSimulation")',
         f"print(f\"{shown}: {{result['{shown}'][-1]:.12g}}\")",
     ]
 
