@@ -61,6 +61,7 @@ def derivative_functions(
     """Derivatives of inverse and forward dynamics, of the tree and along the independent coordinates."""
     found = {f.name: f for f in functions}
     closed = guarded(loops.guards, LOSING)
+    lean = closed_derivatives.covers(system, Acting(system, effects))
     result = []
     for name in ("inverse_dynamics", "inverse_dynamics_independent"):
         if name in found:
@@ -68,9 +69,9 @@ def derivative_functions(
             groups = _groups(system, loops, found[name], independent=independent)
             text = "along the independent coordinates, all loops held closed" if independent else _tree_text(system)
             text = f"Derivatives of the drives {text}."
-            equations = closed_derivatives.inverse_derivatives(system, effects, loops) if independent and lean else None
-            if equations is not None:
-                result.append(_given(found[name], f"{name}_derivatives", groups, text, equations))
+            known = closed_derivatives.inverse_derivatives(system, effects, loops) if independent and lean else None
+            if known is not None:
+                result.append(_given(found[name], f"{name}_derivatives", groups, text, known, guards=closed))
                 continue
             result.append(
                 differentiated(found[name], f"{name}_derivatives", groups, text, guards=closed if independent else ())
@@ -130,6 +131,10 @@ def forward_derivatives(
         groups = _groups(system, loops, function, independent=True)
         text = "Derivatives of the second rates of the independent coordinates, all loops held closed."
         guards = guarded(loops.guards, LOSING)
+        if closed_derivatives.covers(system, Acting(system, effects)):
+            name, known = "forward_dynamics_independent_derivatives", closed_derivatives.forward_derivatives
+            lean = _given(function, name, groups, text, known(system, effects, loops), guards=guards)
+            return [*result, lean, _linearisation(system, loops, lean)]
         straight = differentiated(function, "forward_dynamics_independent_derivatives", groups, text, guards=guards)
         implicit = _implicit(system, effects, loops, straight, groups, independent=True)
         chosen = min(straight, implicit, key=_size)
@@ -238,14 +243,19 @@ def differentiated(
 
 
 def _given(
-    function: Function, name: str, groups: Sequence[Directions], text: str, found: closed_derivatives.Derivatives
+    function: Function,
+    name: str,
+    groups: Sequence[Directions],
+    text: str,
+    known: closed_derivatives.Derivatives,
+    *,
+    guards: Sequence[tuple[Node, float]],
 ) -> Function:
-    """A function of derivatives that are known."""
-    port = function.outputs[0]
-    outputs = tuple(derivative_port(port, group) for group in groups)
-    results = tuple(tuple(node for column in group for node in column) for group in found.groups[: len(groups)])
-    guards = tuple(guarded(found.guards))
-    return replace(function, name=name, description=text, outputs=outputs, results=results, guards=guards)
+    """The derivatives of a function's first output by each group, which are known."""
+    outputs = tuple(derivative_port(function.outputs[0], group) for group in groups)
+    results = tuple(tuple(node for column in found for node in column) for found in known.groups[: len(groups)])
+    every = (*guards, *guarded(known.guards))
+    return replace(function, name=name, description=text, outputs=outputs, results=results, guards=every)
 
 
 def _columns(outputs: Sequence[Node], groups: Sequence[Directions]) -> list[list[list[Node]]]:

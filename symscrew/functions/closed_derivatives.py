@@ -1,0 +1,396 @@
+"""Derivatives of the dynamics of closed chains by the independent coordinates, from the equations of motion.
+
+With the columns N of admissible rates (w = N f), a motion of the drives u and multipliers m obeys
+
+    r = (generalised forces of dw/dt) - J^T m - B u = 0.
+
+Along a consistent change of the state N^T dr = N^T B du with m held: J^T m stands across all columns, so that
+neither N nor m is differentiated. What is left are the changes of the motion itself. For dq = N_j, w changes by
+
+    dw = c_j / 2 - (w x N_j) / 2,    c_j the change of dw/dt for a change N_j of w alone,
+
+because J dw = -dJ[N_j] w is half of that of the closure's bias, which is quadratic in w; the product stands at
+spherical joints only, whose rates are no coordinates' rates (w and N_j in the axes before the joint).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from symscrew.admissible import Admissible
+from symscrew.closure_variations import closure_rows
+from symscrew.drives import solve_drives, solve_symmetric
+from symscrew.effects import Acting, Effect
+from symscrew.elimination import Affine, Guard
+from symscrew.equilibrium import ONE
+from symscrew.force_variations import power_changes
+from symscrew.functions.forward import driven
+from symscrew.functions.ports import drive_is_force
+from symscrew.loops import Loops
+from symscrew.screws import cross, dot
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree_dynamics import generalised_forces, mass_matrix
+from symscrew.variations import Direction, Variation, three
+
+Matrix = list[list[Node]]  # rows: free joint rates
+
+
+@dataclass(frozen=True)
+class Derivatives:
+    """Columns of derivatives by y, y_dot and y_ddot (inverse dynamics) or u (forward dynamics); guarded pivots."""
+
+    groups: tuple[Matrix, Matrix, Matrix]
+    guards: tuple[Guard, ...]
+
+
+def covers(system: System, acting: Acting) -> bool:
+    """Whether the equations here hold for a system and what acts on it."""
+    plain = not (acting.needs_reactions or acting.simplifications or acting.transmissions)
+    return bool(system.cuts) and not system.cut_drives() and plain
+
+
+def inverse_derivatives(system: System, effects: Sequence[Effect], loops: Loops) -> Derivatives | None:
+    """Of the drives by (y, y_dot, y_ddot); None where freedoms carry no drive."""
+    w, moving = _moving(system, loops)
+    start = _curvature(moving, loops, w)
+    second = loops.inputs("yddot")
+    motion = ClosedMotion.with_gains(moving, loops, w, start, _Independent(loops).free_gains(w, start, second))
+    acting = Acting(motion.system, effects)
+    missing = system.joint_rates(generalised_forces(motion.system, acting, motion.system.inputs.a))
+    rows = system.drive_rows()
+    drives = Drives(motion, {u: k for k, u in rows.items()})
+    needed = [_inner(column, missing) for column in motion.columns]
+    found = drives.solve(needed)
+    if found is None:
+        return None
+    u, guards = found
+    left = list(missing)
+    for k, drive in rows.items():
+        left[k] = left[k] - u[drive]
+    by = motion.powers(acting, multipliers(loops, left))
+    moved = drives.moved(needed)
+    groups = []
+    for g, columns in enumerate(by):
+        group = []
+        for k, column in enumerate(columns):
+            shift = moved[k] if g == 0 else [system.tape.zero] * len(u)
+            right = [value - _inner(row, shift) for value, row in zip(column, drives.rows, strict=True)]
+            solved = drives.solve(right)
+            assert solved is not None
+            group.append([x + s for x, s in zip(solved[0], shift, strict=True)])
+        groups.append(group)
+    return Derivatives((groups[0], groups[1], groups[2]), guards)
+
+
+def forward_derivatives(system: System, effects: Sequence[Effect], loops: Loops) -> Derivatives:
+    """Of the second rates of y by (y, y_dot, u)."""
+    w, moving = _moving(system, loops)
+    start = _curvature(moving, loops, w)
+    acting, drives = driven(moving, effects)
+    admissible = Admissible(moving, loops, acting.reflected_inertia)
+    free, guards = admissible.solve([-r for r in admissible.residual(system.tree_rates(start), acting)])
+    motion = ClosedMotion.with_gains(moving, loops, w, start, free)
+    acting, _ = driven(motion.system, effects)
+    missing = system.joint_rates(generalised_forces(motion.system, acting, motion.system.inputs.a))
+    by_y, by_rate, _ = motion.powers(acting, multipliers(loops, missing))
+    independent = _Independent(loops)
+    rows = Drives(motion, {u: k for k, u in system.drive_rows().items()}).rows
+    count = len(drives[0][1]) if drives else 0
+    by_u = [[-row[j] for row in rows] for j in range(count)]
+
+    def solved(columns: Sequence[Sequence[Node]]) -> list[list[Node]]:
+        return [independent.rates(motion.moved(admissible.solve([-c for c in column])[0])) for column in columns]
+
+    return Derivatives((solved(by_y), solved(by_rate), solved(by_u)), tuple(guards))
+
+
+def _moving(system: System, loops: Loops) -> tuple[list[Node], System]:
+    """Joint rates for the inputs y_dot, and the system that moves with them."""
+    free = _Independent(loops).free_rates(loops.inputs("ydot"))
+    zero = [system.tape.zero] * len(system.tree.v)
+    w = Admissible(system, loops).moved(zero, free)
+    return w, system.at(system.inputs.q, {}, system.tree_rates(w), zero)
+
+
+def _curvature(moving: System, loops: Loops, w: Sequence[Node]) -> list[Node]:
+    """dw/dt with all free joint rates steady."""
+    tape = moving.tape
+    zero = [tape.zero] * len(w)
+    return loops.dependent([-b for b in closure_rows(Variation(moving, w, zero))[0]], [tape.zero] * len(loops.free))
+
+
+@dataclass(frozen=True)
+class _Independent:
+    """From joint rates to the rates of y and back, where some of y are components r of quaternions (w, r).
+
+    With the angular velocity n before the joint, the quaternion's rate is n o (w, r) / 2 (quaternion product) and
+    its second rate n_dot o (w, r) / 2 - |n|^2 (w, r) / 4.
+    """
+
+    loops: Loops
+
+    @property
+    def plain(self) -> bool:
+        """Whether all of y are entries of q with rates of their own."""
+        return not self.loops.small.steps
+
+    def rates(self, w: Sequence[Node]) -> list[Node]:
+        """Rates of y."""
+        loops = self.loops
+        return [w[e.v] if e.component is None else loops.quaternion_rate(e, w) for e in loops.entries]
+
+    def free_rates(self, rates: Sequence[Node]) -> list[Node]:
+        """Free joint rates that give y these rates."""
+        if self.plain:
+            return list(rates)
+        found = self.loops.small.solve(rates)
+        return [found.get(j, self.loops.system.tape.zero) for j in range(len(rates))]
+
+    def turned(self, x: Sequence[Node], y: Sequence[Node], factor: float) -> list[Node]:
+        """factor (x . y) r: rates of y by products of joint rates, none for plain entries."""
+        tape, result = self.loops.system.tape, []
+        for entry in self.loops.entries:
+            if entry.component is None:
+                result.append(tape.zero)
+                continue
+            _, r = self.loops.quaternion(entry.link)
+            product = tape.node(dot(three(x, entry.link), three(y, entry.link)))
+            result.append(tape.constant(factor) * product * r[entry.component])
+        return result
+
+    def quaternion_rates(self, w: Sequence[Node]) -> list[Node]:
+        """Rates of y, zero for plain entries."""
+        zero, loops = self.loops.system.tape.zero, self.loops
+        return [zero if e.component is None else loops.quaternion_rate(e, w) for e in loops.entries]
+
+    def free_gains(self, w: Sequence[Node], start: Sequence[Node], second: Sequence[Node]) -> list[Node]:
+        """Rates of the free joint rates for second rates of y; `start` is dw/dt without them."""
+        if self.plain:
+            return list(second)
+        parts = zip(second, self.quaternion_rates(start), self.turned(w, w, -0.25), strict=True)
+        return self.free_rates([y - p - b for y, p, b in parts])
+
+
+@dataclass(frozen=True)
+class ClosedMotion:
+    """A consistent motion of a system with loops: its nodes q, v, a, and the same rates as w and dw/dt."""
+
+    system: System
+    loops: Loops
+    w: list[Node]
+    w_dot: list[Node]
+
+    @classmethod
+    def with_gains(
+        cls, moving: System, loops: Loops, w: list[Node], start: list[Node], free: Sequence[Node]
+    ) -> ClosedMotion:
+        """The motion with given rates of the free joint rates; `start` is dw/dt without them."""
+        w_dot = Admissible(moving, loops).moved(start, free)
+        system = moving.at(moving.inputs.q, {}, moving.inputs.v, moving.tree_rates(w_dot))
+        return cls(system, loops, w, w_dot)
+
+    @cached_property
+    def columns(self) -> list[list[Node]]:
+        """N, in joint rates w."""
+        return Admissible(self.system, self.loops).columns
+
+    def moved(self, amounts: Sequence[Node], start: Sequence[Node] | None = None) -> list[Node]:
+        """start + N amounts."""
+        zero = [self.system.tape.zero] * len(self.w)
+        return Admissible(self.system, self.loops).moved(start or zero, amounts)
+
+    # -- changes of the motion ------------------------------------------------------------------------------------
+
+    def _dependent(self, rows: Sequence[Node]) -> list[Node]:
+        """w or dw/dt for a change of the closure's rows, free rates steady."""
+        return self.loops.dependent([-row for row in rows], [self.system.tape.zero] * len(self.loops.free))
+
+    def _still(self) -> list[Node]:
+        return [self.system.tape.zero] * len(self.w)
+
+    @cached_property
+    def by_rates(self) -> list[Direction]:
+        """Changes N_j of w alone, before dw/dt follows."""
+        return [Direction(f"rate{j}", self._still(), column, self._still()) for j, column in enumerate(self.columns)]
+
+    @cached_property
+    def following(self) -> list[list[Node]]:
+        """Changes of dw/dt for changes N_j of w, free joint rates and configuration steady."""
+        return [self._dependent(rows) for rows in closure_rows(self._variation(self.by_rates))[1]]
+
+    @cached_property
+    def following_free(self) -> list[list[Node]]:
+        """What the free joint rates add to that for steady second rates of y."""
+        independent = _Independent(self.loops)
+        if independent.plain:
+            return [[self.system.tape.zero] * len(self.columns) for _ in self.columns]
+        result = []
+        for column, change in zip(self.columns, self.following, strict=True):
+            parts = zip(independent.quaternion_rates(change), independent.turned(self.w, column, -0.5), strict=True)
+            result.append(independent.free_rates([-(a + b) for a, b in parts]))
+        return result
+
+    @cached_property
+    def by_steps(self) -> list[Direction]:
+        """Displacements N_j with the changes of w that they take for steady rates of y, before dw/dt follows."""
+        result = []
+        for j, column in enumerate(self.columns):
+            change = self.moved(self.following_free[j], self.following[j])
+            result.append(Direction(f"step{j}", column, self.bent(column, change), self._still()))
+        return result
+
+    def bent(self, column: Sequence[Node], change: Sequence[Node]) -> list[Node]:
+        """Change of w along dq = column, from the change of dw/dt for this change of w alone."""
+        half = self.system.tape.reciprocal(self.system.tape.node(2))
+        return [half * (c - t) for c, t in zip(change, self._product(self.w, column), strict=True)]
+
+    @cached_property
+    def displaced(self) -> list[list[Node]]:
+        """Changes of dw/dt along the steps, free joint rates steady."""
+        return [self._dependent(rows) for rows in closure_rows(self._variation(self.by_steps))[1]]
+
+    @cached_property
+    def displaced_free(self) -> list[list[Node]]:
+        """What the free joint rates add to that for steady second rates of y."""
+        independent, tape = _Independent(self.loops), self.system.tape
+        if independent.plain:
+            return [[tape.zero] * len(self.columns) for _ in self.columns]
+        half, result = tape.reciprocal(tape.node(2)), []
+        squares = [-x for x in self.turned_squares]
+        for direction, change in zip(self.by_steps, self.displaced, strict=True):
+            product = self._product(self.w_dot, direction.step)
+            turned = [c + half * p for c, p in zip(change, product, strict=True)]
+            parts = zip(
+                independent.quaternion_rates(turned),
+                independent.turned(self.w_dot, direction.step, -0.25),
+                independent.turned(self.w, direction.rate, -0.5),
+                (x * y for x, y in zip(squares, independent.quaternion_rates(direction.step), strict=True)),
+                strict=True,
+            )
+            result.append(independent.free_rates([-(a + b + c + d) for a, b, c, d in parts]))
+        return result
+
+    @property
+    def turned_squares(self) -> list[Node]:
+        """|n|^2 / 4 of the spherical joint of every entry of y, zero for plain entries."""
+        tape = self.system.tape
+        spheres = [None if e.component is None else three(self.w, e.link) for e in self.loops.entries]
+        return [tape.zero if n is None else tape.constant(0.25) * tape.node(dot(n, n)) for n in spheres]
+
+    def _variation(self, directions: Sequence[Direction]) -> Variation:
+        return Variation(self.system, self.w, self.w_dot, directions)
+
+    def _product(self, x: Sequence[Node], y: Sequence[Node]) -> list[Node]:
+        """x x y at spherical joints, else zero."""
+        tape, result = self.system.tape, self._still()
+        for link in self.system.tree.links[1:]:
+            if link.motion.kind == "S":
+                result[link.v] = [tape.node(c) for c in cross(three(x, link), three(y, link))]
+        return result
+
+    # -- forces -----------------------------------------------------------------------------------------------------
+
+    def powers(self, acting: Acting, multipliers: Mapping[int, Node]) -> tuple[Matrix, Matrix, Matrix]:
+        """Changes of N^T r, multipliers and drives held, by y, y_dot, y_ddot: columns of entries per free rate."""
+        count, columns = len(self.columns), self.columns
+        every = self._variation([*self.by_steps, *self.by_rates])
+        still = power_changes(every, acting, multipliers, columns)
+        tree = mass_matrix(self.system, acting.reflected_inertia)
+        in_v = [self.system.tree_rates(column) for column in columns]
+        momenta = [self.system.joint_rates([_inner(row, column) for row in tree]) for column in in_v]
+        inertia = [[_inner(columns[min(i, k)], momenta[max(i, k)]) for i in range(count)] for k in range(count)]
+        groups = []
+        for start, changes, free in (
+            (0, self.displaced, self.displaced_free),
+            (count, self.following, self.following_free),
+        ):
+            group = []
+            for j in range(count):
+                column = [still[i][start + j] + _inner(momenta[i], changes[j]) for i in range(count)]
+                group.append([x + _inner(row, free[j]) for x, row in zip(column, inertia, strict=True)])
+            groups.append(group)
+        return (self.per_y(groups[0]), self.per_y(groups[1]), self.per_y(inertia))
+
+    def per_y(self, columns: Matrix) -> Matrix:
+        """Columns per free joint rate as columns per entry of y."""
+        tape, count = self.system.tape, len(columns)
+        result = []
+        for k in range(count):
+            unit = [tape.one if i == k else tape.zero for i in range(count)]
+            free = _Independent(self.loops).free_rates(unit)
+            result.append([_inner(free, [column[i] for column in columns]) for i in range(len(columns[0]))])
+        return result
+
+
+@dataclass(frozen=True)
+class Drives:
+    """The drives of a motion: their rates per free joint rate, unique or of smallest sum of squares.
+
+    `places`: index into u -> index into v.
+    """
+
+    motion: ClosedMotion
+    places: Mapping[int, int]
+
+    @cached_property
+    def rows(self) -> Matrix:
+        """N^T B."""
+        return [[column[self.places[u]] for u in sorted(self.places)] for column in self.motion.columns]
+
+    def solve(self, right: Sequence[Node]) -> tuple[list[Node], tuple[Guard, ...]] | None:
+        """u with N^T B u = right; None unless every freedom can be driven."""
+        system = self.motion.system
+        finals: list[Affine] = []
+        for row, value in zip(self.rows, right, strict=True):
+            final: Affine = {("drive", u): e for u, e in enumerate(row) if e is not system.tape.zero}
+            finals.append({**final, ONE: -value})
+        scales = {u: 1.0 if drive_is_force(system, u) else system.length for u in sorted(self.places)}
+        found = solve_drives(system.tape, finals, scales)
+        if found.unreachable or len(scales) - found.redundancy != len(right):
+            return None
+        return list(found.u), found.guards
+
+    def moved(self, right: Sequence[Node]) -> Matrix:
+        """Changes of u per entry of y at fixed m, where redundant drives are u = B^T N m: the rates N m bend."""
+        motion, system = self.motion, self.motion.system
+        tape, columns, count = system.tape, motion.columns, len(motion.columns)
+        if len(self.places) == count:
+            return [[tape.zero] * len(self.places) for _ in columns]
+        normal = [[_inner(x, y) for y in self.rows] for x in self.rows]
+        amounts, _ = solve_symmetric(tape, normal, right, [1.0] * count)
+        w, zero = motion.moved(amounts), [tape.zero] * len(motion.w)
+        along = replace(motion, system=system.at(system.inputs.q, {}, system.tree_rates(w), zero), w=w, w_dot=zero)
+        bends = []
+        for column, change in zip(columns, along.following, strict=True):
+            bend = along.bent(column, change)
+            free = [-bend[k] for k in motion.loops.free]
+            bend = motion.moved(free, bend)
+            bends.append([bend[self.places[u]] for u in sorted(self.places)])
+        return motion.per_y(bends)
+
+
+def multipliers(loops: Loops, right: Sequence[Node]) -> dict[int, Node]:
+    """Multipliers by row with J^T multipliers = right in the dependent joint rates, by the factors of J."""
+    steps, upper = loops.elimination.steps, loops.elimination.upper
+    result: dict[int, Node] = {}
+    for count, (row, column, pivot, _) in enumerate(steps):
+        total = right[column]
+        for earlier, *_ in steps[:count]:
+            if column in upper[earlier]:
+                total = total - upper[earlier][column] * result[earlier]
+        result[row] = total * (1 / pivot)
+    for row, _, _, factors in reversed(steps):
+        for other, factor in factors.items():
+            if other in result:
+                result[row] = result[row] - factor * result[other]
+    return result
+
+
+def _inner(x: Sequence[Node], y: Sequence[Node]) -> Node:
+    total = x[0].tape.zero
+    for a, b in zip(x, y, strict=True):
+        total = total + a * b
+    return total
