@@ -16,6 +16,7 @@ from symscrew.scene.controller import parameter_values
 from symscrew.simulation.history import History
 from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.programs import Plant, commands, plant
+from symscrew.simulation.stability import with_longest_stable_step
 
 Progress = Callable[[float], None]
 Callback = Callable[[float, np.ndarray, np.ndarray], object]
@@ -115,6 +116,8 @@ def simulate(
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
     history = _integrated(scene, programs, (q, v, x), contacts, controller, backend, progress)
+    if controller is None:
+        history = with_longest_stable_step(scene, programs, history, (q, v, x))
     history = replace(history, events=(*moves(scene, model, q, v), *history.events))
     return _observed(scene, model, programs, history)
 
