@@ -203,7 +203,8 @@ def load(
     if chosen == "c":
         speed = [f"-D{name.upper()}_STATE_BY_STATE"] if not (vectorised or threads) else []
         speed += ["-fopenmp"] if threads else []
-        evaluators, columns = _c_evaluators(source, name, ports, build_dir, [*speed, *flags], real)
+        lanes = vectorised or threads  # else Python's calls take longer than what limbs side by side save
+        evaluators, columns = _c_evaluators(source, name, ports, build_dir, [*speed, *flags], real, lanes=lanes)
     else:
         evaluators, columns = _casadi_evaluators(source, ports), {}
     functions = {
@@ -257,13 +258,15 @@ def _c_evaluators(
     build_dir: str | Path | None,
     flags: Sequence[str],
     real: Precision,
+    *,
+    lanes: bool,
 ) -> tuple[dict[str, Evaluator], dict[str, Evaluator]]:
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         folder = Path(build_dir) if build_dir is not None else Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         sources = Path(temporary) if isinstance(source, Model) else Path(source)
         if isinstance(source, Model):
-            for file, text in print_c(source, precision=real).items():
+            for file, text in print_c(source, precision=real, lanes=lanes).items():
                 (sources / file).write_text(text, encoding="utf-8")
         library = folder / f"lib{name}.so"
         compile_c(sources / f"{name}.c", library, flags=flags)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symscrew.export import c_angles, c_batch
+from symscrew.export import c_angles, c_batch, c_lanes
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_precision import DOUBLE, TABLE, Precision
@@ -33,6 +33,18 @@ STATUS_MACROS = {
     3: "NOT_CONVERGED",
     4: "OTHER_BRANCH",
 }
+IN_LANES = frozenset((  # what is called once per control step: these are tried with equal limbs side by side
+    "acceleration",
+    "forward_dynamics",
+    "forward_dynamics_independent",
+    "inverse_dynamics",
+    "inverse_dynamics_independent",
+    "inverse_dynamics_platform",
+    "inverse_kinematics",
+    "inverse_velocity",
+    "joint_reactions",
+    "velocity",
+))  # fmt: skip
 ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be
 NULL. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish."""
 ABOUT_BATCHES = """A batch writes the status of each of `count` states to `status` unless that is NULL, and returns
@@ -41,21 +53,25 @@ of state i at [k * stride + i], stride >= count. Both take eight states at once 
 units; results may differ from those of single calls by rounding (not where the compiler contracts nothing and the
 sines are the same). With -fopenmp, %d states and more are shared among threads. The stack holds blocks of eight
 states: define %s_STATE_BY_STATE to do without."""
+ABOUT_LANES = """Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster;
+results are those of limb after limb, but for what the compiler contracts. Define %s_LIMB_BY_LIMB to do without."""
 
 
-def print_c(model: Model, *, precision: Precision = DOUBLE, batches: bool = True) -> dict[str, str]:
-    """File name to text: `<name>.h` and `<name>.c`; without batch functions where nobody calls them."""
+def print_c(model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True) -> dict[str, str]:
+    """File name to text: `<name>.h` and `<name>.c`; without batch functions, or limbs side by side, if not needed."""
     check_names(model)
     return {
         f"{model.name}.h": print_header(model, precision=precision, batches=batches),
-        f"{model.name}.c": print_source(model, precision=precision, batches=batches),
+        f"{model.name}.c": print_source(model, precision=precision, batches=batches, lanes=lanes and batches),
     }
 
 
 def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool = True) -> str:
     """Declarations, sizes and what a user must know of every function."""
     upper = model.name.upper()
-    about = [*wrapped(ABOUT_ARRAYS), *(wrapped(ABOUT_BATCHES % (c_batch.THREADED, upper)) if batches else [])]
+    about = wrapped(ABOUT_ARRAYS)
+    if batches:
+        about += [*wrapped(ABOUT_BATCHES % (c_batch.THREADED, upper)), *wrapped(ABOUT_LANES % upper)]
     measured = single_errors(model) if precision.suffix else {}
     if precision.suffix:
         about = [f"Single precision: all numbers are of type {precision.real}.", *about]
@@ -96,7 +112,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     return "\n".join(lines)
 
 
-def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool = True) -> str:
+def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True) -> str:
     """Definitions of all functions."""
     real = precision.real
     lines = [
@@ -108,6 +124,11 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "",
         "#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__",
         '#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"',
+        "#endif",
+        "",
+        "/* Vectors that GCC makes of scalar code here cost more than they save. */",
+        "#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)",
+        '#pragma GCC optimize("no-tree-slp-vectorize")',
         "#endif",
         "",
         f"const char *{model.name}_status_text(int status)",
@@ -126,9 +147,13 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "}",
     ]
     programs = model.programs.items()
-    printed = {name: Printed(model.name, f"{model.name}_{name}", straight_line(p), precision) for name, p in programs}
+    printed = {
+        name: Printed(model.name, f"{model.name}_{name}", straight_line(p), precision, lanes and name in IN_LANES)
+        for name, p in programs
+    }
     if any(p.angles.gathered for p in printed.values()):
         lines += ["", *c_angles.prologue(model.name, precision)]
+    lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
     if batches:
         lines += ["", *c_batch.prologue(model.name, precision)]
     seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]

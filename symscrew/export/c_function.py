@@ -2,19 +2,22 @@
 
 The operations of a function are printed once, as `<symbol>_lane`, in which entry k of an array lies at
 k * stride: with a stride of 1 it is one state, with a stride of 8 one of eight states that lie side by side
-(see `c_batch`). Sines and cosines of input angles come ready, from `<symbol>_angles` and `c_angles`.
+(see `c_batch`). Sines and cosines of input angles come ready, from `<symbol>_angles` and `c_angles`. Where equal
+limbs make it pay, one state has a second form with limbs side by side (see `c_lanes`).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from symscrew.export import c_lanes
 from symscrew.export.c_angles import Angles, calls, gather
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
+from symscrew.packs import Packing, packed
 from symscrew.program import Iteration, Port, Program
 
 NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
@@ -23,6 +26,8 @@ NAMES_OF_LOCALS = "count status k worst outcome total next residual change orien
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
 NAMES_OF_LOCALS += " angle sine cosine pivot stride lane index first some block blocks number"
+PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
+PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
 
@@ -57,6 +62,16 @@ class Printed:
     symbol: str
     program: Program
     precision: Precision
+    lanes: bool = False
+
+    @cached_property
+    def packing(self) -> Packing | None:
+        """Its form with equal limbs side by side, if `lanes` are wanted and pay."""
+        kept = [s for slots in self.program.results for s in slots if isinstance(s, int)]
+        count = len(self.program.instructions)
+        if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
+            return None
+        return packed(self.angles.rest, checked_slots(self.program))
 
     @cached_property
     def names(self) -> dict[str, str]:
@@ -110,7 +125,6 @@ def lane(printed: Printed, *, inline: str = "") -> list[str]:
     The lane returns the sum of all that must be finite and leaves its pivots in `pivot`.
     """
     program, real = printed.program, printed.precision.real
-    head = f"static inline {inline}{real} "
     angles, operand = printed.angles, printed.operand
     first = ["size_t stride", *arguments(program, printed.precision)[: len(program.inputs)]]
     lines: list[str] = []
@@ -127,12 +141,39 @@ def lane(printed: Printed, *, inline: str = "") -> list[str]:
             "}",
             "",
         ]
+    body = _statements(printed, angles.rest)
+    return [*lines, *_lane(printed, f"{printed.symbol}_lane", f"static inline {inline}{real} ", body, operand)]
+
+
+def packed_lane(printed: Printed, packing: Packing) -> list[str]:
+    """`<symbol>_packed_lane`: the same as the lane of one state, with equal limbs side by side."""
+    entered = {*range(len(input_entries(printed.program))), *(s for _, *pair in printed.angles.gathered for s in pair)}
+    body = c_lanes.Body(
+        printed.model, packing, printed.precision, printed.prefix, {s for s in entered if s is not None}
+    )
+    statements = c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, wrapped_code)
+    head = f"static inline {printed.precision.real} "
+    before = len(body.lines)
+    lines = _lane(printed, f"{printed.symbol}_packed_lane", head, statements, body.scalar, lambda: body.lines[before:])
+    return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]
+
+
+def _lane(
+    printed: Printed,
+    symbol: str,
+    head: str,
+    body: Sequence[str],
+    operand: Callable[[int | float], str],
+    late: Callable[[], Sequence[str]] = tuple,
+) -> list[str]:
+    """A function around the statements of a lane; `late` gives those that naming its results has added."""
+    program, real, angles = printed.program, printed.precision.real, printed.angles
     given = ["size_t stride", *arguments(program, printed.precision)]
     given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if angles.gathered else []
     given += [f"{real} *restrict pivot"] if program.guards else []
     pivots = [slot for slot, _ in program.guards]
     read = {a for i in angles.rest for a in i.args if isinstance(a, int)} | set(checked_slots(program))
-    lines += [declare(f"{printed.symbol}_lane", given, head), "{"]
+    lines = [declare(symbol, given, head), "{"]
     lines += printed._unused(program.inputs, read)
     lines += [f"    (void){printed.names[port.name]};" for port in program.outputs if not port.size]
     lines += ["    (void)stride;"]
@@ -144,12 +185,11 @@ def lane(printed: Printed, *, inline: str = "") -> list[str]:
     for name, which in (("sine", 1), ("cosine", 2)) if angles.gathered else ():
         if all(entry[which] is None for entry in angles.gathered):
             lines.append(f"    (void){name};")
-    lines += _statements(printed, angles.rest)
-    lines += [f"    pivot[{printed.at(k)}] = {operand(slot)};" for k, slot in enumerate(pivots)]
+    ends = [f"    pivot[{printed.at(k)}] = {operand(slot)};" for k, slot in enumerate(pivots)]
     for port, slots in zip(program.outputs, program.results, strict=True):
-        lines += [f"    {printed.names[port.name]}[{printed.at(k)}] = {operand(s)};" for k, s in enumerate(slots)]
+        ends += [f"    {printed.names[port.name]}[{printed.at(k)}] = {operand(s)};" for k, s in enumerate(slots)]
     checked = [operand(slot) for slot in checked_slots(program)] or [printed.precision.number(0.0)]
-    return [*lines, *wrapped_code(f"return {balanced_sum(checked)};"), "}"]
+    return [*lines, *body, *late(), *ends, *wrapped_code(f"return {balanced_sum(checked)};"), "}"]
 
 
 def _statements(printed: Printed, instructions: Iterable) -> list[str]:
@@ -176,7 +216,9 @@ def function(printed: Printed, signature: str, second: str = "") -> list[str]:
     program, precision = printed.program, printed.precision
     real, count = precision.real, len(printed.angles.gathered)
     group, zero = precision.group, precision.number(0.0)
-    lines = [signature, "{"]
+    packing = printed.packing
+    lines = [*packed_lane(printed, packing), ""] if packing else []
+    lines += [signature, "{"]
     if count:
         size = -(-count // group) * group
         lines += [
@@ -189,9 +231,16 @@ def function(printed: Printed, signature: str, second: str = "") -> list[str]:
         lines += [f"    {real} pivot[{len(program.guards)}] = {{{zero}}};"]
     handed = ["1", *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
     call = f"{printed.symbol}_lane({', '.join(handed)});"
+    side_by_side = f"{printed.symbol}_packed_lane({', '.join(handed)});"
     if not checked_slots(program):
         return [*lines, *wrapped_code(f"(void){call}"), "    return 0;", "}"]
-    lines += wrapped_code(f"const {real} total = {call}")
+    single = wrapped_code(f"const {real} total = {call}")
+    if packing:
+        condition = c_lanes.condition(printed.model, packing.width, precision)
+        side = [f"    (void){printed.symbol}_lane;", *wrapped_code(f"const {real} total = {side_by_side}")]
+        lines += [f"#if {condition}", *side, "#else", *single, "#endif"]
+    else:
+        lines += single
     lines += wrapped_code(f"const int outcome = {outcome(printed, 'total')};")
     if second and program.guards:
         lines += ["    if (outcome == 1) {", f"        return {second};", "    }"]

@@ -1,0 +1,187 @@
+"""Equal limbs side by side: found in the programs, and equal to limb after limb in C, bit for bit."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from model_states import model, relative
+
+from symscrew.compiled import compile_c, find_compiler
+from symscrew.export.c import print_c, print_source
+from symscrew.export.listing import checked_slots, live_instructions
+from symscrew.lanes import corresponding, signed
+from symscrew.packs import Pack, Packing, _Plan, packed
+from symscrew.program import Instruction, Program
+from symscrew.verification import STRICT
+
+PLATFORM = "inverse_dynamics_platform"
+CASES = [("three_ups_upu_s_physical", PLATFORM), ("delta", "velocity")]
+
+
+def straight(name: str, function: str) -> Program:
+    program = model(name).programs[function]
+    assert isinstance(program, Program)
+    return program
+
+
+def packing(name: str, function: str) -> tuple[Program, Packing]:
+    program = straight(name, function)
+    found = packed(live_instructions(program)[0], checked_slots(program))
+    assert found is not None, f"nothing packed in {name}.{function}"
+    return program, found
+
+
+def evaluated(program: Program, found: Packing, state: list[float]) -> list[float]:
+    """The checked slots of a packed program, item by item, each lane of a pack in Python's own arithmetic."""
+    binary = {
+        "add": lambda x, y: x + y,
+        "sub": lambda x, y: x - y,
+        "mul": lambda x, y: x * y,
+        "div": lambda x, y: x / y,
+    }
+    values: dict[int, float] = dict(enumerate(state))
+    packs: dict[int, list[float]] = {}
+
+    def value(a: int | float) -> float:
+        if not isinstance(a, int):
+            return a
+        if a in found.place:
+            pack, lane = found.place[a]
+            return pack.signs[lane] * packs[pack.number][lane]
+        if a in found.negatives:
+            base, sign = found.negatives[a]
+            return sign * value(base)
+        return values[a]
+
+    def computed(op: str, args: list[float]) -> float:
+        if op in binary:
+            return float(binary[op](*args))
+        return 1.0 / args[0] if op == "reciprocal" else float(np.sqrt(args[0]))
+
+    for item in found.items:
+        if not isinstance(item, Pack):
+            operation = found.operations[item]
+            values[item] = computed(operation.op, [sign * value(a) for a, sign in operation.args])
+            continue
+        columns = []
+        for vector in item.operands:
+            column = [value(a) for a in vector.entries] if vector.source is None else packs[vector.source]
+            columns.append([f * x for f, x in zip(vector.flips or (1,) * len(column), column, strict=True)])
+        busy = [target is not None for target in item.targets]
+        lanes = zip(busy, zip(*columns, strict=True), strict=True)
+        packs[item.number] = [computed(item.op, list(args)) if used else 1.0 for used, args in lanes]
+    return [value(slot) for slot in checked_slots(program)]
+
+
+@pytest.mark.parametrize(("name", "function"), [CASES[0], ("stewart_6ups", PLATFORM)])
+def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> None:
+    program, found = packing(name, function)
+    state = [float(x) for port in model(name).test_inputs[function] for x in np.atleast_2d(port)[0]]
+    results = program(*(np.atleast_2d(x)[0] for x in model(name).test_inputs[function]))
+    outputs = np.concatenate([np.ravel(r) for r in results])
+    slots = checked_slots(program)
+    got = dict(zip(slots, evaluated(program, found, state), strict=True))
+    listed = [slot for slots in program.results for slot in slots]
+    assert [got[s] if isinstance(s, int) else s for s in listed] == outputs.tolist()
+    targets = [t for item in found.items for t in (item.targets if isinstance(item, Pack) else [item]) if t is not None]
+    assert sorted(targets) == sorted(found.operations)  # each once
+
+
+@pytest.mark.parametrize(("name", "limbs", "part"), [("three_ups_upu_s_physical", 4, 0.5), ("stewart_6ups", 6, 0.6)])
+def test_equal_limbs_are_found_without_being_told(name: str, limbs: int, part: float) -> None:
+    operations, _ = signed(live_instructions(straight(name, PLATFORM))[0])
+    best = max(corresponding(operations), key=lambda rows: sum(len(row) - row.count(None) - 1 for row in rows))
+    assert len(best[0]) == limbs
+    assert sum(len(row) - row.count(None) - 1 for row in best) > part * len(operations)
+
+
+def test_programs_without_equal_parts_stay_as_they_are() -> None:
+    for name in ("ur5", "panda"):
+        program = straight(name, "inverse_dynamics")
+        assert packed(live_instructions(program)[0], checked_slots(program)) is None
+    chain = [Instruction(k, "mul", (k - 1, 0)) for k in range(1, 200)]
+    assert packed(chain, [199]) is None
+
+
+def test_rows_that_wait_for_each_other_are_not_both_packed() -> None:
+    """Lane 1 does in the other order what lane 0 does: a pack of one row would need the other, and that the first."""
+    instructions = [Instruction(2, "mul", (0, 0)), Instruction(3, "mul", (2, 0)), Instruction(4, "mul", (1, 1))]
+    instructions.append(Instruction(5, "mul", (4, 1)))
+    operations, _ = signed(instructions)
+    plan = _Plan(operations, [(2, 5), (3, 4)], {3, 5})
+    assert sum(plan.on) == 1
+    seen = {0, 1}
+    for packs, number in plan.order():
+        slots = [slot for slot in plan.rows[number] if slot is not None] if packs else [number]
+        assert all(a in seen for slot in slots for a, _ in operations[slot].args)
+        seen.update(slots)
+    assert seen == {0, 1, 2, 3, 4, 5}
+
+
+def both(name: str, function: str, folder: Path, compiler: str | None, flags: tuple[str, ...]) -> list[np.ndarray]:
+    """Results of the function with limbs side by side and limb after limb."""
+    import ctypes
+
+    found = replace(model(name), programs={function: model(name).programs[function]})
+    for file, text in print_c(found).items():
+        (folder / file).write_text(text, encoding="utf-8")
+    results = []
+    for number, more in enumerate(((), (f"-D{name.upper()}_LIMB_BY_LIMB",))):
+        library = folder / f"{function}{number}.so"
+        compile_c(folder / f"{name}.c", library, compiler=compiler, flags=[*STRICT, *flags, *more])
+        call = getattr(ctypes.CDLL(str(library)), f"{name}_{function}")
+        program = found.programs[function]
+        states = []
+        for row in zip(*(np.atleast_2d(x) for x in found.test_inputs[function]), strict=True):
+            arrays = [np.array(x, dtype=float) for x in row] + [np.zeros(port.size) for port in program.outputs]
+            assert call(*(ctypes.c_void_p(x.ctypes.data) for x in arrays)) == 0
+            states.append(np.concatenate(arrays[len(row) :]))
+        results.append(np.array(states))
+    return results
+
+
+@pytest.mark.parametrize(
+    "compiler",
+    [
+        pytest.param(None, marks=pytest.mark.skipif(find_compiler() is None, reason="no C compiler")),
+        pytest.param(
+            "clang", marks=[pytest.mark.tools, pytest.mark.skipif(shutil.which("clang") is None, reason="no clang")]
+        ),
+    ],
+)
+@pytest.mark.parametrize(("name", "function"), CASES)
+def test_limbs_side_by_side_equal_limb_after_limb(
+    name: str, function: str, compiler: str | None, tmp_path: Path
+) -> None:
+    """Bit for bit if nothing is contracted to a multiply-add, else to rounding."""
+    source = print_source(replace(model(name), programs={function: model(name).programs[function]}))
+    assert f"{name}_{function}_packed_lane" in source
+    side, after = both(name, function, tmp_path, compiler, ("-ffp-contract=off",))
+    assert np.array_equal(side, after)
+    side, after = both(name, function, tmp_path, compiler, ("-ffp-contract=fast",))
+    assert relative(side, after) < 1e-13
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
+    """With AVX2 the packed function is compiled and called; without it, or on demand, it is not."""
+    name = "three_ups_upu_s_physical"
+    (tmp_path / "m.c").write_text(
+        print_source(replace(model(name), programs={PLATFORM: model(name).programs[PLATFORM]}))
+    )
+    (tmp_path / f"{name}.h").write_text("#include <stddef.h>\n")
+
+    def kept(*flags: str) -> bool:
+        command = [str(find_compiler()), "-E", *flags, "-I", str(tmp_path), str(tmp_path / "m.c")]
+        text = subprocess.run(command, capture_output=True, text=True, check=False).stdout
+        assert "_lane(" in text
+        return f"total = {name}_{PLATFORM}_packed_lane(" in text
+
+    assert not kept(f"-D{name.upper()}_LIMB_BY_LIMB")
+    assert not kept(f"-D{name.upper()}_SCALAR", "-D__AVX2__")
+    assert kept("-D__AVX2__")
