@@ -329,9 +329,21 @@ def formulas(found: Mobility) -> dict[str, str]:
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
         result[_screw(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
     for expression in loci:
-        result[f"{sympy.latex(expression)} = 0"] = f"<math>{_presented(expression)}<mo>=</mo><mn>0</mn></math>"
+        result[f"{sympy.latex(expression)} = 0"] = _equation(expression)
     result.update({sympy.latex(e): f"<math>{_presented(e)}</math>" for e in single})
     return result
+
+
+def _equation(expression: sympy.Expr) -> str:
+    """MathML of expression = 0; a long sum in pieces, between which a line may end."""
+    if len(sympy.latex(expression)) <= LONG or not expression.is_Add:
+        return f"<math>{_presented(expression)}<mo>=</mo><mn>0</mn></math>"
+    pieces = []
+    for k, term in enumerate(expression.as_ordered_terms()):
+        negative = term.could_extract_minus_sign()
+        sign = f'<mo form="infix">{"&#x2212;" if negative else "+"}</mo>' if k or negative else ""
+        pieces.append(f"<math>{sign}{_presented(-term if negative else term)}</math>")
+    return " ".join([*pieces, '<math><mo form="infix">=</mo><mn>0</mn></math>'])
 
 
 def _with(fact: str, formulas: dict[str, str], words: Callable[[str], str]) -> str:

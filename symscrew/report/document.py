@@ -15,6 +15,8 @@ from typing import TypeAlias
 
 from symscrew.errors import DescriptionError, shorten
 
+SHORT = 20  # rows of a table that is printed on one page
+
 
 @dataclass(frozen=True)
 class Text:
@@ -26,9 +28,10 @@ class Text:
 
 @dataclass(frozen=True)
 class Bullets:
-    """Facts, one a line; formulas between dollar signs."""
+    """Facts, one a line; formulas between dollar signs. `kind`: "warning" stands out."""
 
     lines: tuple[str, ...]
+    kind: str = ""
 
 
 @dataclass(frozen=True)
@@ -151,7 +154,8 @@ def _html_block(block: Block, formulas: Mapping[str, str]) -> str:
     if isinstance(block, Text):
         return f'<p class="{block.kind}">{inline(block.text)}</p>'
     if isinstance(block, Bullets):
-        return "<ul>\n" + "\n".join(f"<li>{inline(line)}</li>" for line in block.lines) + "\n</ul>"
+        kind = f' class="{block.kind}"' if block.kind else ""
+        return f"<ul{kind}>\n" + "\n".join(f"<li>{inline(line)}</li>" for line in block.lines) + "\n</ul>"
     if isinstance(block, Picture):
         if block.suffix == ".svg":
             inside = block.data.decode()
@@ -177,7 +181,8 @@ def _html_table(table: Table, inline: Callable[[str], str]) -> str:
     caption = f"<caption>{inline(table.caption)}</caption>" if table.caption else ""
     head = f"<thead>{row(table.header, 'th')}</thead>" if any(table.header) else ""
     body = "\n".join(row(cells, "td") for cells in table.rows)
-    return f'<div class="wide"><table>{caption}{head}<tbody>\n{body}\n</tbody></table></div>'
+    whole = " whole" if len(table.rows) <= SHORT else ""
+    return f'<div class="wide{whole}"><table>{caption}{head}<tbody>\n{body}\n</tbody></table></div>'
 
 
 # -- Markdown ---------------------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ def figure(model: Model, call: Call) -> Any:
     labels, start = independent_labels(model), reference_coordinates(model)
     units = {c.label: c.unit for c in model.system.tree.q}
     first = start_margins(model, call)
-    names = list(first)[-len(COLOURS) :]
+    names = list(first)
     if not names or not labels:
         return None
     shown = range(min(len(labels), MOST))
@@ -49,7 +49,8 @@ def figure(model: Model, call: Call) -> Any:
             values = np.linspace(start[k] - half, start[k] + half, COUNT_INTERPRETED if call is model else COUNT)
             curves = _along(model, call, k, values, names, first)
             for j, name in enumerate(names):
-                axes.plot(values, curves[j], color=COLOURS[j], linestyle=DASHES[j], label=name)
+                look = {"color": COLOURS[j % len(COLOURS)], "linestyle": DASHES[(j + j // len(COLOURS)) % len(DASHES)]}
+                axes.plot(values, curves[j], label=name, **look)
             axes.axhline(0.0, color="black", linewidth=0.6)
             axes.plot(start[k], 1.0, "o", color="black", markersize=3)
             axes.set_xlim(values[0], values[-1])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -99,7 +99,7 @@ def _overview(model: Model, found: Mobility) -> list[Block]:
     rows = tuple((what, value) for what, value in facts)
     blocks: list[Block] = [_picture(mechanism), Table(("", ""), rows)]
     if mechanism.warnings:
-        blocks.append(Text("Look at: " + "; ".join(mechanism.warnings), "warning"))
+        blocks.append(Bullets(_gathered(mechanism.warnings), "warning"))
     if mechanism.parameters:
         lines = tuple(
             (
@@ -121,6 +121,19 @@ def _overview(model: Model, found: Mobility) -> list[Block]:
         header = ("body", "mass [kg]", "centre of mass x [m]", "y [m]", "z [m]")
         blocks.append(Table(header, tuple(masses), frozenset({1, 2, 3, 4}), "Masses, in the reference configuration"))
     return blocks
+
+
+def _gathered(warnings: Sequence[str]) -> tuple[str, ...]:
+    """Warnings in which what is said of several places stands once.
+
+    >>> _gathered(("bodies.a: heavy", "bodies.b: heavy", "loose"))
+    ('bodies.a, bodies.b: heavy', 'loose')
+    """
+    places: dict[str, list[str]] = {}
+    for warning in warnings:
+        place, colon, what = warning.partition(": ")
+        places.setdefault(what if colon else warning, []).extend([place] if colon else [])
+    return tuple(", ".join(where) + ": " * bool(where) + what for what, where in places.items())
 
 
 def _kinds(mechanism: Mechanism) -> str:
