@@ -6,12 +6,13 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import mujoco
 import numpy as np
 import pytest
 from model_states import model
 
-from symscrew import benchmark
-from symscrew.benchmark import Compiled, batch, run, single, states, throughput
+from symscrew import benchmark, interchange
+from symscrew.benchmark import Compiled, batch, peers, run, single, states, throughput
 from symscrew.cli import main
 from symscrew.compiled import CompileError, find_compiler
 from symscrew.errors import DescriptionError
@@ -40,7 +41,43 @@ def test_rows_and_notes_for_a_closed_chain() -> None:
     rows, notes = run(model("four_bar"), ["inverse_dynamics", "mass_matrix"], ["mujoco"], repeats=2)
     assert [row.function for row in rows] == ["inverse_dynamics"] * 3 + ["mass_matrix"] * 3
     assert all(row.agreement < 1e-12 and 0 < row.times.least <= row.times.median <= row.times.upper for row in rows)
-    assert len(notes) == 2 and "open chains" in notes[0] and "no function of this kind" in notes[1]
+    assert len(notes) == 2 and all("no function of this kind; expected forward_dynamics" in note for note in notes)
+
+
+def test_closed_chains_in_pinocchio_agree_before_they_are_timed() -> None:
+    pytest.importorskip("pinocchio")
+    rows, notes = run(model("three_ups_upu_s_physical"), ["forward_dynamics"], ["pinocchio"], repeats=1)
+    (row,) = (row for row in rows if row.variant.startswith("pinocchio"))
+    assert not notes and "constraintDynamics" in row.variant and 0 < row.agreement < 1e-6
+    _, notes = run(model("four_bar"), ["forward_dynamics"], ["pinocchio"], repeats=1)
+    assert "platforms on limbs" in notes[0] and "joint C" in notes[0]
+
+
+def test_closed_chains_in_mujoco_are_soft_and_said_to_be() -> None:
+    """The deviation stands in the row; constraints made a hundred times as stiff deviate a hundred times less."""
+    rows, notes = run(model("four_bar"), ["forward_dynamics"], ["mujoco"], repeats=1)
+    (row,) = (row for row in rows if row.variant.startswith("mujoco"))
+    assert not notes and row.variant.endswith("soft constraints") and 1e-3 < row.agreement < 0.1
+    found = Compiled(model("four_bar"), ["forward_dynamics"])
+    (accelerations,), _ = model("four_bar")("forward_dynamics", *states(found.model, "forward_dynamics", 6))
+    made = mujoco.MjModel.from_xml_string(interchange.dumps(found.model.mechanism, ".xml"))
+    made.opt.timestep, made.eq_solref[:], made.eq_solimp[:, :2] = 1e-4, (2e-4, 1.0), 0.9999
+    (position, rate, _), wanted = peers._closed_in_mujoco(made, found, accelerations)
+    data, got = mujoco.MjData(made), []
+    for q, v, u in zip(position, rate, states(found.model, "forward_dynamics", 6)[2], strict=True):
+        data.qpos[:], data.qvel[:], data.ctrl[:] = q, v, u
+        mujoco.mj_forward(made, data)
+        got.append(data.qacc.copy())
+    assert np.abs(np.array(got) - wanted).max() < 1e-3 * np.abs(wanted).max()
+
+
+@pytest.mark.slow
+@pytest.mark.tools
+def test_inverse_dynamics_of_a_closed_chain_beside_pinocchio_in_cpp() -> None:
+    pytest.importorskip("pinocchio")
+    rows, notes = run(model("three_ups_upu_s_physical"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
+    others = [row for row in rows if row.variant.startswith("pinocchio")]
+    assert not notes and len(others) == 2 and all(row.agreement < 1e-9 for row in others)
 
 
 def test_another_library_agrees_before_it_is_timed() -> None:
@@ -64,8 +101,6 @@ def test_throughput_of_every_count() -> None:
 
 
 def test_a_missing_library_is_named_with_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    from symscrew.benchmark import peers
-
     monkeypatch.setattr(peers.importlib.util, "find_spec", lambda name: None)
     _, notes = run(model("four_bar"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
     assert notes == ["inverse_dynamics, pinocchio: not installed: pip install 'symscrew[benchmark]'"]

@@ -259,8 +259,8 @@ def test_against_pinocchio(name: str) -> None:
 
 
 def pinocchio_model(pinocchio: object, found: Model) -> tuple[object, tuple[Array, ...]]:
-    from benchmarks.pinocchio_build import python_model
-    from benchmarks.pinocchio_tree import pinocchio_tree
+    from symscrew.benchmark.pinocchio_build import python_model
+    from symscrew.benchmark.pinocchio_tree import pinocchio_tree
 
     tree = pinocchio_tree(found.mechanism)
     return python_model(pinocchio, tree, len(tree.elements)), tree.states(*consistent(found)[:3])

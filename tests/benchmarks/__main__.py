@@ -6,10 +6,11 @@ import argparse
 import json
 from pathlib import Path
 
+from symscrew.benchmark.pinocchio_build import CPP_FLAGS
 from symscrew.machine import machine
 
 from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, optimisation, simulation
-from .tables import C_FLAGS, CPP_FLAGS, table
+from .tables import C_FLAGS, table
 
 BENCHMARKS = {
     "inverse_dynamics": (inverse_dynamics.run, 25),

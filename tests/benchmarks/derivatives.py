@@ -18,13 +18,13 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
+from symscrew.benchmark.pinocchio_build import python_model
+from symscrew.benchmark.pinocchio_tree import PinocchioTree, pinocchio_tree
 from symscrew.compiled import load
 from symscrew.model import Model, derive
 from symscrew.timing import Times, interleaved
 
 from .inverse_dynamics import generated
-from .pinocchio_build import python_model
-from .pinocchio_tree import PinocchioTree, pinocchio_tree
 from .states import consistent_states
 from .tables import table
 

@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
+from symscrew.benchmark.pinocchio_build import PinocchioUnavailableError, build_pinocchio, open_case, python_rnea, timed
+from symscrew.benchmark.pinocchio_tree import pinocchio_tree
 from symscrew.compiled import load
 from symscrew.export.c import print_c
 from symscrew.model import Model, derive
 from symscrew.timing import Times, interleaved
 
-from .pinocchio_build import PinocchioUnavailableError, build_pinocchio, python_rnea
-from .pinocchio_tree import pinocchio_tree
 from .states import consistent_states
 from .tables import C_FLAGS, table
 
@@ -88,9 +88,8 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
     tree = pinocchio_tree(model.mechanism)
     states = tree.states(q, v, a)
     if library is not None:
-        (folder / f"{name}.txt").write_text(tree.text)
-        opened = library.pinocchio_open(str(folder / f"{name}.txt").encode())
-        if not opened:
+        opened = open_case(library, tree, folder)
+        if opened is None:
             raise RuntimeError(f"{name}: pinocchio_timing.cpp knows no such tree")
         variants = {"Pinocchio: RNEA": 0}
         if tree.cuts:
@@ -100,7 +99,7 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
                 "Pinocchio: RNEA, world Jacobian, limb by limb": 1,
             }
         for variant, structured in variants.items():
-            measures[variant], others[variant] = _pinocchio(library, opened, structured, states, u.shape)
+            measures[variant], others[variant] = timed(library, opened, structured, states, u.shape)
     elif not tree.cuts:
         variant = "Pinocchio from Python, less overhead: RNEA"
         measures[variant], others[variant] = python_rnea(tree, states)
@@ -147,23 +146,6 @@ def generated(
     def measure(rounds: int = 40) -> float:
         pointers = [ctypes.c_void_p(x.ctypes.data) for x in (sizes, *inputs, u)]
         return library.time_calls(ctypes.c_size_t(rounds), ctypes.c_size_t(len(u)), *pointers)
-
-    measure(1)
-    return measure, u
-
-
-def _pinocchio(
-    library: ctypes.CDLL, opened: int, structured: int, states: tuple[Array, ...], shape: tuple[int, ...]
-) -> tuple[Callable[[], float], Array]:
-    """A measurement of ns per call of the C++, and its results."""
-    u = np.full(shape, np.nan)
-
-    def measure(rounds: int = 8) -> float:
-        pointers = [ctypes.c_void_p(x.ctypes.data) for x in (*states, u)]
-        count = ctypes.c_size_t(len(u))
-        return library.pinocchio_time(
-            ctypes.c_void_p(opened), ctypes.c_int(structured), ctypes.c_size_t(rounds), count, *pointers
-        )
 
     measure(1)
     return measure, u

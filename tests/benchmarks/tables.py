@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 C_FLAGS = ("-O2", "-fno-math-errno", "-march=native")
-CPP_FLAGS = ("-O3", "-march=native", "-DNDEBUG")
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:

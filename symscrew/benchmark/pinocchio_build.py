@@ -8,12 +8,13 @@ import sysconfig
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from .pinocchio_tree import PinocchioTree
-from .tables import CPP_FLAGS
+from symscrew.benchmark.pinocchio_tree import PinocchioTree
 
+CPP_FLAGS = ("-O3", "-march=native", "-DNDEBUG")
 LIMITS = (
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
     "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
@@ -53,6 +54,30 @@ def build_pinocchio(folder: Path) -> ctypes.CDLL:
     return library
 
 
+def open_case(library: ctypes.CDLL, tree: PinocchioTree, folder: Path) -> int | None:
+    """A tree in the C++, or None where this knows no such tree."""
+    file = folder / "tree.txt"
+    file.write_text(tree.text)
+    return library.pinocchio_open(str(file).encode()) or None
+
+
+def timed(
+    library: ctypes.CDLL, opened: int, structured: int, states: tuple[np.ndarray, ...], shape: tuple[int, ...]
+) -> tuple[Callable[[], float], np.ndarray]:
+    """A measurement of ns per call of the C++, and its results."""
+    u = np.full(shape, np.nan)
+
+    def measure(rounds: int = 8) -> float:
+        pointers = [ctypes.c_void_p(x.ctypes.data) for x in (*states, u)]
+        count = ctypes.c_size_t(len(u))
+        return library.pinocchio_time(
+            ctypes.c_void_p(opened), ctypes.c_int(structured), ctypes.c_size_t(rounds), count, *pointers
+        )
+
+    measure(1)
+    return measure, u
+
+
 def python_rnea(tree: PinocchioTree, states: tuple[np.ndarray, ...]) -> tuple[Callable[[], float], np.ndarray]:
     """ns per RNEA from Python less that of a tree of one joint (the overhead of the call), and results.
 
@@ -79,16 +104,16 @@ def python_rnea(tree: PinocchioTree, states: tuple[np.ndarray, ...]) -> tuple[Ca
     return measure, results
 
 
-def python_model(pinocchio: object, tree: PinocchioTree, joints: int) -> object:
+def python_model(pinocchio: Any, tree: PinocchioTree, joints: int) -> Any:
     """The first joints of a serial tree as a model of Pinocchio's Python package."""
-    made = pinocchio.Model()  # type: ignore[attr-defined]
-    joint_types = {"R": pinocchio.JointModelRZ, "P": pinocchio.JointModelPZ}  # type: ignore[attr-defined]
+    made = pinocchio.Model()
+    joint_types = {"R": pinocchio.JointModelRZ, "P": pinocchio.JointModelPZ}
     lines = tree.text.splitlines()[1 : 1 + joints]
     for k, line in enumerate(lines):
         kind, parent, *rest = line.split()
         x = np.array([float(number) for number in rest])
-        place = pinocchio.SE3(x[:9].reshape(3, 3), x[9:12])  # type: ignore[attr-defined]
+        place = pinocchio.SE3(x[:9].reshape(3, 3), x[9:12])
         index = made.addJoint(int(parent), joint_types[kind](), place, f"joint{k + 1}")
-        inertia = pinocchio.Inertia(x[12], x[13:16], x[16:25].reshape(3, 3))  # type: ignore[attr-defined]
-        made.appendBodyToJoint(index, inertia, pinocchio.SE3.Identity())  # type: ignore[attr-defined]
+        inertia = pinocchio.Inertia(x[12], x[13:16], x[16:25].reshape(3, 3))
+        made.appendBodyToJoint(index, inertia, pinocchio.SE3.Identity())
     return made

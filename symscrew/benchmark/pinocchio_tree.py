@@ -66,7 +66,7 @@ class PinocchioTree:
         head = [len(self.elements), len(self.cuts), self.hub if self.cuts else 0, rotations, self.drive_in_limb]
         lines = [" ".join(map(str, head))]
         for element, (mass, centre, inertia) in zip(self.elements, self.inertias, strict=True):
-            axes, origin = self._frame(element.parent)
+            axes, origin = self.frame(element.parent)
             numbers = [
                 *(axes.T @ element.axes).ravel(),
                 *(axes.T @ (element.origin - origin)),
@@ -78,18 +78,19 @@ class PinocchioTree:
         for cut in self.cuts:
             numbers = [*self._local(cut.tip, cut.point), *self._local(cut.hub, cut.point)]
             for joint, axis in zip((cut.tip, cut.hub), cut.axes or (np.zeros(3),) * 2, strict=True):
-                numbers += [*(self._frame(joint)[0].T @ axis)]
+                numbers += [*(self.frame(joint)[0].T @ axis)]
             rotation = int(len(cut.axes) == 2)
             lines.append(f"{cut.tip} {cut.hub} {rotation} " + " ".join(repr(float(x)) for x in numbers))
         return "\n".join(lines) + "\n"
 
-    def _frame(self, joint: int) -> tuple[Array, Array]:
+    def frame(self, joint: int) -> tuple[Array, Array]:
+        """Axes and origin of a joint's frame in the reference configuration; 0 is the ground."""
         if joint == 0:
             return np.eye(3), np.zeros(3)
         return self.elements[joint - 1].axes, self.elements[joint - 1].origin
 
     def _local(self, joint: int, point: Array) -> Array:
-        axes, origin = self._frame(joint)
+        axes, origin = self.frame(joint)
         return axes.T @ (point - origin)
 
     def states(self, q: Array, v: Array, a: Array) -> tuple[Array, Array, Array]:
@@ -181,7 +182,7 @@ def _element(mechanism: Mechanism, tree: Tree, links: list[Link], parent: int) -
     axis = _numbers(mechanism, joint.axes[link.motion.axis or 0]) * (-1 if link.inverted else 1)
     place = JOINT_TYPES[joint.type].motions.index(link.motion)
     values = _numbers(mechanism, joint.reference) if joint.reference else np.zeros(2)
-    return Element(link.motion.kind, parent, _triad(axis), origin, q, v, values[place : place + 1], link.index)
+    return Element(link.motion.kind, parent, triad(axis), origin, q, v, values[place : place + 1], link.index)
 
 
 def _inertia(mechanism: Mechanism, links: list[Link]) -> tuple[float, Array, Array]:
@@ -195,7 +196,7 @@ def _inertia(mechanism: Mechanism, links: list[Link]) -> tuple[float, Array, Arr
     return float(mechanism.number(body.mass)), _numbers(mechanism, body.com), inertia  # type: ignore[arg-type]
 
 
-def _triad(axis: Array) -> Array:
+def triad(axis: Array) -> Array:
     """A rotation matrix whose third column is the axis."""
     first = np.cross(np.eye(3)[np.abs(axis).argmin()], axis)
     first /= np.linalg.norm(first)
