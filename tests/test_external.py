@@ -25,7 +25,7 @@ def library(found: Model, folder: Path) -> Path:
     for name, text in {**print_c(found), **print_external(found)}.items():
         (folder / name).write_text(text)
     others = [str(folder / f"{found.name}{part}.c") for part in ("_jacobians", "_external")]
-    compile_c(folder / f"{found.name}.c", folder / f"lib{found.name}.so", flags=others)
+    compile_c(folder / f"{found.name}.c", folder / f"lib{found.name}.so", flags=["-O1", *others])
     return folder / f"lib{found.name}.so"
 
 
@@ -106,7 +106,6 @@ def test_the_jacobian_is_sparse_and_can_be_mapped(four_bar):
     assert np.array(mapped(q, v, y)) == pytest.approx(expected.T, abs=1e-12)
 
 
-@pytest.mark.tools
 def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     """The crank angle at which gravity needs no torque: a stationary point of the potential energy."""
     assemble = ca.external("four_bar_casadi_assemble", str(four_bar))
