@@ -102,9 +102,10 @@ class Variation:
             parent, change = moving[link.parent], result[link.parent]
             speed = own_screws(link, frame, system.inputs.v)
             step, rate, gain = (own_screws(link, frame, x) for x in (direction.step, direction.rate, direction.gain))
-            carried = add(change.at(here.offset), transform(parent.matrix, step.linear))
+            carried = add(transform(change.matrix, here.offset), transform(parent.matrix, step.linear))
             carried = add(carried, cross(scale(2, change.omega), speed.linear))
             carried = add(add(carried, cross(scale(2, parent.omega), rate.linear)), gain.linear)
+            carried = add(carried, change.origin)  # last: what gravity adds is all that its frame has of its own
             if link.motion.kind in "PF":
                 result.append(Rates(change.omega, change.alpha, carried, change.matrix))
                 continue

@@ -235,12 +235,13 @@ class ClosedMotion:
 
     @cached_property
     def by_steps(self) -> list[Direction]:
-        """Displacements N_j with the changes of w that they take for steady rates of y, before dw/dt follows."""
-        result = []
-        for j, column in enumerate(self.columns):
-            change = self.moved(self.following_free[j], self.following[j])
-            result.append(Direction(f"step{j}", column, self.bent(column, change), self._still()))
-        return result
+        """Displacements N_j with changes of w that keep the loops closed, before dw/dt follows.
+
+        For steady rates of y half of `following_free` would have to be added to the free joint rates: that is left
+        to their own columns of the derivatives.
+        """
+        pairs = enumerate(zip(self.columns, self.following, strict=True))
+        return [Direction(f"step{j}", column, self.bent(column, change), self._still()) for j, (column, change) in pairs]
 
     def bent(self, column: Sequence[Node], change: Sequence[Node]) -> list[Node]:
         """Change of w along dq = column, from the change of dw/dt for this change of w alone."""
@@ -312,6 +313,10 @@ class ClosedMotion:
                 column = [still[i][start + j] + _inner(momenta[i], changes[j]) for i in range(count)]
                 group.append([x + _inner(row, free[j]) for x, row in zip(column, inertia, strict=True)])
             groups.append(group)
+        half = self.system.tape.reciprocal(self.system.tape.node(2))
+        for column, free in zip(groups[0], self.following_free, strict=True):
+            for i in range(count):
+                column[i] = column[i] + half * _inner(free, [change[i] for change in groups[1]])
         return (self.per_y(groups[0]), self.per_y(groups[1]), self.per_y(inertia))
 
     def per_y(self, columns: Matrix) -> Matrix:
@@ -363,12 +368,9 @@ class Drives:
         amounts, _ = solve_symmetric(tape, normal, right, [1.0] * count)
         w, zero = motion.moved(amounts), [tape.zero] * len(motion.w)
         along = replace(motion, system=system.at(system.inputs.q, {}, system.tree_rates(w), zero), w=w, w_dot=zero)
-        bends = []
-        for column, change in zip(columns, along.following, strict=True):
-            bend = along.bent(column, change)
-            free = [-bend[k] for k in motion.loops.free]
-            bend = motion.moved(free, bend)
-            bends.append([bend[self.places[u]] for u in sorted(self.places)])
+        # What a change of m adds to the bend makes no difference to the drives.
+        half = tape.reciprocal(tape.node(2))
+        bends = [[half * change[self.places[u]] for u in sorted(self.places)] for change in along.following]
         return motion.per_y(bends)
 
 
