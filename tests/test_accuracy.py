@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -26,6 +27,7 @@ from symscrew.console import Progress
 from symscrew.mobility import analyse_mobility
 from symscrew.model import Model, derive
 from symscrew.newton_euler import newton_euler
+from symscrew.simulation.run import simulate
 from symscrew.timing import quartiles
 
 QUIET = Progress(quiet=True)
@@ -261,23 +263,62 @@ def test_study_of_formulations_on_andrews() -> None:
     assert any(p.facts.get("peer") for p in study.points)
 
 
-def test_reference_histories_of_the_scenes_fit_them() -> None:
-    from symscrew.scene import load
+BENCHMARKS = sorted(path.name.removesuffix(".reference.json") for path in EXAMPLES.glob("*.reference.json"))
 
-    paths = sorted(EXAMPLES.glob("*.reference.json"))
-    assert len(paths) >= 8
-    for path in paths:
-        scene_path = path.with_name(path.name.replace(".reference.json", ".toml"))
-        reference = read_reference(scene_path)
+
+def test_reference_histories_state_their_errors() -> None:
+    assert len(BENCHMARKS) >= 11
+    for name in BENCHMARKS:
+        reference = read_reference(EXAMPLES / f"{name}.toml")
         assert reference is not None
         assert np.allclose(np.diff(reference.times), reference.times[1], rtol=1e-9)
-        scene = load(scene_path)
-        assert reference.times[-1] >= scene.duration * (1 - 1e-12)
-        model = derive(scene.mechanism, scene.effects)
-        assert np.isfinite(reference.error_of(model)(np.repeat(model.system.reference[None], len(reference.times), 0)))
         assert reference.stated is not None
         assert reference.own_error is not None
         assert reference.own_error < reference.stated
+
+
+@pytest.mark.slow
+@needs_compiler
+@pytest.mark.parametrize("name", BENCHMARKS)
+def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
+    from symscrew.scene import load
+
+    path = EXAMPLES / f"{name}.toml"
+    scene, reference = load(path), read_reference(path)
+    assert reference is not None and reference.stated is not None
+    assert reference.times[-1] >= scene.duration * (1 - 1e-12)
+    tight = replace(scene.integrator, method="dop853", step=None, tolerance=1e-11)
+    run = simulate(replace(scene, rate=1 / reference.times[1], duration=reference.times[-1], integrator=tight))
+    assert run.ok
+    assert reference.error_of(run.model)(run.q) < reference.stated
+
+
+@needs_compiler
+def test_stiff_libraries_converge() -> None:
+    """Each of them on the pendulum: tighter tolerances, smaller errors; set-up is not part of the run's time."""
+    from symscrew.accuracy.forward import beginning
+    from symscrew.accuracy.measuring import Stopwatch
+    from symscrew.accuracy.stiff import stiff_setups
+    from symscrew.scene import load
+    from symscrew.simulation.run import prepare
+
+    path = EXAMPLES / "simple_pendulum.toml"
+    reference = read_reference(path)
+    assert reference is not None
+    times = reference.times[:4]
+    scene = replace(load(path), rate=1 / times[1], duration=times[-1])
+    found, plant = prepare(scene)
+    few = replace(reference, times=times, values=reference.values[:4])
+    setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), Stopwatch())
+    assert not missing
+    assert {setup.curve.split()[0] for setup in setups} == {"Radau", "BDF", "CVODES"}
+    errors: dict[str, list[float]] = {}
+    for setup in setups:
+        assert setup.run() > 0
+        errors.setdefault(setup.curve, []).append(setup.error())
+    for curve, values in errors.items():
+        assert values[-1] < 1e-6, curve
+        assert values[-1] < 1e-2 * values[0], curve
 
 
 @needs_compiler
