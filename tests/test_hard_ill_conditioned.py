@@ -228,6 +228,26 @@ def test_millimetres_and_grams(millimetres: bool, grams: bool) -> None:
     assert np.abs(runs[0].q - runs[1].q).max() < 1e-10
 
 
+@needs_compiler
+def test_millimetres_and_grams_through_singular_positions() -> None:
+    """A02 with N = 2: the same angles to 1e-10 over two crossings, the same crossings with the same lost rows."""
+    assert case(9)["scenario"].startswith("A02 N=2")
+    falls = {"m": "-9.81", "mm": "-9810", "g": "-9.81"}
+    bars = {"m": {}, "mm": {"width": "1000", "length": "1000"}, "g": {"link": "1000", "coupler": "1000"}}
+    start, fine = Initial(rates={"A0": -1.0}), Integrator(tolerance=1e-11)
+    runs = {
+        unit: simulate(
+            Scene(unit, four_bars(2, **bars[unit]), (Gravity((0, g, 0)),), 2.0, 10.0, start, integrator=fine)
+        )
+        for unit, g in falls.items()
+    }
+    for run in runs.values():
+        assert run.ok and np.abs(run.q - runs["m"].q).max() < 1e-10
+        assert run.model.programs["forward_dynamics"].regular == runs["m"].model.programs["forward_dynamics"].regular
+        assert [c.rows for c in run.crossings] == [c.rows for c in runs["m"].crossings]
+    assert len(runs["m"].crossings) == 2
+
+
 # -- axes that are nearly parallel, drives that nearly coincide -----------------------------------------------------
 
 
