@@ -18,7 +18,6 @@ from symscrew.tree import GROUND
 from symscrew.variations import (
     Variation,
     Varied,
-    along,
     matrix_change,
     minus,
     plus,
@@ -76,15 +75,28 @@ def _meeting(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
         if row.unit == "N":
             values = [dot(row.force, x) for x in linear]
         elif universal(cut):
-            first, second = universal_variation(variation, cut)
-            moved = times(first, times(omega, second)) if cut.tip_is_parent else times(times(omega, first), second)
-            pairs = zip(along(times(first, second), alpha), along(moved, omega), strict=True)
-            values = [x + y for x, y in pairs]
+            values = _axes_rows(variation, cut, omega, alpha)
         else:
             values = [dot(row.couple, x) for x in alpha]
         for column, value in zip(rows, values, strict=True):
             column.append(-variation.system.tape.node(value))
     return rows
+
+
+def _axes_rows(variation: Variation, cut: Cut, omega: Varied, alpha: Varied) -> list[Node]:
+    """The couple of a universal joint: the second rate of the product of its axes, seen from the tip.
+
+    `omega`, `alpha`: of the hub against the tip, with which e . h, e the tip's axis, has the second rate e . U h.
+    """
+    first, second = universal_variation(variation, cut)
+    (e, *_), h = (first, second) if cut.tip_is_parent else (second, first)
+    sign = -1 if cut.tip_is_parent else 1
+    matrix = acceleration_matrix(omega[0], alpha[0])
+    values = [sign * dot(e, transform(matrix, h[0]))]
+    for k in range(1, len(h)):
+        change = transform(matrix_change(omega[0], omega[k], alpha[k]), h[0])
+        values.append(sign * dot(e, add(change, transform(matrix, h[k]))))
+    return values
 
 
 def slides(cut: Cut) -> bool:

@@ -240,13 +240,11 @@ class ClosedMotion:
         For steady rates of y half of `following_free` would have to be added to the free joint rates: that is left
         to their own columns of the derivatives.
         """
-        pairs = enumerate(zip(self.columns, self.following, strict=True))
-        return [Direction(f"step{j}", column, self.bent(column, change), self._still()) for j, (column, change) in pairs]
-
-    def bent(self, column: Sequence[Node], change: Sequence[Node]) -> list[Node]:
-        """Change of w along dq = column, from the change of dw/dt for this change of w alone."""
-        half = self.system.tape.reciprocal(self.system.tape.node(2))
-        return [half * (c - t) for c, t in zip(change, self._product(self.w, column), strict=True)]
+        half, result = self.system.tape.reciprocal(self.system.tape.node(2)), []
+        for j, (column, change) in enumerate(zip(self.columns, self.following, strict=True)):
+            rate = [half * (c - t) for c, t in zip(change, self._product(self.w, column), strict=True)]
+            result.append(Direction(f"step{j}", column, rate, self._still()))
+        return result
 
     @cached_property
     def displaced(self) -> list[list[Node]]:
