@@ -72,7 +72,8 @@ def test_outcome_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     code, _ = run(tmp_path, FIVE_BAR, "--json")
     found = json.loads(capsys.readouterr().out)
     assert code == 0 and found["ok"] and found["replay"]["end_error"] < 1e-6 and found["errors"]["closure"] < 1e-9
-    assert set(found["times"]) == {"model and guess", "transcription", "functions", "solver", "total"}
+    parts = {"model and guess", "transcription", "functions", "solver", "errors and meshes", "total"}
+    assert set(found["times"]) == set(found["processor_times"]) == parts
 
 
 def test_all_examples_can_be_read() -> None:

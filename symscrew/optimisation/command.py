@@ -60,19 +60,19 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
         share = 100 * float(((u < low + near) | (u > high - near)).mean())
         lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g}, on a bound at {share:.0f} % of the points")
     lines.append(
-        f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2, bounds exceeded "
-        f"by {errors.violation:.1e} (scaled); smallest pivot of the coordinates {errors.pivot:.2g}"
+        f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2 (at the end "
+        f"{errors.drift:.1e}), bounds exceeded by {errors.violation:.1e} (scaled); smallest pivot of the coordinates "
+        f"{errors.pivot:.2g}"
     )
     if again is not None:
         lines.append(
             f"replayed by forward simulation: ends {again.end_error:.1e} from the plan, closure {again.closure:.1e}, "
             f"integration error {again.integration:.1e}"
         )
-    rows = [[name, f"{seconds:.3f}"] for name, seconds in found.statistics.times.items()]
-    rows.insert(0, ["iterations", str(found.statistics.iterations)])
-    if found.refinements:
-        rows.insert(0, ["refinements", f"{found.refinements} to {len(found.mesh) - 1} intervals"])
-    return [*lines, table(("part", "time [s]"), rows)]
+    spent = found.statistics
+    rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
+    lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
+    return [*lines, table(("part", "time [s]", "processor [s]"), rows)]
 
 
 def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
@@ -88,6 +88,7 @@ def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
         "intervals": len(found.mesh) - 1,
         "refinements": found.refinements,
         "times": dict(found.statistics.times),
+        "processor_times": dict(found.statistics.processor),
     }
     if found.ok:
         errors = found.errors

@@ -10,8 +10,8 @@ import numpy as np
 
 from symscrew import description
 from symscrew.optimisation.result import Trajectory
-from symscrew.plots import Curve, draw, figure, save
-from symscrew.simulation.files import replaced
+from symscrew.plots import TIME, Curve, draw, figure, save
+from symscrew.replacement import replaced
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -93,13 +93,22 @@ def plot(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> 
     units = sorted({tree[label] for label in labels})
     unit = ", ".join(units)
     curves = [Curve(label, samples.y[:, k], unit) for k, label in enumerate(labels)]
-    draw(axes[0], samples.t, curves, title="Independent coordinates", label=f"y [{unit}]")
+    draw(
+        axes[0],
+        samples.t,
+        curves,
+        title="Independent coordinates" + (" (dots: replayed by forward simulation)" if replayed is not None else ""),
+        label=f"y [{unit}]",
+    )
     if replayed is not None:
         axes[0].plot(replayed.t, replayed.y, ".", color="0.3", markersize=2.5)
     curves = [Curve(label, samples.y_dot[:, k], unit) for k, label in enumerate(labels)]
     draw(axes[1], samples.t, curves, title="Their rates", label=f"y_dot [{unit}/s]")
-    curves = [Curve(label, samples.u[:, k], "N") for k, label in enumerate(trajectory.drive_labels)]
-    draw(axes[2], samples.t, curves, title="Drives and their bounds", label="u [N, N m]")
+    port = next(p for p in trajectory.model.programs["inverse_dynamics"].outputs if p.name == "u")
+    unit = ", ".join(sorted(set(port.units)))
+    curves = [Curve(label, samples.u[:, k], unit) for k, label in enumerate(trajectory.drive_labels)]
+    draw(axes[2], samples.t, curves, title="Drives and their bounds", label=f"u  [{unit}]", columns=4)
+    axes[2].set_xlabel(TIME)
     bounds = {b for label in trajectory.drive_labels for b in trajectory.model.drive_range(label) if np.isfinite(b)}
     for bound in sorted(bounds):
         axes[2].axhline(bound, color="0.6", linewidth=0.8, linestyle="--")

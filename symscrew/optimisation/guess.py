@@ -68,9 +68,9 @@ class Guess:
         y, y_1, _ = self.path(mesh)
         flat = points.ravel()
         at, rate, second = self.path(flat)
-        order = np.argsort(flat, kind="stable")
-        q = np.empty((len(flat), self.q.shape[1]))
-        q[order], _ = kinematics.follow(at[order], self.q[0])
+        nearest = np.abs(flat[:, None] - self.tau).argmin(axis=1)
+        q, _ = kinematics.assemble_all(at, self.q[nearest])
+        q[:, list(model.equations.layout.y)] = at  # also where nothing was found
         z = q[:, list(model.equations.layout.z)]
         u = drives(model, self.duration, flat, at, rate, second, z)
         ranges = [model.drive_range(label) for label in model.drive_labels]
@@ -87,8 +87,8 @@ class Guess:
         for k, (tau, _) in enumerate(observed(model)):
             here = self.path(np.array([tau]))[0][0]
             near = self.q[int(np.argmin(np.abs(self.tau - tau)))]
-            found = kinematics.assemble(here, near)
-            result[f"observed_{k}"] = (near if found is None else found)[list(model.equations.layout.z)]
+            place = kinematics.assemble(here, near)
+            result[f"observed_{k}"] = (near if place is None else place)[list(model.equations.layout.z)]
         return result
 
 
@@ -116,7 +116,7 @@ def first_guess(model: PointModel) -> Guess:
     path, start = _path(model, places)
     tau = np.linspace(0.0, 1.0, FINEST + 1)
     y, y_1, y_2 = path(tau)
-    q, _ = kinematics.follow(y, start)
+    q = kinematics.follow(y, start)
     z = q[:, list(model.equations.layout.z)]
     duration = _duration(model, tau, y, y_1, y_2, z)
     u = drives(model, duration, tau, y, y_1, y_2, z)

@@ -15,6 +15,8 @@ from symscrew.optimisation.straight_line import numeric
 
 CLOSED = 1e-12
 MOST_STEPS = 40
+MOST_COMMON_STEPS = 8
+LARGEST_STEP = 0.5
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,10 @@ class Kinematics:
         return numeric(self.model.equations.step)
 
     @cached_property
+    def _move(self) -> ca.Function:
+        return numeric(self.model.equations.move)
+
+    @cached_property
     def _pivots(self) -> ca.Function:
         return numeric(self.model.equations.pivots)
 
@@ -58,18 +64,46 @@ class Kinematics:
             if not self.layout.z:
                 return q
         for _ in range(MOST_STEPS):
-            step = np.array(self._step(*self._with_parameters(q, y))).ravel()
-            if not np.isfinite(step).all():
+            moved = np.array(self._move(*self._with_parameters(q, y))).ravel()
+            size = float(np.abs(moved - q).max(initial=0.0))
+            if not np.isfinite(size):
                 return None
-            size = float(np.abs(step).max(initial=0.0))
-            q = self.system.advance(q, step * min(1.0, 0.5 / size) if size > 0 else step)
+            if size > LARGEST_STEP:
+                step = np.array(self._step(*self._with_parameters(q, y))).ravel()
+                moved = self.system.advance(q, step * (LARGEST_STEP / np.abs(step).max()))
+            q = moved
             if size < CLOSED:
                 return q
         return None
 
-    def follow(self, y: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, int]:
-        """q (n, nq) along y (n, d) from a configuration near the first, and how many could be assembled."""
-        q, found = np.repeat(start[None], len(y), 0), 0
+    def assemble_all(self, y: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """q (n, nq) with independent coordinates y (n, d), each near its guess (n, nq), and where there is one (n,).
+
+        Elsewhere q is the guess. All are moved at once; what does not converge fast is assembled with damped steps.
+        """
+        q, n = np.array(guesses, dtype=float), len(y)
+        fine = np.ones(n, dtype=bool)
+        if n == 0 or not (self.system.cuts or self.layout.z):
+            q[:, list(self.layout.y)] = y
+            return q, fine
+        parameters = np.repeat(self.parameters[:, None], n, 1)
+        function = self._move.map(n)
+        for _ in range(MOST_COMMON_STEPS):
+            moved = np.array(function(q.T, y.T, *([parameters] if len(parameters) else []))).T
+            size = np.abs(moved - q).max(axis=1, initial=0.0)
+            fine &= size <= LARGEST_STEP  # also false where it is not a number
+            q = np.where(fine[:, None], moved, q)
+            if (size[fine] < CLOSED).all():
+                break
+        for k in np.flatnonzero(~fine | ~(size < CLOSED)):
+            found = self.assemble(y[k], guesses[k])
+            fine[k] = found is not None
+            q[k] = guesses[k] if found is None else found
+        return q, fine
+
+    def follow(self, y: np.ndarray, start: np.ndarray) -> np.ndarray:
+        """q (n, nq) along y (n, d) from a configuration near the first; where none is found the last one with y."""
+        q = np.repeat(start[None], len(y), 0)
         near = start
         for k, target in enumerate(y):
             here = self.assemble(target, near)
@@ -77,16 +111,16 @@ class Kinematics:
                 here = np.array(near)
                 here[list(self.layout.y)] = target
             else:
-                near, found = here, found + 1
+                near = here
             q[k] = here
-        return q, found
+        return q
 
     def pivots(self, q: np.ndarray) -> np.ndarray:
         """Smallest pivot of the closure without units at q (n, nq): near 0 the coordinates y are singular."""
-        found = [
-            np.abs(np.array(self._pivots(*self._with_parameters(here)))).min(initial=1.0) for here in np.atleast_2d(q)
-        ]
-        return np.array(found)
+        q = np.atleast_2d(q)
+        parameters = [np.repeat(self.parameters[:, None], len(q), 1)] if len(self.parameters) else []
+        found = np.array(self._pivots.map(len(q))(q.T, *parameters))
+        return np.abs(found).min(axis=0, initial=1.0)
 
     def place(self, conditions: Conditions, where: str, near: np.ndarray) -> Placement:
         """A configuration near another that meets conditions (rates left aside), by damped least squares."""

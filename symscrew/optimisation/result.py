@@ -40,15 +40,14 @@ class Errors:
 
 @dataclass(frozen=True)
 class Statistics:
-    """Iterations, and wall time [s] by part: model, transcription, functions, solver, total."""
+    """Iterations, and time [s] by part (model, transcription, functions, solver, errors, total), by two clocks.
+
+    `times`: the wall's; `processor`: the processor's, over all threads.
+    """
 
     iterations: int
     times: Mapping[str, float]
-
-    @property
-    def total(self) -> float:
-        """Wall time of everything [s]."""
-        return self.times["total"]
+    processor: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -200,15 +199,7 @@ class Trajectory:
 
     def configurations(self, tau: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """q (n, nq) assembled at ascending relative times, and where that succeeded (n,)."""
-        kinematics = self.kinematics
-        q = np.empty((len(tau), len(self.model.system.tree.q)))
-        good = np.ones(len(tau), dtype=bool)
-        near = self._nearest(tau)
-        for n in range(len(tau)):
-            found = kinematics.assemble(y[n], near[n])
-            good[n] = found is not None
-            q[n] = near[n] if found is None else found
-        return q, good
+        return self.kinematics.assemble_all(y, self._nearest(tau))
 
     @cached_property
     def kinematics(self) -> Kinematics:

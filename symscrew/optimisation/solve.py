@@ -43,7 +43,6 @@ class Prepared:
     problem: TrajectoryProblem
     model: PointModel
     guess: Guess
-    seconds: float
 
 
 def prepare(problem: TrajectoryProblem) -> Prepared:
@@ -52,7 +51,6 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
     Raises:
         DescriptionError: the problem names what does not exist, or contradicts itself.
     """
-    began = time.perf_counter()
     mechanism = problem.mechanism
     chosen = {*problem.design, *problem.parameters}
     for name in chosen:
@@ -66,7 +64,7 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
         raise DescriptionError(f"{mechanism.name} has no freedom that could move")
     guess = first_guess(model)
     model = PointModel(problem, equations, guess.scales)
-    return Prepared(problem, model, guess, time.perf_counter() - began)
+    return Prepared(problem, model, guess)
 
 
 def solve(
@@ -87,7 +85,7 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
-    began = time.perf_counter()
+    began = _clock()
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
     model = PointModel(problem, found.model.equations, found.guess.scales)
@@ -104,18 +102,36 @@ def solve(
             model.problem, transcription=replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         )
         model = PointModel(finer, model.equations, model.scales)
-        again = _once(model, found.guess, trajectory, say, time.perf_counter(), REFINING)
+        again = _once(model, found.guess, trajectory, say, _clock(), REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
-            return replace(trajectory, statistics=spent)
+            trajectory = replace(trajectory, statistics=spent)
+            break
         trajectory = replace(again, refinements=count, statistics=spent)
-    return trajectory
+    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
 
 
 def _sum(before: Statistics, after: Statistics) -> Statistics:
-    times = {name: before.times.get(name, 0.0) + seconds for name, seconds in after.times.items()}
-    return Statistics(before.iterations + after.iterations, times)
+    times, processor = (
+        {name: old.get(name, 0.0) + seconds for name, seconds in new.items()}
+        for old, new in ((before.times, after.times), (before.processor, after.processor))
+    )
+    return Statistics(before.iterations + after.iterations, times, processor)
+
+
+def _whole(parts: Statistics, spent: np.ndarray) -> Statistics:
+    """With what errors and meshes took, and the total."""
+    times, processor = (
+        {**each, "errors and meshes": total - sum(each.values()), "total": total}
+        for each, total in zip((parts.times, parts.processor), spent.tolist(), strict=True)
+    )
+    return Statistics(parts.iterations, times, processor)
+
+
+def _clock() -> np.ndarray:
+    """Wall and processor time [s]."""
+    return np.array([time.perf_counter(), time.process_time()])
 
 
 def transcribe(model: PointModel) -> Transcribed:
@@ -130,10 +146,10 @@ def _once(
     guess: Guess,
     warm: Trajectory | None,
     say: Progress,
-    began: float,
+    began: np.ndarray,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
-    ready = time.perf_counter()
+    ready = _clock()
     transcribed = transcribe(model)
     unknowns = transcribed.unknowns
     _check_bounds(transcribed)
@@ -143,32 +159,30 @@ def _once(
     arrays["u"] = _control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
     if guess.trouble and warm is None:
-        return _not_started(transcribed, start, guess.trouble, time.perf_counter() - began)
+        return _not_started(transcribed, start, guess.trouble)
     scale = _cost_scale(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
     solver = _solver(model.problem, program, start_options if warm else {})
-    made = time.perf_counter()
+    made = _clock()
     extra = {}
     if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
     answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
-    done = time.perf_counter()
+    done = _clock()
     x = np.array(answer["x"]).ravel()
     ok = bool(stats["success"])
-    times = _times(stats, ready - began, made - ready, done - made, done - began)
     word = stats.get("return_status", "")
     g = np.array(answer["g"]).ravel()
     pressure = np.array(answer["lam_x"]).ravel()
     reasons = () if ok else (*broken_rows(program, unknowns, x, g), *pressing_bounds(unknowns, x, pressure))
     status = STATUS.get(word, f"the solver ended with {word}")
-    iterations = int(stats.get("iter_count", 0))
-    say(f"{status} after {iterations} iterations")
+    say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
     return Trajectory(
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
         pressure, float(answer["f"]) * scale, scale, ok, status,
-        Statistics(iterations, times), reasons,
+        _statistics(stats, ready - began, made - ready, done - made), reasons,
     )  # fmt: skip
 
 
@@ -181,12 +195,12 @@ def _control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
     return np.einsum("ij,njm->nim", inverse, u.reshape(n, k, -1)).reshape(n * k, -1)
 
 
-def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str, seconds: float) -> Trajectory:
+def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> Trajectory:
     """The guess as it is, where no solver can help."""
     zeros = np.zeros(sum(f.count * len(f.function.rows) for f in transcribed.families) + len(transcribed.linear.labels))
     return Trajectory(
         transcribed.model.problem, transcribed, transcribed.unknowns.unpack(start), start, zeros, np.zeros(len(start)),
-        float("nan"), 1.0, False, f"not started: {trouble}", Statistics(0, {"total": seconds}), (trouble,),
+        float("nan"), 1.0, False, f"not started: {trouble}", Statistics(0, {}, {}), (trouble,),
     )  # fmt: skip
 
 
@@ -240,14 +254,17 @@ def _symmetric(hessian: ca.Function) -> ca.Function:
     return ca.Function(hessian.name(), inputs, [whole], hessian.name_in(), ["hess_gamma_x_x"])
 
 
-def _times(
-    stats: Mapping[str, Any], model: float, transcription: float, solver: float, total: float
-) -> dict[str, float]:
-    functions = sum(float(v) for k, v in stats.items() if k.startswith("t_wall_nlp_"))
-    return {
-        "model and guess": model, "transcription": transcription, "functions": functions,
-        "solver": solver - functions, "total": total,
-    }  # fmt: skip
+def _statistics(
+    stats: Mapping[str, Any], model: np.ndarray, transcription: np.ndarray, solver: np.ndarray
+) -> Statistics:
+    parts = []
+    for k, kind in enumerate(("t_wall_nlp_", "t_proc_nlp_")):
+        functions = sum(float(v) for name, v in stats.items() if name.startswith(kind))
+        parts.append({
+            "model and guess": float(model[k]), "transcription": float(transcription[k]), "functions": functions,
+            "solver": float(solver[k]) - functions,
+        })  # fmt: skip
+    return Statistics(int(stats.get("iter_count", 0)), *parts)
 
 
 __all__ = ["Prepared", "prepare", "solve", "transcribe"]

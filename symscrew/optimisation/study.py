@@ -2,7 +2,7 @@
 
 The cost of the same problem by several transcriptions, degrees and mesh sizes, against a reference of high degree on
 a fine mesh whose own error is the change under refinement; and what each takes: the time in transcription and
-solver, the equations being derived once and shared.
+solver by the processor's clock, the equations being derived once and shared.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from symscrew.optimisation.problem import TrajectoryProblem, Transcription
 from symscrew.optimisation.reading import load
 from symscrew.optimisation.solve import Prepared, prepare, solve
 from symscrew.plots import COLOURS, figure, save
-from symscrew.simulation.files import replaced
+from symscrew.replacement import replaced
 
 MESHES, FULL_MESHES = (5, 10, 20, 40), (5, 10, 20, 40, 80, 160)
 REFERENCE = (6, 40)
@@ -40,7 +40,7 @@ SCHEMES: tuple[tuple[str, Transcription], ...] = (
 
 @dataclass(frozen=True)
 class Point:
-    """One solve: the scheme, its intervals, wall time [s], iterations, cost, its error, error of the dynamics."""
+    """One solve: the scheme, its intervals, processor time [s], iterations, cost, its error, error of the dynamics."""
 
     scheme: str
     intervals: int
@@ -97,9 +97,9 @@ def _reference(problem: TrajectoryProblem, prepared: Prepared) -> tuple[float, f
 def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, reference: float, repeats: int) -> Point:
     least, found = np.inf, None
     for _ in range(repeats):
-        began = time.perf_counter()
+        began = time.process_time()
         found = solve(problem, prepared=prepared)
-        least = min(least, time.perf_counter() - began)
+        least = min(least, time.process_time() - began)
     assert found is not None
     if not found.ok:
         raise ArithmeticError(found.status)
@@ -158,7 +158,7 @@ def _drawn(found: TranscriptionStudy, path: Path) -> None:
         axes.loglog([p.seconds for p in own], [max(p.error, floor) for p in own], label=name, **look)
     if found.reference_error > 0:
         axes.axhline(found.reference_error, color="0.6", linestyle=":", label="error of the reference")
-    axes.set_xlabel("time [s]")
+    axes.set_xlabel("processor time [s]")
     axes.set_ylabel("error of the cost")
     axes.set_title(f"Transcriptions of {found.problem}", loc="left")
     axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
