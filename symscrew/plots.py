@@ -100,7 +100,7 @@ def draw(axes: Axes, t: Array, curves: Sequence[Curve], *, title: str, label: st
     """Curves in one frame, with a title above it and a legend over the curves."""
     with style():
         for k, curve in enumerate(curves):
-            look = {"color": COLOURS[k % len(COLOURS)], "linestyle": DASHES[k % len(DASHES)]}
+            look = {"color": COLOURS[k % len(COLOURS)], "linestyle": DASHES[(k + k // len(COLOURS)) % len(DASHES)]}
             axes.plot(t, curve.values, label=curve.name, **look)
         axes.set_title(title, loc="left", pad=3)
         axes.set_ylabel(label, labelpad=2)

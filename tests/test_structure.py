@@ -15,7 +15,7 @@ from symscrew.tape import Symbol
 PACKAGE = Path(symscrew.__file__).parent
 
 STAGES = (
-    ("errors", "joints", "mechanism", "screws"),
+    ("errors", "joints", "mechanism", "replacement", "screws"),
     ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "starter", "usage"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("elementary", "least_squares", "operations", "tape", "differentiation", "program", "rank_revealing", "jacobians"),
@@ -36,13 +36,12 @@ STAGES = (
     ),
     ("functions", "quantities"),
     ("model", "scene", "inertial_parameters"),
-    ("export", "manifest", "compiled", "timing", "machine"),
+    ("export", "manifest", "compiled", "timing", "machine", "plots"),
     ("simulation", "fmu", "console", "embedded", "generation", "agreement", "verification"),
     (
         "motion",
         "outline",
         "drawing",
-        "plots",
         "optimisation",
         "accuracy",
         "cost",

@@ -22,8 +22,8 @@ from symscrew.export.listing import decimal
 from symscrew.fmu.description import describe
 from symscrew.fmu.variables import DEFAULT_STEP, Variable, structured, variables
 from symscrew.mechanism import Mechanism
+from symscrew.replacement import replaced
 from symscrew.scene import Scene
-from symscrew.simulation.files import replaced
 from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.loop import REAL_TIME, loop_plant, loop_source
 from symscrew.simulation.programs import Plant

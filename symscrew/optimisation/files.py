@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from symscrew import description
+from symscrew.joints import JOINT_TYPES
 from symscrew.optimisation.result import Trajectory
 from symscrew.plots import TIME, Curve, draw, figure, save
 from symscrew.replacement import replaced
@@ -104,8 +105,9 @@ def plot(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> 
         axes[0].plot(replayed.t, replayed.y, ".", color="0.3", markersize=2.5)
     curves = [Curve(label, samples.y_dot[:, k], unit) for k, label in enumerate(labels)]
     draw(axes[1], samples.t, curves, title="Their rates", label=f"y_dot [{unit}/s]")
-    port = next(p for p in trajectory.model.programs["inverse_dynamics"].outputs if p.name == "u")
-    unit = ", ".join(sorted(set(port.units)))
+    system = trajectory.model.system
+    slides = {JOINT_TYPES[system.mechanism.joints[j].type].freedoms[k].kind == "P" for j, k in system.drives}
+    unit = ", ".join("N" if slide else "N m" for slide in sorted(slides, reverse=True))
     curves = [Curve(label, samples.u[:, k], unit) for k, label in enumerate(trajectory.drive_labels)]
     draw(axes[2], samples.t, curves, title="Drives and their bounds", label=f"u  [{unit}]", columns=4)
     axes[2].set_xlabel(TIME)

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import base64
 import html
-import os
 import re
-import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import resources
@@ -14,6 +12,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from symscrew.errors import DescriptionError, shorten
+from symscrew.replacement import replaced
 
 SHORT = 20  # rows of a table that is printed on one page
 
@@ -89,22 +88,13 @@ def write(document: Document, path: str | Path) -> list[Path]:
     if file.suffix not in (".html", ".md"):
         raise DescriptionError(f"--out: expected a file name that ends in .html or .md, got {shorten(str(path))}")
     if file.suffix == ".html":
-        return [_replace(file, page(document).encode())]
+        return [_written(file, page(document).encode())]
     text, pictures = markdown(document, file.stem)
-    return [*(_replace(file.with_name(name), data) for name, data in pictures.items()), _replace(file, text.encode())]
+    return [*(_written(file.with_name(name), data) for name, data in pictures.items()), _written(file, text.encode())]
 
 
-def _replace(file: Path, data: bytes) -> Path:
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.")
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        os.chmod(name, 0o644)
-        os.replace(name, file)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-    return file
+def _written(file: Path, data: bytes) -> Path:
+    return replaced(file, lambda part: part.write_bytes(data))
 
 
 # -- HTML -------------------------------------------------------------------------------------------------

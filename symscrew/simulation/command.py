@@ -37,7 +37,10 @@ def run(options: argparse.Namespace) -> int:
     with tqdm(total=1.0, desc=scene.name, leave=False, disable=not sys.stderr.isatty(), file=sys.stderr) as bar:
         found = simulate(scene, prepared=prepared, progress=lambda part: bar.update(max(0.0, part - bar.n)))
     written = [files.write(found, out)] if out else []
-    written += [files.plot(found, picture)] if picture else []
+    if picture:
+        from symscrew.simulation.picture import plot
+
+        written.append(plot(found, picture))
     if options.json:
         print(json.dumps(_numbers(found), indent=1))
     else:

@@ -1,16 +1,14 @@
-"""A run as files: NumPy archive, table of comma-separated values, picture."""
+"""A run as files: NumPy archive, table of comma-separated values; and in a few lines."""
 
 from __future__ import annotations
 
-import os
-import secrets
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
 from symscrew import description
 from symscrew.errors import DescriptionError
+from symscrew.replacement import replaced
 from symscrew.simulation.run import Run
 
 FORMATS = (".npz", ".csv")
@@ -21,17 +19,6 @@ def write(run: Run, path: Path) -> Path:
     if path.suffix not in FORMATS:
         raise DescriptionError(f"expected a file name that ends in .npz or .csv, got {path.name!r}")
     return replaced(path, lambda target: _archive(run, target) if path.suffix == ".npz" else _table(run, target))
-
-
-def replaced(path: Path, make: Callable[[Path], None]) -> Path:
-    """Make a file beside its place and move it there."""
-    temporary = path.with_name(f".{path.stem}.{secrets.token_hex(6)}{path.suffix}")
-    try:
-        make(temporary)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-    return path
 
 
 def labels(run: Run) -> dict[str, list[str]]:
@@ -85,39 +72,6 @@ def _table(run: Run, path: Path) -> None:
     columns += [("closure_error", run.closure_error), ("energy_balance", run.energy_balance)]
     header = ",".join(name for name, _ in columns)
     np.savetxt(path, np.stack([c for _, c in columns], 1), delimiter=",", header=header, comments="", fmt="%.17g")
-
-
-def plot(run: Run, path: Path) -> Path:
-    """A picture of coordinates, rates, energy and errors over time."""
-    from matplotlib.figure import Figure
-
-    names, t = labels(run), run.t
-    figure = Figure(figsize=(10, 9), layout="constrained")
-    axes = figure.subplots(4, 1, sharex=True)
-    for axis, key, title in ((axes[0], "q", "coordinates [rad, m]"), (axes[1], "v", "rates [rad/s, m/s]")):
-        values = run.__dict__[key]
-        for k, label in enumerate(names[key]):
-            axis.plot(t, values[:, k], linewidth=1, label=label)
-        axis.set_ylabel(title)
-        if len(names[key]) <= 12:
-            axis.legend(fontsize="x-small", loc="upper right", ncols=2)
-    for k, label in enumerate(("kinetic", "potential")):
-        axes[2].plot(t, run.energy[:, k], linewidth=1, label=label)
-    axes[2].plot(t, run.energy.sum(axis=1), "k--", linewidth=1, label="sum")
-    axes[2].set_ylabel("energy [J]")
-    axes[2].legend(fontsize="x-small")
-    floor = 1e-18
-    axes[3].semilogy(t, np.maximum(run.closure_error, floor), linewidth=1, label="opening of the loops [1]")
-    axes[3].semilogy(t, np.maximum(np.abs(run.energy_balance), floor), linewidth=1, label="energy balance [J]")
-    axes[3].set_ylabel("errors")
-    axes[3].legend(fontsize="x-small")
-    axes[3].set_xlabel("time [s]")
-    for axis in axes:
-        for crossing in run.crossings:
-            axis.axvline(crossing.t, color="0.6", linewidth=0.8, linestyle=":")
-        axis.grid(alpha=0.3)
-    axes[0].set_title(f"{run.scene.name}: {run.status}")
-    return replaced(path, lambda target: figure.savefig(target, dpi=150, metadata={"Software": None}))
 
 
 def summary(run: Run) -> list[str]:

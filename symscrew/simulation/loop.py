@@ -55,7 +55,7 @@ def print_loop(scene: Scene) -> dict[str, str]:
 
 def emit(scene: Scene, folder: Path) -> list[Path]:
     """Write the loop into a folder, which is made if it is not there."""
-    from symscrew.simulation.files import replaced
+    from symscrew.replacement import replaced
 
     files = print_loop(scene)
     folder.mkdir(parents=True, exist_ok=True)

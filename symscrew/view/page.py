@@ -5,10 +5,8 @@ The page asks the network for nothing; its content security policy forbids it.
 
 from __future__ import annotations
 
-import errno
 import html
 import json
-import os
 import re
 import tempfile
 import webbrowser
@@ -17,6 +15,7 @@ from pathlib import Path
 
 from symscrew.export.javascript import print_script
 from symscrew.model import Model
+from symscrew.replacement import replaced
 from symscrew.view.motion_file import RecordedMotion
 from symscrew.view.scene import functions_of, scene
 
@@ -45,20 +44,8 @@ def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
 
 def write_page(model: Model, path: str | Path, motion: RecordedMotion | None = None) -> Path:
     """Write the page of a model; the file is there whole or not at all. Raises OSError where it cannot be written."""
-    file = Path(path)
-    if file.is_dir():
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(file))
     text = make_page(model, motion)
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            stream.write(text)
-        os.chmod(name, 0o644)
-        os.replace(name, file)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-    return file
+    return replaced(Path(path), lambda part: part.write_text(text, encoding="utf-8"))
 
 
 def open_page(model: Model, motion: RecordedMotion | None = None) -> Path:

@@ -12,6 +12,7 @@ from tqdm import tqdm
 
 from symscrew import catalogue
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.replacement import replaced
 from symscrew.workspace import engine, store
 from symscrew.workspace.evaluation import prepare
 from symscrew.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
@@ -49,7 +50,7 @@ def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-
     else:
         written = [store.save_npz(out / "workspace.npz", results), store.save_csv(out / "workspace.csv", results)]
         content = json.dumps(found, indent=1) + "\n"
-        written.append(store.write_whole(out / "summary.json", lambda part: part.write_text(content, encoding="utf-8")))
+        written.append(replaced(out / "summary.json", lambda part: part.write_text(content, encoding="utf-8")))
         if picture := _picture(plan, results, made.units, out / "workspace.png"):
             written.append(picture)
     shutil.rmtree(folder)

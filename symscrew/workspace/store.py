@@ -6,13 +6,13 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
 from symscrew.description import read_text
 from symscrew.errors import DescriptionError, shorten
+from symscrew.replacement import replaced
 from symscrew.workspace.plan import Plan
 
 MANIFEST = "manifest.json"
@@ -44,7 +44,7 @@ class Store:
         if folder.exists() and any(folder.iterdir()):
             raise DescriptionError(f"{shorten(str(folder), 200)} is not empty and holds no sweep; use another --out")
         folder.mkdir(parents=True, exist_ok=True)
-        write_whole(manifest, lambda path: path.write_text(json.dumps(content) + "\n", encoding="utf-8"))
+        replaced(manifest, lambda path: path.write_text(json.dumps(content) + "\n", encoding="utf-8"))
 
     def done(self) -> dict[int, Path]:
         """Number -> file of the pieces that are there and whole."""
@@ -81,20 +81,9 @@ class Store:
         return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
 
 
-def write_whole(path: Path, write: Callable[[Path], object]) -> Path:
-    """Write a file beside its place and rename it."""
-    part = path.with_name(f".{path.name}.part{path.suffix}")
-    try:
-        write(part)
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
-    return path
-
-
 def save_npz(path: Path, results: Results) -> Path:
     """All results as arrays by name."""
-    return write_whole(path, lambda part: np.savez_compressed(part, **results))  # type: ignore[arg-type]
+    return replaced(path, lambda part: np.savez_compressed(part, **results))  # type: ignore[arg-type]
 
 
 def save_csv(path: Path, results: Results) -> Path:
@@ -105,4 +94,4 @@ def save_csv(path: Path, results: Results) -> Path:
         header = ",".join(f'"{name}"' for name in results)
         np.savetxt(part, table, fmt="%.17g", delimiter=",", header=header, comments="")
 
-    return write_whole(path, write)
+    return replaced(path, write)

@@ -1,0 +1,75 @@
+"""A run as a picture: coordinates, rates, drives, energies and errors over time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from symscrew.plots import TIME, Curve, draw, figure, save, style
+from symscrew.replacement import replaced
+from symscrew.simulation.files import labels
+from symscrew.simulation.run import Run
+
+NAMES = {
+    "q": {"rad": "angle", "1": "quaternion", "m": "length"},
+    "v": {"rad/s": "angular rate", "m/s": "sliding velocity"},
+    "u": {"N": "drive force", "N m": "drive torque"},
+}
+MOST, FLOOR = 12, 1e-18
+
+
+def plot(run: Run, path: Path) -> Path:
+    """Draw a run: a frame for each kind of coordinate, rate and drive, for the energies and for the errors."""
+    frames = [*_frames(run), _energies(run), _errors(run)]
+    made, axes = figure(-(-len(frames) // 2), 2, width=10.0, height=2.3)
+    for place, (title, label, curves, logarithmic) in zip(axes, frames, strict=False):
+        draw(place, run.t, curves, title=title, label=label, columns=4)
+        if len(curves) > MOST and (legend := place.get_legend()) is not None:
+            legend.remove()
+            place.autoscale(axis="y")
+        if logarithmic:
+            place.set_yscale("log")
+            place.set_ylim(FLOOR, 1e3 * max(curve.values.max() for curve in curves))  # room for the legend
+        for crossing in run.crossings:
+            place.axvline(crossing.t, color="0.5", linewidth=0.8, linestyle=":")
+        place.set_xlabel(TIME, labelpad=1)
+    for place in axes[len(frames) :]:
+        place.set_visible(False)
+    crossed = "; dotted: singular configuration passed" if run.crossings else ""
+    with style():
+        made.suptitle(f"{run.scene.name}: {run.status}{crossed}", fontsize=9)
+    return replaced(path, lambda target: save(made, target))
+
+
+Frame = tuple[str, str, Sequence[Curve], bool]
+
+
+def _frames(run: Run) -> list[Frame]:
+    """(title, label of the ordinate, curves, whether logarithmic) of every kind of coordinate, rate and drive."""
+    tree = run.model.system.tree
+    drives = next((p for p in run.model.programs["forward_dynamics"].inputs if p.name == "u"), None)
+    units = {"q": [c.unit for c in tree.q], "v": [c.unit for c in tree.v]}
+    units["u"] = list(drives.units) if drives is not None and run.u.any() else []
+    values, named = {"q": run.q, "v": run.v, "u": run.u}, labels(run)
+    found: list[Frame] = []
+    for key, kinds in NAMES.items():
+        for unit, name in kinds.items():
+            curves = [Curve(named[key][k], values[key][:, k], u) for k, u in enumerate(units[key]) if u == unit]
+            if curves:
+                many = f": {len(curves)} curves, named in the file of the run" if len(curves) > MOST else ""
+                found.append((f"{name}s{many}" if not name.endswith("y") else f"{name[:-1]}ies{many}",
+                              f"{name}  [{unit}]", curves, False))  # fmt: skip
+    return found
+
+
+def _energies(run: Run) -> Frame:
+    curves = [Curve(name, run.energy[:, k], "J") for k, name in enumerate(("kinetic", "potential"))]
+    return "energies", "energy  [J]", [*curves, Curve("sum", run.energy.sum(axis=1), "J")], False
+
+
+def _errors(run: Run) -> Frame:
+    opening = Curve("opening of the loops  [1]", np.maximum(run.closure_error, FLOOR), "1")
+    balance = Curve("energy balance  [J]", np.maximum(np.abs(run.energy_balance), FLOOR), "J")
+    return "errors", "error  [1], [J]", [opening, balance], True
