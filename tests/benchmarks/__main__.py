@@ -9,7 +9,7 @@ from pathlib import Path
 from symscrew.benchmark.pinocchio_build import CPP_FLAGS
 from symscrew.machine import machine
 
-from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, optimisation, simulation
+from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, lean, optimisation, simulation
 from .tables import C_FLAGS, table
 
 BENCHMARKS = {
@@ -17,6 +17,7 @@ BENCHMARKS = {
     "forward_dynamics": (forward_dynamics.run, 25),
     "derivatives": (derivatives.run, 25),
     "growth": (growth.run, 3),
+    "lean": (lean.run, 50),
     "simulation": (simulation.run, 25),
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),

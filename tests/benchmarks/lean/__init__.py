@@ -1,0 +1,178 @@
+"""How far generated functions are from lean C: the functions of `*.c` here, written by hand, timed in the same run.
+
+Where there is no hand-written function, the figure in cycles is that of an earlier measurement of the best known code
+(`RECORDED`: AVX-512 at 3.95 GHz, gcc 12). Such a row compares both with the hand-written drives of the seed:
+(ours / lean seed, here) over (recorded / recorded lean seed), so that clock and load of this machine cancel.
+Hand-written functions check nothing; ours return a status for pivots and for numbers that are not finite.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew import catalogue
+from symscrew.benchmark import Compiled, batch, difference, pointers, single, states
+from symscrew.compiled import compile_c
+from symscrew.export.c import print_c
+from symscrew.model import derive
+from symscrew.timing import Times, interleaved
+
+from ..tables import table
+
+SEED = "three_ups_upu_s_physical"
+STATES = 256
+BATCH = 2008  # no multiple of 512: such strides cost a fifth
+BLOCK = 8
+AGREEMENT = 1e-10
+FLAGS = ("-fopenmp-simd", "-fno-tree-slp-vectorize")
+LEAN_SEED = 348.0  # recorded cycles of the first row
+Measure = Callable[[], float]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A generated function in one form, the lean function that does the same, and recorded cycles."""
+
+    mechanism: str
+    function: str
+    form: str
+    lean: str | None = None
+    recorded: float | None = None
+
+    @property
+    def name(self) -> str:
+        """What the table calls it."""
+        return f"{self.mechanism}, {self.function}, {self.form}"
+
+
+ONE, LANES, EIGHT = "limb by limb", "limbs in lanes", "eight states"
+ROWS = (
+    Row(SEED, "inverse_dynamics_platform", ONE, "lean_seed", LEAN_SEED),
+    Row(SEED, "inverse_dynamics_platform", LANES, "lean_seed_lanes", 185.0),
+    Row(SEED, "inverse_dynamics_platform", EIGHT, "lean_seed_batch", 54.0),
+    Row(SEED, "joint_reactions", ONE, None, 617.0),
+    Row(SEED, "joint_reactions", LANES, None, 314.0),
+    Row(SEED, "joint_reactions", EIGHT, None, 108.0),
+    Row(SEED, "forward_dynamics", ONE, None, 511.0),
+    Row(SEED, "inverse_dynamics_independent_derivatives", ONE, None, 1777.0),
+    Row("stewart_6ups", "inverse_dynamics_platform", ONE, "lean_stewart"),
+    Row("stewart_6ups", "inverse_dynamics_platform", LANES, "lean_stewart"),
+    Row("ur5", "inverse_dynamics", ONE, None, 296.0),
+    Row("ur5", "mass_matrix", ONE, None, 371.0),
+    Row("ur5", "inverse_dynamics_derivatives", ONE, None, 1067.0),
+    Row("panda", "inverse_dynamics", ONE, None, 395.0),
+    Row("panda", "mass_matrix", ONE, None, 687.0),
+    Row("panda", "inverse_dynamics_derivatives", ONE, None, 2765.0),
+)
+
+
+def run(*, repeats: int = 50) -> tuple[str, dict[str, Any]]:
+    """Markdown and raw numbers; raises RuntimeError where generated and lean results differ."""
+    with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
+        lean = _lean(Path(folder))
+        measures: dict[str, Measure] = {}
+        agreement: dict[str, float] = {}
+        for mechanism in dict.fromkeys(row.mechanism for row in ROWS):
+            some = [row for row in ROWS if row.mechanism == mechanism]
+            for row, (ours, theirs, error) in zip(some, _measures(mechanism, some, lean, Path(folder)), strict=True):
+                measures[f"ours: {row.name}"] = ours
+                if theirs is not None:
+                    measures[f"lean: {row.name}"] = theirs
+                    agreement[row.name] = error
+        times = interleaved(measures, repeats)
+    rows = [_line(row, times, agreement) for row in ROWS]
+    header = ["mechanism", "function", "form", "ours ns", "lean ns", "ratio", "against", "relative difference"]
+    raw = {
+        "times": {name: found.as_json() for name, found in times.items()},
+        "rows": [asdict(row) for row in ROWS],
+        "agreement": agreement,
+    }
+    return f"Least of {repeats} interleaved repeats, ns per state.\n\n{table(header, rows)}", raw
+
+
+def _line(row: Row, times: dict[str, Times], agreement: dict[str, float]) -> list[str]:
+    ours = times[f"ours: {row.name}"].least
+    here = [row.mechanism, row.function, row.form, f"{ours:.4g}"]
+    lean = times.get(f"lean: {row.name}")
+    if lean is not None:
+        return [
+            *here,
+            f"{lean.least:.4g}",
+            f"{ours / lean.least:.2f}",
+            "lean C in this run",
+            f"{agreement[row.name]:.0e}",
+        ]
+    assert row.recorded is not None
+    seed = times[f"lean: {ROWS[0].name}"].least
+    ratio = ours / seed * LEAN_SEED / row.recorded
+    return [*here, "", f"{ratio:.2f}", f"recorded: {row.recorded:.0f} cycles, lean seed {LEAN_SEED:.0f}", ""]
+
+
+def _lean(folder: Path) -> ctypes.CDLL:
+    """All hand-written functions in one library."""
+    here = Path(__file__).parent
+    text = "".join(f'#include "{path}"\n' for path in sorted(here.glob("*.c")))
+    (folder / "lean.c").write_text(text, encoding="utf-8")
+    compile_c(folder / "lean.c", folder / "lean.so", flags=[*FLAGS, f"-I{here}"])
+    return ctypes.CDLL(str(folder / "lean.so"))
+
+
+def _measures(
+    mechanism: str, rows: Sequence[Row], lean: ctypes.CDLL, folder: Path
+) -> list[tuple[Measure, Measure | None, float]]:
+    """ns per state of ours and of the lean function, and their relative difference."""
+    derivatives = any("derivatives" in row.function for row in rows)
+    model = derive(catalogue.load(mechanism), derivatives=derivatives)
+    functions = list(dict.fromkeys(row.function for row in rows))
+    compiled = Compiled(model, functions)
+    one_by_one = folder / f"{mechanism}.so"
+    for file, text in print_c(compiled.model, lanes=False).items():
+        (folder / file).write_text(text, encoding="utf-8")
+    compile_c(folder / f"{mechanism}.c", one_by_one)
+    code = ctypes.CDLL(str(one_by_one))
+    found = []
+    for row in rows:
+        if row.form == EIGHT:
+            ours, results = batch(compiled, row.function, BATCH, columns=True)
+        elif row.form == LANES:
+            ours, results = single(compiled, row.function, STATES)
+        else:
+            ours, results = _timed(compiled, row.function, getattr(code, f"{mechanism}_{row.function}"), 1)
+        theirs, error = None, 0.0
+        if row.lean is not None:
+            theirs, others = _timed(compiled, row.function, getattr(lean, row.lean), BLOCK if row.form == EIGHT else 1)
+            error = max(difference(a[: len(b)], b) for a, b in zip(results, others, strict=True))
+            if not error < AGREEMENT:
+                raise RuntimeError(f"{row.name}: differs from {row.lean} by {error:.1e}; nothing to compare")
+        found.append((ours, theirs, error))
+    return found
+
+
+def _timed(compiled: Compiled, name: str, function: Any, block: int) -> tuple[Measure, list[np.ndarray]]:
+    """ns per state of a function of `block` states side by side, [entry][state], and its results (states, size)."""
+    program = compiled.model.programs[name]
+    ports = (*program.inputs, *program.outputs)
+    given = [_blocks(x, block) for x in states(compiled.model, name, STATES)]
+    results = [np.full((STATES // block, port.size * block), np.nan) for port in program.outputs]
+    arrays = [*given, *results]
+    sizes = (ctypes.c_size_t * 8)(*[port.size * block for port in ports])
+    places, count = pointers(arrays), STATES // block
+
+    def measure(rounds: int = 20, kept: Sequence[np.ndarray] = arrays) -> float:
+        rounds_, count_ = ctypes.c_size_t(rounds), ctypes.c_size_t(count)
+        return compiled.loops.time_single(function, rounds_, count_, sizes, places) / block
+
+    measure(1)
+    return measure, [r.reshape(count, -1, block).transpose(0, 2, 1).reshape(STATES, -1) for r in results]
+
+
+def _blocks(x: np.ndarray, block: int) -> np.ndarray:
+    """States (count, size) as (count / block, size * block) with the states of a block side by side."""
+    return np.ascontiguousarray(x.reshape(-1, block, x.shape[1]).transpose(0, 2, 1)).reshape(len(x) // block, -1)
