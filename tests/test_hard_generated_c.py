@@ -33,7 +33,10 @@ FUNCTIONS = (
     "closure",
     "assemble",
 )
-MODELS = (("four_bar", FUNCTIONS), ("three_ups_upu_s", ("inverse_dynamics", "closure", "inverse_kinematics")))
+MODELS = (
+    pytest.param("four_bar", FUNCTIONS, marks=pytest.mark.slow),
+    ("three_ups_upu_s", ("inverse_dynamics", "closure", "inverse_kinematics")),
+)
 BASE = ("-std=c99", "-fno-math-errno", "-shared", "-fPIC")
 
 
@@ -194,6 +197,7 @@ def test_valgrind(tmp_path: Path) -> None:
     run_program(some("four_bar"), tmp_path, (tool("gcc"), "-g", "-O1"), (tool("valgrind"), *options))
 
 
+@pytest.mark.slow
 def test_a_million_random_states_against_casadi() -> None:
     """Inverse dynamics of the four-bar: batch function and CasADi at 1e6 states, anywhere in q, v, a."""
     pytest.importorskip("casadi")
@@ -220,8 +224,9 @@ sys.path.insert(0, {tests!r})
 from runs import compiled, error_of, run_of, scene_of
 from symscrew.simulation import native
 
+native.FLAGS = (*native.FLAGS, "-O1")
 model, plant, _ = compiled("bricard")
-flags = {flags!r}
+flags = (*native.FLAGS, *{flags!r})
 other = native.Library(plant, "", flags)
 scene = scene_of("bricard", tolerance=1e-9)
 first, second = run_of("bricard", scene), run_of("bricard", scene, other)
