@@ -103,7 +103,8 @@ def derive(
         for name, second in second_paths(system, effects, loops).items():
             programs[name] = second.behind(programs[name])
     programs |= {f.name: lower(f) for f in margin_functions(system)}
-    inputs = {name: _test_inputs(system, loops, program) for name, program in programs.items()}
+    entries, states = [entry.q for entry in loops.entries], system.sample_states
+    inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}
     massless = () if moves_mass(system, effects, loops) else (MASSLESS_NOTE,)
     notes = (*mechanism.warnings, *massless, *dict.fromkeys(n for p in programs.values() for n in p.notes))
     return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes)
@@ -115,16 +116,23 @@ def _hub_entries(system: System, of_q: bool) -> list[int]:
     return [k for part in slices for k in range(part.start, part.stop)]
 
 
-def _test_inputs(system: System, loops: Loops, program: Program | Iteration) -> tuple[np.ndarray, ...]:
-    """Consistent states for every input of a function: the sample states of the system."""
-    q, v, a = system.sample_states
-    entries = [entry.q for entry in loops.entries]
+def inputs_at(
+    system: System,
+    program: Program | Iteration,
+    states: tuple[np.ndarray, np.ndarray, np.ndarray],
+    independent: Sequence[int] = (),
+) -> tuple[np.ndarray, ...]:
+    """Every input of a function at consistent states (q, v, a) of the tree; what is free is random, but repeatable.
+
+    `independent`: indices of y in q, for functions that take y.
+    """
+    q, v, a = states
     random = np.random.default_rng(7)
     known = {
         "q": q,
         "v": v,
         "a": a,
-        "y": q[:, entries],
+        "y": q[:, list(independent)],
         "guess": np.repeat(system.reference[None, :], len(q), 0),
     }
     for name, source in (("pose", known["q"]), ("rate", v), ("gain", a)):

@@ -299,11 +299,15 @@ class System:
 
         The same bits on every machine: they choose pivots and stand in what is generated.
         """
-        random = np.random.default_rng(SEED)
+        return self.states(SAMPLES, SEED)
+
+    def states(self, count: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The reference configuration and `count` random ones near it with consistent v, a; shapes (1 + count, n)."""
+        random = np.random.default_rng(seed)
         scales = np.array([self.length if c.kind == "length" else 1.0 for c in self.tree.v])
         start = self.reference[None, :]
-        q = np.repeat(start, SAMPLES, axis=0)
-        q = self.advance(q, 0.15 * scales * random.uniform(-1, 1, (SAMPLES, len(scales))))
+        q = np.repeat(start, count, axis=0)
+        q = self.advance(q, 0.15 * scales * random.uniform(-1, 1, (count, len(scales))))
         if self.cuts:
             q = self.closed(q, scales)
         q = np.concatenate([start, q])
@@ -316,9 +320,10 @@ class System:
         for _ in range(60):
             both = self.numeric([*self.residual, *self.dense_jacobian()], (self.inputs.q, q))
             residual, jacobian = both[:, : len(self.residual)], both[:, len(self.residual) :]
-            if np.abs(residual).max() < 1e-14 * max(1.0, self.length):
+            open_still = np.abs(residual).max(axis=1) >= 1e-14 * max(1.0, self.length)
+            if not open_still.any():
                 break
-            for i in range(len(q)):
+            for i in np.flatnonzero(open_still):
                 step = least_norm(jacobian[i].reshape(-1, n) * scales, -residual[i])
                 limit = max(1.0, np.abs(step).max() / 0.3)
                 q[i] = self.advance(q[i], scales * step / limit)

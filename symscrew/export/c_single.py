@@ -1,4 +1,4 @@
-"""What single precision costs: errors of every function against double, over the test states.
+"""What single precision costs: errors of every function against double, over random consistent states.
 
 Each operation is evaluated on numbers rounded to `float` and its result is rounded again, which is what C does
 with sums, products, quotients and roots; a sine or an arc tangent is taken as correctly rounded. So the figures
@@ -13,9 +13,11 @@ import numpy as np
 
 from symscrew.export.c_precision import SINGLE
 from symscrew.export.listing import wrapped
-from symscrew.model import Model
+from symscrew.model import Model, inputs_at
 from symscrew.operations import apply_numpy
 from symscrew.program import Iteration, Program, evaluate
+
+STATES, SEED = 256, 32
 
 
 def rounded(array: object) -> np.ndarray:
@@ -42,13 +44,20 @@ def evaluate_single(program: Program, arguments: Sequence[np.ndarray]) -> tuple[
     return tuple(found)
 
 
+def single_inputs(model: Model) -> Mapping[str, tuple[np.ndarray, ...]]:
+    """The states (STATES, size) of every function but iterations: consistent, numbers of type `float`."""
+    states = model.system.states(STATES - 1, SEED)
+    programs = {name: p for name, p in model.programs.items() if not isinstance(p, Iteration)}
+    return {name: tuple(map(rounded, inputs_at(model.system, p, states))) for name, p in programs.items()}
+
+
 def single_errors(model: Model) -> Mapping[str, tuple[int, tuple[float, ...]]]:
     """Per function the number of states and, per output, the largest error over its largest entry."""
-    found = {}
+    found, given = {}, single_inputs(model)
     for name, program in model.programs.items():
         if isinstance(program, Iteration):
             continue
-        inputs = [rounded(np.atleast_2d(x)) for x in model.test_inputs[name]]
+        inputs = given[name]
         exact, status = evaluate(program, inputs)
         sound = np.atleast_1d(status) == 0
         errors = tuple(_error(a[sound], b[sound]) for a, b in zip(exact, evaluate_single(program, inputs), strict=True))
