@@ -274,14 +274,13 @@ class _Lowering:
 
     def program(self) -> Program:
         results = tuple(tuple(self.value(n) for n in nodes) for nodes in self.function.results)
-        guards = []
+        guards: dict[int, float] = {}
         for node, threshold in self.function.guards:
             inner = node.args[0] if node.op == "neg" else node
             slot = self.value(inner)
-            if isinstance(slot, int):
-                guards.append((slot, threshold))
+            if isinstance(slot, int):  # of several thresholds for one pivot the largest says it all
+                guards[slot] = max(threshold, guards.get(slot, threshold))
         f = self.function
-        unique = tuple(dict.fromkeys(guards))
         return Program(
             f.name,
             f.description,
@@ -289,7 +288,7 @@ class _Lowering:
             f.outputs,
             tuple(self.instructions),
             results,
-            unique,
+            tuple(guards.items()),
             f.notes,
             next(self.next),
         )

@@ -39,10 +39,11 @@ class SpokeLimb:
         length = tape.sqrt(across + d[2] * d[2])
         # The second axis b is perpendicular to d: turned by the first angle it is (-d_y, d_x)/radius.
         bx, by = second.axis[0], second.axis[1]
-        inverse = _branch(system, self.first, (d[0] * by - d[1] * bx, d[0] * bx + d[1] * by), guess) / radius
+        side = _branch(system, self.first, (d[0] * by - d[1] * bx, d[0] * bx + d[1] * by), guess)
+        inverse, signed = side / radius, side * radius
         cosine, sine = (d[0] * by - d[1] * bx) * inverse, (d[0] * bx + d[1] * by) * inverse
         # After the first rotation, in the axes before the second: the leg's direction in the plane across b.
-        turned: Vector = (cosine * d[0] + sine * d[1], cosine * d[1] - sine * d[0], d[2])
+        turned: Vector = (by * signed, -bx * signed, d[2])
         flat = transform(transpose(second.rotation), turned)
         ex, ey = frames[self.slider.index].axis[0], frames[self.slider.index].axis[1]
         shorter = 1 / length
