@@ -15,6 +15,7 @@ from symscrew.scene import Scene, load
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.run import Run, _observed, evaluated, prepare, simulate
+from symscrew.simulation.stability import with_longest_stable_step
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 DATA = json.loads((Path(__file__).parent / "data" / "dynamics" / "references.json").read_text())
@@ -66,7 +67,8 @@ def run_of(name: str, scene: Scene, other: native.Library | None = None) -> Run:
     q, v = initial_state(scene, model, plant.parameters)
     x = initial_states(scene, model)
     x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
-    return _observed(scene, model, plant, native.run(library, scene, (q, v, x)))
+    history = with_longest_stable_step(scene, plant, native.run(library, scene, (q, v, x)), (q, v, x))
+    return _observed(scene, model, plant, history)
 
 
 def values_of(name: str, run: Run) -> np.ndarray:

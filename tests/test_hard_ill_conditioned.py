@@ -346,14 +346,14 @@ def test_stiff_governor() -> None:
     more. Runs that are not stiff say nothing of it.
     """
     assert "A05 |s-ref| <= 1e-6; explicit step limit reported" in case(19)["pass_criterion"]
-    run = simulate(scene_of("flyball_governor", until=1.0))
+    run = run_of("flyball_governor", scene_of("flyball_governor", until=1.0))
     assert run.ok and error_of("flyball_governor", run) < 1e-6
     assert "are bound by the longest at which dop853 is stable" in run.events[-1]
     limit = run.counters["longest_stable_step"] * 2.785 / 6.39
     for part, stable in ((1.2, False), (0.8, True)):
         other = run_of("flyball_governor", scene_of("flyball_governor", until=0.2, method="rk4", step=part * limit))
         assert other.ok == stable
-    assert not simulate(scene_of("bricard", until=0.5)).events
+    assert not run_of("light_cart_pole", scene_of("light_cart_pole", until=1.0)).events
 
 
 @needs_compiler

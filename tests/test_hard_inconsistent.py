@@ -126,7 +126,7 @@ def answers(name: str, backend: str) -> Callable:
     found = model(name)
     if backend == "numpy":
         return found
-    compiled = load(found, backend=backend)
+    compiled = load(found, backend=backend, flags=("-O1",))
 
     def call(function: str, *arrays: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
         *results, status = compiled[function](*arrays, check=False)  # type: ignore[misc]

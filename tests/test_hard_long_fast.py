@@ -20,6 +20,7 @@ from symscrew.effects import Gravity
 from symscrew.mechanism import Mechanism
 from symscrew.scene import Initial, Scene
 from symscrew.scene.scene import Integrator
+from symscrew.simulation import native
 from symscrew.simulation.run import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
@@ -48,12 +49,14 @@ def swung_on_a_wire() -> Mechanism:
     )
 
 
-def test_a_million_steps_of_a_constrained_point() -> None:
+@pytest.mark.slow
+def test_a_million_steps_of_a_constrained_point(monkeypatch: pytest.MonkeyPatch) -> None:
     """2000 s in steps of 2 ms: the distance to 1e-12, energy to 1e-6 J, place to 2e-5 m.
 
     Without the projection onto the closure after every step the loop opens: see the test below.
     """
     assert "1e6 steps" in case(13)["name"]
+    monkeypatch.setattr(native, "FLAGS", ("-O3",))  # seconds of running, not of compiling
     scene = Scene("wire", swung_on_a_wire(), DOWN, 2000.0, 0.5, integrator=Integrator("rk4", step=2e-3))
     run = simulate(scene)
     assert run.ok, run.status
@@ -79,8 +82,6 @@ def test_a_million_steps_of_a_constrained_point() -> None:
 def test_without_projection_the_loop_opens(monkeypatch: pytest.MonkeyPatch) -> None:
     """The guard taken out: `settle` in kernels/manifold.c does nothing. After 20 000 of the million steps the loop is
     open by more than a thousand times the 1e-12 of the criterion."""
-    from symscrew.simulation import native
-
     text = native.kernel_text
     start = "    Opening o;\n    Rows f;\n    double d[NV1], rates[NR], before = 1e300;\n"
 
