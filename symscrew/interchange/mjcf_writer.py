@@ -21,6 +21,7 @@ from xml.etree.ElementTree import Element, SubElement
 import numpy as np
 
 from symscrew.interchange.chains import Array, Branch, Step, chains, numbers, steps
+from symscrew.interchange.geometry import CONTEXT
 from symscrew.interchange.outline import fresh
 from symscrew.interchange.xml import decimals, text_of
 from symscrew.maximal_coordinates import NumericMechanism, numeric
@@ -158,8 +159,7 @@ def _add_inertial(writing: Writing, body: str, origin: Array) -> None:
     axes = np.eye(3)
     principal = np.diag(inertia).copy()
     if np.abs(inertia - np.diag(principal)).max() > 0:
-        principal, axes = np.linalg.eigh(inertia)
-        axes = axes * np.linalg.det(axes)
+        principal, axes = _principal(inertia)
     com = com if mass > 0 else origin
     whole = np.sort(principal)
     # MuJoCo's own eigenvalues are good to an absolute 1e-12 only: principal moments are handed over
@@ -173,6 +173,13 @@ def _add_inertial(writing: Writing, body: str, origin: Array) -> None:
         inertial.set("quat", decimals(_quaternion(axes)))
 
 
+def _principal(inertia: Array) -> tuple[Array, Array]:
+    """Principal moments, ascending, and right-handed axes as columns; by long arithmetic the same on every machine."""
+    moments, columns = CONTEXT.eigsy(CONTEXT.matrix(inertia.tolist()))
+    axes = np.array(columns.tolist(), dtype=float).reshape(3, 3)
+    return np.array([float(x) for x in moments]), axes * np.sign(np.linalg.det(axes))
+
+
 def _quaternion(rotation: Array) -> Array:
     """The unit quaternion (w, x, y, z) of a rotation, accurate at every angle."""
     r = rotation
@@ -182,7 +189,7 @@ def _quaternion(rotation: Array) -> Array:
     outer[0, 1:] = outer[1:, 0] = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
     outer[1:, 1:] = r + r.T + (1 - trace) * np.eye(3)
     best = outer[np.argmax(np.diag(outer))]
-    return best / np.linalg.norm(best)
+    return best / np.sqrt((best * best).sum())
 
 
 def _close(writing: Writing, joint: Joint) -> None:
