@@ -9,9 +9,9 @@ Nothing is allocated, no state is kept, matrices are column-major. On failure al
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
-from symscrew.export import c_angles, c_batch, c_lanes
+from symscrew.export import c_angles, c_batch, c_lanes, c_parts
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_precision import DOUBLE, TABLE, Precision
@@ -153,6 +153,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     }
     if any(p.angles.gathered for p in printed.values()):
         lines += ["", *c_angles.prologue(model.name, precision)]
+    lines += c_parts.prologue(model.name, _straight_lines(model.name, model.programs, precision))
     lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
     if batches:
         lines += ["", *c_batch.prologue(model.name, precision)]
@@ -165,13 +166,18 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         if isinstance(program, Iteration):
             lines += ["", *iteration_functions(model.name, symbol, program, precision)]
         else:
-            lines += ["", *lane(printed[name], inline=f"{model.name.upper()}_INLINE " if side_by_side else "")]
+            lines += ["", *_lane(printed[name], inline=f"{model.name.upper()}_INLINE " if side_by_side else "")]
             lines += ["", *_one_state(printed[name], program)]
         if side_by_side:
             lines += ["", f"#if {c_batch.guard(model.name)}", *c_batch.block(printed[name]), "#endif"]
         if batches:
             lines += ["", *c_batch.batch(model.name, symbol, program, precision, lanes=side_by_side)]
     return "\n".join([*lines, ""])
+
+
+def _lane(printed: Printed, *, inline: str = "") -> list[str]:
+    """The lane of a function, in parts if it is long."""
+    return c_parts.lane_in_parts(printed) if c_parts.long(printed) else lane(printed, inline=inline)
 
 
 def _one_state(printed: Printed, program: Program) -> list[str]:
@@ -183,7 +189,7 @@ def _one_state(printed: Printed, program: Program) -> list[str]:
 
     def define(name: str, part: Program) -> list[str]:
         inner = Printed(printed.model, name, part, precision)
-        return [*lane(inner), "", *function(inner, declare(name, arguments(part, precision), "static int "))]
+        return [*_lane(inner), "", *function(inner, declare(name, arguments(part, precision), "static int "))]
 
     second = f"{printed.symbol}_rank_revealing"
     way_out = declare(second, arguments(program, precision), "static int ")
@@ -195,6 +201,13 @@ def _one_state(printed: Printed, program: Program) -> list[str]:
 def straight_line(program: Program | Iteration) -> Program:
     """The program itself, or an iteration's step."""
     return program.step if isinstance(program, Iteration) else program
+
+
+def _straight_lines(model: str, programs: Mapping[str, Program | Iteration], precision: Precision) -> list[Printed]:
+    """Every straight-line program that is printed, those of second paths included."""
+    every = [straight_line(program) for program in programs.values()]
+    seconds = [part for p in every if isinstance(p, RankRevealing) for part in (p.dense, p.wrenches) if part]
+    return [Printed(model, "", program, precision) for program in (*every, *seconds)]
 
 
 def _comment(lines: Iterable[str]) -> list[str]:

@@ -6,11 +6,13 @@
 Both copy eight states into arrays [entry][8], run `<symbol>_lane` (see `c_function`) over the eight, and copy
 the results out. A state whose check fails is given to the function of one state, which takes the second path,
 or writes NaN and says why: statuses and results are those of single calls. With OpenMP, blocks are shared
-among threads. Functions that repeat a step, and those with functions of computed angles, run state by state.
+among threads. Functions that repeat a step, those with functions of computed angles, and long ones (see `c_parts`)
+run state by state.
 """
 
 from __future__ import annotations
 
+from symscrew.export import c_parts
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, outcome, wrapped_code
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import checked_slots
@@ -96,10 +98,10 @@ def guard(model: str) -> str:
 
 
 def by_lanes(printed: Printed) -> bool:
-    """Whether the lanes of a function can run side by side: arithmetic only, and blocks of a fair size."""
+    """Whether the lanes of a function can run side by side: arithmetic only, not in parts, blocks of a fair size."""
     ports = (*printed.program.inputs, *printed.program.outputs)
     small = sum(port.size for port in ports) <= MOST_ENTRIES
-    return small and all(i.op in BY_LANES for i in printed.angles.rest)
+    return small and not c_parts.long(printed) and all(i.op in BY_LANES for i in printed.angles.rest)
 
 
 def block(printed: Printed) -> list[str]:

@@ -124,25 +124,29 @@ def lane(printed: Printed, *, inline: str = "") -> list[str]:
 
     The lane returns the sum of all that must be finite and leaves its pivots in `pivot`.
     """
-    program, real = printed.program, printed.precision.real
-    angles, operand = printed.angles, printed.operand
-    first = ["size_t stride", *arguments(program, printed.precision)[: len(program.inputs)]]
-    lines: list[str] = []
-    if angles.gathered:
-        read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
-        lines += [
-            declare(f"{printed.symbol}_angles", [*first, f"{real} *restrict angle"], f"static inline {inline}void "),
-            "{",
-            "    (void)stride;",
-            *printed._unused(program.inputs, read),
-            *printed._loads(read),
-            *_statements(printed, angles.first),
-            *(f"    angle[{printed.at(k)}] = {operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
-            "}",
-            "",
-        ]
-    body = _statements(printed, angles.rest)
-    return [*lines, *_lane(printed, f"{printed.symbol}_lane", f"static inline {inline}{real} ", body, operand)]
+    body, head = _statements(printed, printed.angles.rest), f"static inline {inline}{printed.precision.real} "
+    first = angles_function(printed, inline=inline)
+    return [*first, *_lane(printed, f"{printed.symbol}_lane", head, body, printed.operand)]
+
+
+def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
+    """`<symbol>_angles`, if the function has any: the angles whose sines and cosines come first."""
+    program, real, angles = printed.program, printed.precision.real, printed.angles
+    if not angles.gathered:
+        return []
+    given = ["size_t stride", *arguments(program, printed.precision)[: len(program.inputs)], f"{real} *restrict angle"]
+    read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
+    return [
+        declare(f"{printed.symbol}_angles", given, f"static inline {inline}void "),
+        "{",
+        "    (void)stride;",
+        *printed._unused(program.inputs, read),
+        *printed._loads(read),
+        *_statements(printed, angles.first),
+        *(f"    angle[{printed.at(k)}] = {printed.operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
+        "}",
+        "",
+    ]
 
 
 def packed_lane(printed: Printed, packing: Packing) -> list[str]:

@@ -1,0 +1,70 @@
+"""Long functions in parts: the same numbers and statuses as in one piece, and code that stays short."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+
+import numpy as np
+import pytest
+from model_states import model, relative
+
+from symscrew.compiled import find_compiler, load
+from symscrew.export import c_parts
+from symscrew.export.c import print_source
+from symscrew.export.c_function import Printed
+from symscrew.export.c_precision import DOUBLE
+from symscrew.model import Model
+from symscrew.program import Program
+
+FUNCTIONS = ("forward_dynamics_reactions", "joint_reactions", "inverse_dynamics", "close_position", "mass_matrix")
+
+
+@pytest.fixture
+def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Everything counts as long."""
+    for name, value in {"LONG": 1, "PART": 37, "CLEARED": 3}.items():
+        monkeypatch.setattr(c_parts, name, value)
+
+
+def chosen(name: str) -> Model:
+    found = model(name)
+    return dataclasses.replace(found, programs={n: p for n, p in found.programs.items() if n in FUNCTIONS})
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "four_bar"])
+def test_parts_give_the_numbers_and_statuses_of_the_program(name: str, short_parts: None) -> None:
+    found = chosen(name)
+    assert "_part1(" in print_source(found)
+    compiled = load(found, backend="c")
+    for function, program in found.programs.items():
+        inputs = [np.array(x) for x in found.test_inputs[function]]
+        inputs[0][-1] = np.nan  # fails in C as it does in NumPy
+        expected, status = found(function, *inputs)
+        *results, code = compiled[function](*inputs, check=False)
+        assert (code == status).all() and status[-1] == 2 and not status[:-1].any()
+        for a, b, port in zip(expected, results, program.outputs, strict=True):
+            flat = np.swapaxes(b, 1, 2).reshape(len(b), -1) if b.ndim == 3 else b.reshape(len(b), -1)
+            assert np.isnan(flat[-1]).all() and relative(flat[:-1], a[:-1]) < 1e-12, (function, port.name)
+
+
+def test_a_place_is_given_away_only_after_its_last_reader(short_parts: None) -> None:
+    program = model("three_ups_upu_s").programs["forward_dynamics_reactions"]
+    assert isinstance(program, Program)
+    parts = c_parts.Parts(Printed("m", "m_f", program, DOUBLE))
+    assert len(parts.lists) > 10 and len(set(parts.waiting.values())) < len(parts.waiting)
+    holds: dict[int, int] = {}
+    for k, part in enumerate(parts.lists):
+        for instruction in part:
+            for slot in (a for a in instruction.args if isinstance(a, int) and parts.defined.get(a, k) < k):
+                assert holds[parts.waiting[slot]] == slot
+            if instruction.target in parts.waiting:
+                holds[parts.waiting[instruction.target]] = instruction.target
+
+
+def test_zeros_of_a_wide_matrix_are_not_stored_one_by_one(short_parts: None) -> None:
+    source = print_source(chosen("stewart_6ups"))
+    body = source[source.index("double stewart_6ups_mass_matrix_lane(") :]
+    body = body[: body.index("\n}")]
+    assert "mass_matrix[k] = 0.0;" in body and not re.search(r"mass_matrix\[\d+\] = 0\.0", body)
