@@ -19,11 +19,23 @@ def slider() -> Mechanism:
     return made.build()
 
 
-def pendulum() -> Mechanism:
-    """1 kg at 1 m below a driven hinge, hanging at angle 0."""
-    made = MechanismBuilder("pendulum")
-    made.body("bob", mass=1, com=[0, 0, -1])
+def pendulum(arm: float = 0.0) -> Mechanism:
+    """1 kg at 1 m below a driven hinge, hanging at angle 0; `arm` [m] beside it along its axis."""
+    made = MechanismBuilder("pendulum", platform="bob")
+    made.body("bob", mass=1, com=[0, repr(arm), -1])
     made.joint("hinge", "R", parent="base", child="bob", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    return made.build()
+
+
+def bead() -> Mechanism:
+    """1 kg on two driven slides, x and z, with a post beside it."""
+    made = MechanismBuilder("bead", platform="bead")
+    made.body("carriage")
+    made.body("bead", mass=1, com=[0, 0, 0])
+    made.joint("x", "P", parent="base", child="carriage", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    made.joint("z", "P", parent="carriage", child="bead", point=[0, 0, 0], axes=[[0, 0, 1]], driven=True)
+    made.point("bead", body="bead", at=[0, 0, 0])
+    made.point("post", body="base", at=[0, 0, "0.1"])
     return made.build()
 
 
@@ -71,6 +83,6 @@ def seed(limit: float = 60.0, **settings) -> TrajectoryProblem:  # type: ignore[
 MINIMUM_TIME = {"duration": (0.05, 5.0), "objectives": (Objective("time"),)}
 
 __all__ = [
-    "KELLY", "MINIMUM_TIME", "SEED_DRIVES", "SEED_MOTION", "Gravity", "cart_pole", "cart_pole_problem", "pendulum",
-    "rest_to_rest", "seed", "slider",
+    "KELLY", "MINIMUM_TIME", "SEED_DRIVES", "SEED_MOTION", "Gravity", "bead", "cart_pole", "cart_pole_problem",
+    "pendulum", "rest_to_rest", "seed", "slider",
 ]  # fmt: skip

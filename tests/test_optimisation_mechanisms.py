@@ -9,6 +9,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+import sympy
 from optimal_problems import MINIMUM_TIME, SEED_DRIVES, seed
 
 from symscrew.model import derive
@@ -179,6 +180,36 @@ def test_leg_springs_make_the_scan_nearly_free() -> None:
     for factor in (0.98, 1.02):
         beside = solve(replace(problem, design={}, parameters={"k_leg": factor * stiffness}))
         assert beside.cost > 100 * best.cost
+
+
+@pytest.mark.slow
+def test_geometry_for_least_effort() -> None:
+    """The design found, put into the description itself, costs the same; designs beside it cost more."""
+    found = solve(example("seed_geometry"))
+    assert found.ok and found.cost == pytest.approx(575.9516, abs=1e-3)
+    assert found.parameters["R"] == pytest.approx(0.9, abs=1e-6)  # on its bound
+    assert found.parameters["r"] == pytest.approx(0.6447, abs=1e-4)
+    scan = example("seed_periodic_scan")
+
+    def cost(r: float) -> float:
+        known = dict(scan.mechanism.parameters)
+        for name, value in (("R", found.parameters["R"]), ("r", r)):
+            known[name] = replace(known[name], value=sympy.Rational(value))
+        return solve(replace(scan, mechanism=replace(scan.mechanism, parameters=known))).cost
+
+    costs = [cost(found.parameters["r"] + shift) for shift in (0.0, -0.02, 0.02)]
+    assert costs[0] == pytest.approx(found.cost, rel=1e-7) and min(costs[1:]) > costs[0] + 0.1
+
+
+@pytest.mark.slow
+def test_panda_with_bounded_torque_rates() -> None:
+    """1000 N m/s, as the real arm's controller asks."""
+    problem = example("panda_point_to_point", transcription=Transcription("radau", 3, 20), accuracy=None)
+    rates = {f"joint{k}": (-1000.0, 1000.0) for k in range(1, 8)}
+    found = solve(replace(problem, bounds=replace(problem.bounds, drive_rates=rates)))
+    assert found.ok and found.duration == pytest.approx(0.23890, abs=1e-4)
+    at = found.sample(count=2001)
+    assert np.abs(np.diff(at.u, axis=0) / np.diff(at.t)[:, None]).max() < 1000 * (1 + 1e-4)
 
 
 def test_five_bar_pick_and_place() -> None:

@@ -133,7 +133,7 @@ class Kinematics:
             for k, label in enumerate(labels)
             if label in conditions.coordinates
         ]
-        target = np.array([row.lower / row.scale for row in rows])
+        target = np.array([(row.lower + row.upper) / 2 / row.scale for row in rows])
         unknown = ca.vertcat(blocks["y"], blocks["z"])
         others = ca.vertcat(blocks["y_1"], blocks["T"], blocks["tau"])
         parameters = blocks["p"]

@@ -65,7 +65,8 @@ class Bounds:
     labels of joint freedoms, passive ones too; `reactions`: joint -> largest force [N] and largest moment about the
     joint's point [N m] (None: free);
     `margins`: name of a singularity margin -> range (see `symscrew.margins`); `points`: (point, 0 to 2) -> range of
-    a coordinate [m].
+    a coordinate [m]; `expressions`: text in t, T, the q_, v_, u_ of labels, points' coordinates (point_x) and
+    parameters -> range, as in an objective of type "expression".
     """
 
     drives: Mapping[str, Range] = field(default_factory=dict)
@@ -76,6 +77,7 @@ class Bounds:
     margins: Mapping[str, Range] = field(default_factory=dict)
     points: Mapping[tuple[str, int], Range] = field(default_factory=dict)
     distances: Sequence[Distance] = ()
+    expressions: Mapping[str, Range] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -212,6 +214,7 @@ def check_ranges(problem: TrajectoryProblem) -> None:
         "bounds.margins": problem.bounds.margins,
         "bounds.points": problem.bounds.points,
         "bounds.distances": {f"{d.first}, {d.second}": d.range for d in problem.bounds.distances},
+        "bounds.expressions": problem.bounds.expressions,
         "design": problem.design,
     }
     for where, ranges in groups.items():

@@ -10,7 +10,8 @@
                        [[via]] also time (part of the duration)
     [bounds]           drives, drive_rates, joints, speeds, margins = {LABEL = [lower, upper] or a number for +-,
                        "*" for all drives}, points = {NAME = {x = [lower, upper]}},
-                       reactions = {JOINT = {force = largest, moment = largest}}, distances = [{between, range}]
+                       reactions = {JOINT = {force = largest, moment = largest}}, distances = [{between, range}],
+                       expressions = {"TEXT" = range} (texts as in objectives)
     [[objectives]]     type, weight, weights = {LABEL = value}, preload, expression; default: effort
     [preload], [design], [parameters], [inputs], [guess]   tables of numbers, ranges, lists
     [transcription]    method, degree, intervals, second_order, formulation, mesh
@@ -56,7 +57,8 @@ KEYS: dict[str, tuple[str, ...]] = {
     "start": CONDITIONS,
     "end": CONDITIONS,
     "via": (*CONDITIONS, "time"),
-    "bounds": ("drives", "drive_rates", "joints", "speeds", "margins", "points", "reactions", "distances"),
+    "bounds": ("drives", "drive_rates", "joints", "speeds", "margins", "points", "reactions", "distances",
+               "expressions"),
     "objectives": ("type", "weight", "weights", "preload", "expression"),
     "transcription": ("method", "degree", "intervals", "second_order", "formulation", "mesh"),
     "solver": ("name", "tolerance", "iterations", "options"),
@@ -266,6 +268,7 @@ class _Reader:
             points=points,
             reactions=self._reactions(table.get("reactions", {})),
             distances=tuple(self._distance(d, k) for k, d in enumerate(table.get("distances", ()))),
+            expressions=self.ranges(table.get("expressions", {}), "bounds.expressions"),
         )
 
     def _reactions(self, table: Any) -> dict[str, tuple[float | None, float | None]]:

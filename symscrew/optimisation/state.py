@@ -19,6 +19,8 @@ from symscrew.optimisation.terms import expression
 if TYPE_CHECKING:
     from symscrew.optimisation.point import PointModel
 
+FORWARDS = (0.5, 1.5)  # of a cosine that is 1 where a direction is met: it tells the direction from its opposite
+
 
 class State:
     """Expressions at one point, made when they are asked for."""
@@ -199,8 +201,10 @@ class State:
             low, high = max(d.range[0], 0.0), d.range[1]
             what = f"distance of {d.first} and {d.second}"
             rows.append(Row(what, ca.dot(apart, apart), low * low, high * high, length * length))
-        rows += self._reaction_rows()
-        return rows
+        for text, (low, high) in bounds.expressions.items():
+            value = expression(text, self.names, where="bounds.expressions")
+            rows.append(Row(text, value, low, high))
+        return rows + self._reaction_rows()
 
     def _reaction_rows(self) -> list[Row]:
         names, rows = list(self.model.system.mechanism.joints), []
@@ -242,6 +246,7 @@ class State:
             off = ca.DM(goal).T @ self._pose[0]
             for k, (i, j) in enumerate(((2, 1), (0, 2), (1, 0))):
                 rows.append(Row(f"rotation {'xyz'[k]} of the platform at {where}", (off[i, j] - off[j, i]) / 2))
+            rows.append(Row(f"sense of the platform's rotation at {where}", (ca.trace(off) - 1) / 2, *FORWARDS))
         return rows
 
     def _normal_rows(self, normal: np.ndarray, where: str) -> list[Row]:
@@ -254,9 +259,10 @@ class State:
         one /= np.linalg.norm(one)
         two = np.cross(normal, one)
         up = self._pose[0][:, 2]
-        return [
+        rows = [
             Row(f"platform normal, part {k + 1}, at {where}", ca.dot(ca.DM(e), up)) for k, e in enumerate((one, two))
         ]
+        return [*rows, Row(f"sense of the platform normal at {where}", ca.dot(ca.DM(normal), up), *FORWARDS)]
 
     # -- cost -----------------------------------------------------------------------------------------------------
 
