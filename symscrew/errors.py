@@ -18,9 +18,13 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 
     >>> did_you_mean("mas", ["mass", "com", "inertia"])
     "did you mean 'mass'?"
+    >>> did_you_mean("elbo", ["shoulder_joint", "elbow_joint"])
+    "did you mean 'elbow_joint'?"
     """
     candidates = list(known)
     near = difflib.get_close_matches(name, candidates, n=3, cutoff=0.6)
+    if not near and len(name) > 2:
+        near = [candidate for candidate in candidates if name.lower() in candidate.lower()][:3]
     if near:
         return "did you mean " + " or ".join(repr(candidate) for candidate in near) + "?"
     if not candidates:

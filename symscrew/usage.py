@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from typing import Any, NoReturn
 
 from symscrew.errors import did_you_mean
@@ -82,7 +83,22 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """End with the message."""
-        raise UsageError(f"{message}; see {self.prog} --help")
+        raise UsageError(
+            f"{message.removesuffix('?')}{'? See' if message.endswith('?') else '; see'} {self.prog} --help"
+        )
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """As usual, but an option that does not exist is the first thing said, with the nearest that do."""
+        for word in sys.argv[1:] if args is None else args:
+            option = word.partition("=")[0]
+            if word == "--" or (self._subparsers is not None and not word.startswith("-")):
+                break
+            known = self._option_string_actions
+            if option.startswith("--") and not any(name.startswith(option) for name in known):
+                self.error(
+                    f"unknown option {option[:60]!r}; {did_you_mean(option, [n for n in known if n[:2] == '--'])}"
+                )
+        return super().parse_known_args(args, namespace)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         if action.choices is not None and value not in action.choices:

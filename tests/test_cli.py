@@ -84,6 +84,7 @@ def test_bad_file(name: str, command: str, tmp_path: Path, capsys: pytest.Captur
     [
         ([], "expected a command"),
         (["genrate"], "did you mean 'generate'?"),
+        (["generate", "four_bar", "--ouput", "made"], "unknown option '--ouput'; did you mean '--out'? See symscrew"),
         (["generate", "four_bar"], "--out"),
         (["generate", "four_bra", "--out", "made"], "did you mean 'four_bar'"),
         (["generate", "nothing.toml", "--out", "made"], "there is no file"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import importlib.util
 import json
-import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -36,7 +35,8 @@ def run(options: argparse.Namespace) -> int:
         model = derive(mechanism)
     functions = options.function or [name for name in USUAL if name in model.programs]
     with progress.step(f"compile and time {', '.join(functions)}"):
-        rows, notes = measure(model, functions, options.against, repeats=options.repeats)
+        against, repeats = options.against, options.repeats
+        rows, notes = measure(model, functions, against, repeats=repeats, run_time=options.run_time)
     batches: list[dict[str, Any]] = []
     if options.throughput:
         with progress.step(f"throughput of {functions[0]}"):
@@ -66,25 +66,23 @@ def _cells(row: Row) -> list[str]:
 
 def _plot(rows: Sequence[Row], path: Path, name: str) -> Path:
     """Medians with quartiles, one bar per variant, grouped by function, on a logarithmic scale."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    from symscrew.plots import COLOURS, figure, save, style
+    from symscrew.replacement import replaced
 
-    figure = Figure(figsize=(9, 0.9 + 0.3 * len(rows)), layout="constrained")
-    axes = figure.add_subplot()
+    made, (axes,) = figure(1, 1, width=8.0, height=0.6 + 0.22 * len(rows))
     variants = list(dict.fromkeys(row.variant for row in rows))
-    for place, row in enumerate(rows):
-        median = row.times.median
-        spread = [[median - row.times.lower], [row.times.upper - median]]
-        axes.barh(place, median, xerr=spread, color=f"C{variants.index(row.variant) % 10}", height=0.8)
-    axes.set_yticks(range(len(rows)), [f"{row.function}: {row.variant.split(': ')[-1]}" for row in rows], fontsize=8)
-    axes.invert_yaxis()
-    axes.set_xscale("log")
-    axes.set_xlabel("time per state [ns], median and quartiles")
-    axes.set_title(name)
-    axes.grid(True, axis="x", alpha=0.3)
-    FigureCanvasAgg(figure)
-    staged = path.with_name(f".{path.stem}.part.png")
+    with style():
+        for place, row in enumerate(rows):
+            median = row.times.median
+            spread = [[median - row.times.lower], [row.times.upper - median]]
+            colour = COLOURS[variants.index(row.variant) % len(COLOURS)]
+            axes.barh(place, median, xerr=spread, color=colour, ecolor="0.35", height=0.75)
+        axes.set_yticks(range(len(rows)), [f"{row.function}: {row.variant.split(': ')[-1]}" for row in rows])
+        axes.invert_yaxis()
+        axes.set_xscale("log")
+        axes.xaxis.set_minor_formatter("")
+        axes.set_xlabel("time per state  [ns], median and quartiles")
+        axes.set_title(name, loc="left")
+        axes.grid(False, axis="y")
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(staged, dpi=120)
-    os.replace(staged, path)
-    return path
+    return replaced(path, lambda part: save(made, part))

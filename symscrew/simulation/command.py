@@ -23,8 +23,6 @@ def run(options: argparse.Namespace) -> int:
     picture = _place(options.plot, (".png",), "--plot")
     if picture is not None and importlib.util.find_spec("matplotlib") is None:
         raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
-    if not (out or picture or options.emit_c or options.json):
-        raise DescriptionError("expected --out FILE.npz or FILE.csv, --plot FILE.png, --emit-c DIR or --json")
     scene = load(options.scene)
     if options.emit_c:
         from symscrew.simulation.loop import emit
