@@ -212,12 +212,22 @@ class Tape:
             x, y = self.mul(x, y.args[0]), y.args[1]
             if x is self.one:
                 return self.neg(y) if negative else y
-        if (x.op == "reciprocal" and x.args[0] is y) or (y.op == "reciprocal" and y.args[0] is x):
-            return self.neg(self.one) if negative else self.one
+        rest = self._cancelled(x, y)
+        if rest is not None:
+            return self.neg(rest) if negative else rest
         if x.value is None and y.index < x.index:
             x, y = y, x
         result = self._make("mul", (x, y))
         return self.neg(result) if negative else result
+
+    def _cancelled(self, x: Node, y: Node) -> Node | None:
+        """z of x (z / x) or (x z) / x; None if nothing cancels."""
+        for a, b in ((x, y), (y, x)):
+            inverse = a.args[0] if a.op == "reciprocal" else None
+            for factor, rest in (b.args, b.args[::-1]) if b.op == "mul" else ((b, self.one),):
+                if factor is inverse or (factor.op == "reciprocal" and factor.args[0] is a):
+                    return rest
+        return None
 
     def reciprocal(self, x: Node) -> Node:
         """1 / x; shared, so that several quotients by x cost one division."""
