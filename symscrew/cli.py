@@ -214,6 +214,7 @@ def _benchmark_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--against", nargs="+", choices=("pinocchio", "mujoco"), default=[], help="other libraries")
     command.add_argument("--repeats", type=int, default=25, help="interleaved repeats (default: 25)")
     command.add_argument("--throughput", action="store_true", help="also batches of 1, 8, 1000 and 1000000 states")
+    command.add_argument("--run-time", action="store_true", help="also code that reads all parameters at run time")
     command.add_argument("--plot", metavar="FILE.png", help="medians and quartiles as a picture")
     command.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
 

@@ -26,6 +26,7 @@ import numpy as np
 
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import DOUBLE, PRECISIONS, Precision
+from symscrew.export.example import SPILLS
 from symscrew.manifest import read_manifest, read_port
 from symscrew.model import Model
 from symscrew.names import check_name
@@ -33,8 +34,6 @@ from symscrew.program import STATUS, Port
 
 COMPILERS = ("cc", "gcc", "clang")
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", "-fPIC")
-# of gcc: without it the register allocation of a long function takes most of the time, for no faster code
-SPILLS = "--param=lra-max-considered-reload-pseudos=5"
 Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]
 
 

@@ -94,6 +94,14 @@ def test_results_that_differ_are_not_timed(monkeypatch: pytest.MonkeyPatch) -> N
         run(model("four_bar"), ["inverse_dynamics"], repeats=1)
 
 
+def test_parameters_at_run_time_beside_those_in_the_code() -> None:
+    rows, _ = run(model("three_ups_upu_s"), ["inverse_dynamics"], repeats=1, run_time=True)
+    row = next(row for row in rows if row.variant == "one state, parameters at run time")
+    assert row.operations is not None and row.operations >= rows[0].operations and row.agreement < 1e-12
+    with pytest.raises(DescriptionError, match="no parameters"):
+        run(model("four_bar"), ["inverse_dynamics"], repeats=1, run_time=True)
+
+
 def test_throughput_of_every_count() -> None:
     found = throughput(model("four_bar"), "inverse_dynamics", counts=(1, 8, 100), repeats=1)
     assert [entry["states"] for entry in found] == [1, 8, 100]

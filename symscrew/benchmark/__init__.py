@@ -20,7 +20,7 @@ import numpy as np
 from symscrew.compiled import CompileError, compile_c, find_compiler
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c
-from symscrew.model import Model
+from symscrew.model import Model, derive
 from symscrew.program import Iteration, evaluate
 from symscrew.timing import Times, interleaved
 
@@ -145,14 +145,15 @@ def batch(compiled: Compiled, name: str, count: int, *, columns: bool) -> tuple[
 
 
 def run(
-    model: Model, functions: Sequence[str], peers: Sequence[str] = (), *, repeats: int = 25
+    model: Model, functions: Sequence[str], peers: Sequence[str] = (), *, repeats: int = 25, run_time: bool = False
 ) -> tuple[list[Row], list[str]]:
     """Rows of all variants of all functions, and what could not be compared.
 
+    With `run_time` also the code that reads all parameters of the mechanism at run time, beside that which holds them.
+
     Raises:
         DescriptionError: no such function.
-        CompileError: no compiler, or it refused the code.
-        RuntimeError: results differ, so that times mean nothing.
+        CompileError: no compiler, or it refused the code, or results differ, so that times mean nothing.
     """
     from symscrew.benchmark.peers import PEERS
 
@@ -161,12 +162,14 @@ def run(
     if unknown:
         raise DescriptionError(f"{model.name} has no function {unknown[0]!r}; it has {', '.join(known)}")
     compiled, rows, notes = Compiled(model, functions), [], []
+    read = Compiled(at_run_time(model), functions) if run_time else None
     for name in functions:
         program = model.programs[name]
         assert not isinstance(program, Iteration)
         expected, _ = evaluate(program, states(model, name, STATES))
         measures: dict[str, Measure] = {}
         agreement: dict[str, float] = {}
+        operations: dict[str, int] = {}
         limits: dict[str, float | None] = {}
         for variant in ("one state", "batch, one after the other", "batch, side by side"):
             columns = variant.endswith("side")
@@ -176,6 +179,11 @@ def run(
                 (difference(a, b) for a, b, p in zip(expected, made[1], program.outputs, strict=True) if p.size),
                 default=0.0,
             )
+        if read is not None:
+            variant = "one state, parameters at run time"
+            measures[variant], got = single(read, name)
+            operations[variant] = read.model.programs[name].operations["total"]
+            agreement[variant] = max(map(difference, expected, got), default=0.0)
         for peer in peers:
             found = PEERS[peer](compiled, name, expected)
             if isinstance(found, str):
@@ -189,8 +197,29 @@ def run(
             raise CompileError(f"{name}: results differ, nothing is timed: {bad}")
         times = interleaved(measures, repeats)
         total = program.operations["total"]
-        rows += [Row(name, v, None if ":" in v else total, t, agreement[v]) for v, t in times.items()]
+        counted = {v: None if ":" in v else operations.get(v, total) for v in times}
+        rows += [Row(name, v, counted[v], t, agreement[v]) for v, t in times.items()]
     return rows, notes
+
+
+def at_run_time(model: Model) -> Model:
+    """The same model with every parameter an input, at the same test states.
+
+    Raises:
+        DescriptionError: the mechanism has no parameters, or one decides about its structure.
+    """
+    parameters = model.mechanism.parameters
+    if not parameters:
+        raise DescriptionError(f"{model.name} has no parameters to read at run time; leave the option out")
+    changed = {name: replace(parameter, run_time=True) for name, parameter in parameters.items()}
+    made = derive(replace(model.mechanism, parameters=changed), model.effects)
+    values = made.system.parameter_values
+    inputs = {
+        name: (*given, np.repeat(values[None], len(given[0]), axis=0))
+        for name, given in model.test_inputs.items()
+        if name in made.programs and len(made.programs[name].inputs) == len(given) + 1
+    }
+    return replace(made, test_inputs={**made.test_inputs, **inputs})
 
 
 def throughput(

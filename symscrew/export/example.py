@@ -11,6 +11,8 @@ from symscrew.export.listing import banner, plain, unit_of
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
+# of gcc: without it the register allocation of a long function takes most of the time, for no faster code
+SPILLS = "--param=lra-max-considered-reload-pseudos=5"
 SHOWN = (
     "assemble",
     "velocity",
@@ -108,6 +110,11 @@ def print_cmake(model: Model) -> str:
             f"set_target_properties({library} PROPERTIES C_STANDARD 99 POSITION_INDEPENDENT_CODE ON)",
             'if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")',
             f"  target_compile_options({library} PRIVATE -fno-math-errno -ffp-contract=fast)",
+            "endif()",
+            "include(CheckCCompilerFlag)",
+            f"check_c_compiler_flag({SPILLS} {model.name.upper()}_FEW_RELOADS)",
+            f"if({model.name.upper()}_FEW_RELOADS)",
+            f"  target_compile_options({library} PRIVATE {SPILLS})",
             "endif()",
             "if(UNIX)",
             f"  target_link_libraries({library} PUBLIC m)",
