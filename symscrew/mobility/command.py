@@ -30,7 +30,7 @@ def run(options: argparse.Namespace) -> int:
         values = {**report.values(found), "verified": not failed, "expected": options.expect}
         print(json.dumps(values, indent=1))
     else:
-        print(found.report())
+        print(found.report().splitlines()[0])  # the rest of it follows in more words
         print(report.text(found))
         print(verdict)
     if writer is not None:
