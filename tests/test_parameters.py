@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
+import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
 import sympy
 
 from symscrew import catalogue
+from symscrew.builder import MechanismBuilder
+from symscrew.compiled import find_compiler
+from symscrew.export.c import print_c
+from symscrew.export.c_precision import PRECISIONS
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
+from symscrew.verification import STRICT
 
 
 def with_parameters(mechanism: Mechanism, *, run_time: bool, scale: str = "1") -> Mechanism:
@@ -45,3 +52,44 @@ def test_only_run_time_parameters_become_an_input(run_time: Model) -> None:
     assert run_time.programs["inverse_dynamics"].inputs[-1].labels == ("R", "r", "H")
     baked = derive(catalogue.load("three_ups_upu_s"))
     assert "p" not in [port.name for port in baked.programs["inverse_dynamics"].inputs]
+
+
+PENDULUM = """
+#include "pendulum.h"
+#include <stdio.h>
+
+int main(void)
+{
+    const REAL q[] = {0.5}, v[] = {0.0}, a[] = {0.0};
+    REAL before[1], after[1];
+    pendulum_parameters parameters = PENDULUM_PARAMETERS_DEFAULT;
+    int outcome = pendulum_inverse_dynamics(q, v, a, parameters.p, before);
+    parameters.by_name.mass *= 2;
+    outcome += pendulum_inverse_dynamics(q, v, a, parameters.p, after);
+    printf("%d %.17g %.17g\\n", outcome, (double)before[0], (double)after[0]);
+    return 0;
+}
+"""
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize("precision, error", [("double", 1e-14), ("single", 1e-6)])
+def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, tmp_path: Path) -> None:
+    """The torque that holds a rod of mass m and length l at an angle: m g l/2 sin(angle)."""
+    builder = MechanismBuilder("pendulum")
+    builder.parameter("length", "0.5", unit="m", description="length of the rod", run_time=True)
+    builder.parameter("mass", "1.5", unit="kg", run_time=True)
+    builder.body("rod", mass="mass", com=[0, 0, "-length/2"], inertia=["mass*length^2/12", "mass*length^2/12", 0])
+    builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    real = PRECISIONS[precision]
+    for name, text in print_c(derive(builder.build()), precision=real).items():
+        (tmp_path / name).write_text(text)
+    header = (tmp_path / "pendulum.h").read_text()
+    assert f"{real.real} length; /* [m] length of the rod; default 0.5{real.suffix} */" in header
+    (tmp_path / "main.c").write_text(PENDULUM.replace("REAL", real.real))
+    command = [str(find_compiler()), *STRICT, "-O1", "main.c", "pendulum.c", "-o", "main", "-lm"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout.split()
+    torque = 1.5 * 9.81 * 0.25 * np.sin(0.5)
+    assert printed[0] == "0" and [float(x) for x in printed[1:]] == pytest.approx([torque, 2 * torque], rel=error)

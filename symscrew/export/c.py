@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping
 from symscrew.export import c_angles, c_batch, c_lanes, c_parts
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane
 from symscrew.export.c_iteration import iteration_functions
+from symscrew.export.c_parameters import parameter_type
 from symscrew.export.c_precision import DOUBLE, TABLE, Precision
 from symscrew.export.c_rank_revealing import routines, second_path
 from symscrew.export.c_single import error_lines, single_errors
@@ -100,6 +101,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "",
         "/* What a status means. */",
         f"const char *{model.name}_status_text(int status);",
+        *parameter_type(model, precision),
     ]
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
