@@ -129,7 +129,7 @@ class Kinematics:
         labels = self.model.equations.labels
         rows = [*at.closure_rows(), *at.condition_rows(_still(conditions), where)]
         rows += [
-            Row(f"{label} at {where}", blocks["y"][k], conditions.coordinates[label])
+            Row(f"{label} at {where}", blocks["y"][k], conditions.coordinates[label], conditions.coordinates[label])
             for k, label in enumerate(labels)
             if label in conditions.coordinates
         ]
