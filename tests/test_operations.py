@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from benchmarks.mechanisms import chain, platform
-from model_states import model
+from model_states import differentiated, model
 
 from symscrew.export.c import print_source
 from symscrew.generation import render
@@ -30,6 +30,20 @@ LIMITS = [
     ("panda", "inverse_dynamics", 800),
 ]
 
+DERIVATIVES = [
+    ("three_ups_upu_s_physical", "inverse_dynamics_independent_derivatives", 5500),
+    ("three_ups_upu_s_physical", "forward_dynamics_independent_derivatives", 5200),
+    pytest.param("delta", "inverse_dynamics_independent_derivatives", 11000, marks=pytest.mark.slow),
+    pytest.param("delta", "forward_dynamics_independent_derivatives", 11200, marks=pytest.mark.slow),
+    ("five_bar", "inverse_dynamics_independent_derivatives", 600),
+    ("four_bar", "forward_dynamics_independent_derivatives", 290),
+    ("ur5", "inverse_dynamics_derivatives", 1700),
+    ("ur5", "forward_dynamics_derivatives", 2800),
+    ("ur5", "mass_matrix", 260),
+    pytest.param("panda", "inverse_dynamics_derivatives", 4800, marks=pytest.mark.slow),
+    pytest.param("panda", "forward_dynamics_derivatives", 7400, marks=pytest.mark.slow),
+]
+
 
 def total(found: Model, function: str) -> int:
     assert function in found.programs, f"{found.name} has no function {function}; it has {list(found.programs)}"
@@ -39,6 +53,11 @@ def total(found: Model, function: str) -> int:
 @pytest.mark.parametrize(("name", "function", "limit"), LIMITS)
 def test_limit(name: str, function: str, limit: int) -> None:
     assert total(model(name), function) <= limit
+
+
+@pytest.mark.parametrize(("name", "function", "limit"), DERIVATIVES)
+def test_limit_of_derivatives(name: str, function: str, limit: int) -> None:
+    assert total(differentiated(name), function) <= limit
 
 
 @cache
