@@ -99,7 +99,7 @@ def read_plan(options: argparse.Namespace, chosen) -> Plan:  # type: ignore[no-u
             "nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation"
         )
     if plan.count > MOST_CASES:
-        raise DescriptionError(f"{plan.count} cases; at most {MOST_CASES} are computed in one sweep")
+        raise DescriptionError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
     return plan
 
 
