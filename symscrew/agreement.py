@@ -209,7 +209,7 @@ def _first_path(arrays: tuple[np.ndarray, ...], status: np.ndarray) -> Results:
 def _unit(directory: Path, model: Model) -> Iterator[tuple[bool, str]]:
     """What is in the unit that has just been made, compiled and run."""
     if find_compiler() is None:
-        yield True, "no C compiler here: FMU neither compiled nor run"
+        yield True, "no C compiler here (apt install gcc): FMU neither compiled nor run"
         return
     with zipfile.ZipFile(directory / f"{model.name}.fmu") as unit:
         yield from compare_unit({name: unit.read(name) for name in unit.namelist()}, model)

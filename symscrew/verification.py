@@ -221,7 +221,7 @@ def _compile(directory: Path, name: str) -> Iterator[tuple[bool, str]]:
     if not compilers:
         compilers = [path for path in [shutil.which("cc")] if path]
     if not compilers:
-        yield True, "no C compiler here: C neither compiled nor run"
+        yield True, "no C compiler here (apt install gcc): C neither compiled nor run"
     for compiler in compilers:
         sources = [f"{name}.c", "example.c", *(p.name for p in directory.glob("*_external.c"))]
         sources += [p.name for p in directory.glob("*_jacobians.c")]

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from symscrew import agreement, catalogue, description
+from symscrew.cli import main
 from symscrew.compiled import load
 from symscrew.effects import ExternalWrench, Gravity
 from symscrew.errors import DescriptionError
@@ -88,6 +89,27 @@ def test_a_format_that_cannot_hold_the_mechanism_leaves_nothing(four_bar, tmp_pa
     with pytest.raises(DescriptionError, match="a URDF is a tree"):
         generate(four_bar, tmp_path / "out", ["c", "urdf"])
     assert not list(tmp_path.iterdir())
+
+
+def test_a_compiler_that_fails_or_is_missing_is_named(four_bar, tmp_path, monkeypatch, capsys):
+    """Nothing half written, one line of error, and what to install."""
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    for tool in ("cc", "gcc", "clang"):
+        (tools / tool).write_text("#!/bin/sh\necho 'internal compiler error: killed' >&2\nexit 4\n")
+        (tools / tool).chmod(0o755)
+    generate(four_bar, tmp_path / "out", ["c", "javascript"])
+    monkeypatch.setenv("PATH", str(tools))
+    assert main(["fmu", "four_bar", "--out", str(tmp_path / "four_bar.fmu")]) == 1
+    said = capsys.readouterr().err
+    assert "cc refused four_bar.c: internal compiler error" in said and "Traceback" not in said
+    assert main(["check", str(tmp_path / "out")]) == 1
+    assert "internal compiler error" in "".join(capsys.readouterr())
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert main(["check", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().out
+    assert "no C compiler here (apt install gcc)" in said and "no Node here (apt install nodejs)" in said
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "tools"]
 
 
 def test_other_effects_and_coordinates_are_regenerated(tmp_path):

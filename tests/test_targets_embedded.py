@@ -102,6 +102,17 @@ def test_missing_tools_are_named(
         measure(model("four_bar"), "m0")
 
 
+def test_a_library_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    fake = tmp_path / embedded.COMPILER
+    fake.write_text("#!/bin/sh\necho 'four_bar.c:1:10: fatal error: math.h: No such file or directory' >&2\nexit 1\n")
+    fake.chmod(0o755)
+    for tool in (embedded.NAMES, embedded.EMULATOR):
+        (tmp_path / tool).symlink_to(fake)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    with pytest.raises(EmbeddedError, match="refused .apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi.: "):
+        measure(model("four_bar"), "m4f", functions=["mass_matrix"])
+
+
 # -- what code for such machines must not do ---------------------------------------------------------------
 
 

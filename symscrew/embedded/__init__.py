@@ -221,7 +221,9 @@ def _compile(model: Model, core: Core, folder: Path) -> None:
 def _call(command: Sequence[str], folder: Path) -> str:
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode:
-        raise EmbeddedError(f"{command[0]} refused: {done.stderr[-2000:]}")
+        library = re.search(r"\w+\.h: No such file|cannot find -lm|cannot find -lc", done.stderr)
+        cure = f" (apt install {PACKAGES[COMPILER]})" if library else ""
+        raise EmbeddedError(f"{command[0]} refused{cure}: {done.stderr[-2000:]}")
     return done.stdout
 
 

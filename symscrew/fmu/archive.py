@@ -183,7 +183,9 @@ def unpacked(name: str) -> str:
 def _add_binary(name: str, text: bytes, version: int, files: dict[str, bytes]) -> list[str]:
     folders = FOLDERS.get(sys.platform)
     if find_compiler() is None or folders is None or platform.machine() not in ("x86_64", "AMD64"):
-        return ["no binary inside: no C compiler for a known platform here; the importer must compile the sources"]
+        return [
+            "no binary inside: no C compiler (install gcc) or no known platform here; the importer must compile the sources"
+        ]
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         file, library = Path(temporary) / f"{name}.c", Path(temporary) / f"{name}.so"
         file.write_bytes(text)
