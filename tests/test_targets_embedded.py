@@ -109,7 +109,7 @@ def test_a_library_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.
     for tool in (embedded.NAMES, embedded.EMULATOR):
         (tmp_path / tool).symlink_to(fake)
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    with pytest.raises(EmbeddedError, match="refused .apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi.: "):
+    with pytest.raises(EmbeddedError, match=r"refused .apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi.: "):
         measure(model("four_bar"), "m4f", functions=["mass_matrix"])
 
 

@@ -183,9 +183,7 @@ def unpacked(name: str) -> str:
 def _add_binary(name: str, text: bytes, version: int, files: dict[str, bytes]) -> list[str]:
     folders = FOLDERS.get(sys.platform)
     if find_compiler() is None or folders is None or platform.machine() not in ("x86_64", "AMD64"):
-        return [
-            "no binary inside: no C compiler (install gcc) or no known platform here; the importer must compile the sources"
-        ]
+        return ["no binary inside: no C compiler (apt install gcc) for a known platform; the importer must compile"]
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         file, library = Path(temporary) / f"{name}.c", Path(temporary) / f"{name}.so"
         file.write_bytes(text)
