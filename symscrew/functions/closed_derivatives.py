@@ -312,9 +312,9 @@ class ClosedMotion:
                 group.append([x + _inner(row, free[j]) for x, row in zip(column, inertia, strict=True)])
             groups.append(group)
         half = self.system.tape.reciprocal(self.system.tape.node(2))
-        for column, free in zip(groups[0], self.following_free, strict=True):
+        for column, added in zip(groups[0], self.following_free, strict=True):
             for i in range(count):
-                column[i] = column[i] + half * _inner(free, [change[i] for change in groups[1]])
+                column[i] = column[i] + half * _inner(added, [change[i] for change in groups[1]])
         return (self.per_y(groups[0]), self.per_y(groups[1]), self.per_y(inertia))
 
     def per_y(self, columns: Matrix) -> Matrix:
