@@ -98,29 +98,17 @@ def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> 
 
 
 def _by_cvodes(scene: Scene, plant: Plant, start: tuple, watch: Stopwatch) -> Callable[[float], tuple[float, Array]]:
-    import casadi as ca
-
-    from symscrew.simulation.sundials import state_rates
+    from symscrew.simulation.sundials import whole_run
 
     functions = Functions(plant, list(scene.tables.values()), compiled=False)
-    size = functions.nq + functions.nv + functions.nx
-    t, y = ca.SX.sym("t"), ca.SX.sym("y", size)
-    ode = {"x": y, "t": t, "ode": watch("print", state_rates, scene, plant, functions, t, y)}
-    outputs = [float(time) for time in scene.times[1:]]
-    made: dict[float, ca.Function] = {}
+    made: dict[float, Callable[[tuple], Array]] = {}
 
     def run(tolerance: float) -> tuple[float, Array]:
         if tolerance not in made:
-            options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": MOST}
-            made[tolerance] = watch("compile", ca.integrator, "run", "cvodes", ode, 0.0, outputs, options)
+            made[tolerance] = watch("compile", whole_run, scene, plant, tolerance, MOST)
         begin = time.thread_time()
-        try:
-            states = np.asarray(made[tolerance](x0=np.concatenate(start))["xf"], dtype=float)
-        except RuntimeError as error:
-            raise ArithmeticError(str(error).splitlines()[-1][:120]) from error
-        taken = time.thread_time() - begin
-        q = np.concatenate([np.asarray(start[0])[None], states.T[:, : functions.nq]])
-        return taken, _normalised(functions, q)
+        states = made[tolerance](start)
+        return time.thread_time() - begin, _normalised(functions, states)
 
     return run
 

@@ -53,6 +53,31 @@ def integrate(
     return History(times[: len(states)], *parts, ok, status, "cvodes")
 
 
+def whole_run(
+    scene: Scene, plant: Plant, tolerance: float, most_steps: int
+) -> Callable[[tuple[np.ndarray, np.ndarray, np.ndarray]], np.ndarray]:
+    """CVODES from a start (q, v, x) to all outputs, never projected or started again: states (outputs, q v x).
+
+    `tolerance` is of single steps, relative and absolute; `most_steps` may lie between two outputs. Calls raise
+    RunError where the integrator gives up.
+    """
+    functions = Functions(plant, list(scene.tables.values()), compiled=False)
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", functions.nq + functions.nv + functions.nx)
+    ode = {"x": y, "t": t, "ode": state_rates(scene, plant, functions, t, y)}
+    options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": most_steps}
+    solver = ca.integrator("run", "cvodes", ode, 0.0, [float(time) for time in scene.times[1:]], options)
+
+    def run(start: tuple[np.ndarray, np.ndarray, np.ndarray]) -> np.ndarray:
+        begin = np.concatenate(start)
+        try:
+            states = np.asarray(solver(x0=begin)["xf"], dtype=float).T
+        except RuntimeError as error:
+            raise RunError(str(error).splitlines()[-1][:120]) from error
+        return np.concatenate([begin[None], states])
+
+    return run
+
+
 def state_rates(scene: Scene, plant: Plant, functions: Functions, t: ca.SX, y: ca.SX) -> ca.SX:
     """Rates of y = (q, v, x) at the time t under the scene's controller."""
     nq, nv = functions.nq, functions.nv
