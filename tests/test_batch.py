@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from model_states import model, relative
 
-from symscrew.compiled import CompiledModel, EvaluationError, find_compiler, load
+from symscrew.compiled import CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 from symscrew.export.c import print_c, print_source, straight_line
 from symscrew.export.c_function import Printed
 from symscrew.export.c_precision import DOUBLE
@@ -187,3 +187,22 @@ def test_gravity_free_derive_keeps_its_batches() -> None:
     arrays = inputs(bare, "inverse_dynamics", 9)
     got = load(bare, backend="c", vectorised=True).inverse_dynamics(*arrays)
     assert relative(got, bare("inverse_dynamics", *arrays)[0][0]) < 1e-12
+
+
+@pytest.mark.parametrize("columns", [False, True])
+def test_arrays_of_a_batch_are_not_copied(columns: bool) -> None:
+    """What the C function gets are the caller's arrays, in both layouts."""
+    seen: list[np.ndarray] = []
+
+    def evaluator(inputs, outputs, status) -> None:
+        seen.extend(inputs)
+
+    program = model("four_bar").programs["inverse_dynamics"]
+    function = CompiledFunction(program.name, program.inputs, program.outputs, evaluator, evaluator)
+    given = [np.zeros((port.size, 20)).T if columns else np.zeros((20, port.size)) for port in program.inputs]
+    result = function(*given)
+    assert len(seen) == len(given)
+    for passed, array in zip(seen, given, strict=True):
+        assert passed.__array_interface__["data"] == array.__array_interface__["data"] and passed.flags.c_contiguous
+        assert passed.shape == (array.shape[::-1] if columns else array.shape)
+    assert result.shape == (20, 1)
