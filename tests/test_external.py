@@ -46,7 +46,11 @@ def with_parameters() -> Model:
     return derive(builder.build())
 
 
-@pytest.mark.parametrize("name", [*NAMES, "with_parameters"])
+LARGE = ("panda", "mixed_loop")
+CASES = [pytest.param(name, marks=pytest.mark.slow) if name in LARGE else name for name in (*NAMES, "with_parameters")]
+
+
+@pytest.mark.parametrize("name", CASES)
 def test_jacobians_of_programs_are_their_finite_differences(name):
     """Every input, quaternions entry by entry and run-time parameters too; an iteration by its solution."""
     found = with_parameters() if name == "with_parameters" else model(name)

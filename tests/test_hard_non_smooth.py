@@ -160,6 +160,7 @@ def test_ball_on_a_stop(restitution: float) -> None:
     assert len(run.events) < 60
 
 
+@pytest.mark.slow
 def test_without_an_end_of_the_bouncing(monkeypatch: pytest.MonkeyPatch) -> None:
     """The guard taken out: `contacts.SOFT` = 0. More than the sixty impacts of a run that ends them."""
     monkeypatch.setattr(contacts, "SOFT", 0.0)
