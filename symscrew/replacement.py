@@ -8,6 +8,22 @@ import secrets
 from collections.abc import Callable
 from pathlib import Path
 
+from symscrew.errors import DescriptionError
+
+
+def destination(name: str, suffixes: tuple[str, ...], what: str) -> Path:
+    """Where the option `what` says that a file goes.
+
+    Raises:
+        DescriptionError: an ending that is not one of `suffixes`, or a folder that does not exist.
+    """
+    path = Path(name)
+    if "\0" in name or path.suffix not in suffixes:
+        raise DescriptionError(f"{what}: expected a file name that ends in {' or '.join(suffixes)}, got {name!r}")
+    if not path.parent.is_dir():
+        raise DescriptionError(f"{what}: there is no folder {path.parent}; make it first")
+    return path
+
 
 def replaced(path: Path, make: Callable[[Path], object]) -> Path:
     """Make a file beside its place and move it there: what was there before stays if `make` fails.

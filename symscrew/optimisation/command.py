@@ -6,7 +6,6 @@ import argparse
 import importlib.util
 import json
 import sys
-from pathlib import Path
 
 from symscrew.console import table
 from symscrew.errors import DescriptionError
@@ -14,14 +13,15 @@ from symscrew.optimisation.reading import load
 from symscrew.optimisation.replay import Replay, replay
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solve import solve
+from symscrew.replacement import destination
 
 FORMATS = (".npz", ".csv")
 
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no optimum was found (the best iterate is written all the same)."""
-    out = _place(options.out, FORMATS, "--out")
-    picture = _place(options.plot, (".png",), "--plot") if options.plot else None
+    out = destination(options.out, FORMATS, "--out")
+    picture = destination(options.plot, (".png",), "--plot") if options.plot else None
     if picture is not None and importlib.util.find_spec("matplotlib") is None:
         raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
     if options.rate is not None and not options.rate > 0:
@@ -100,12 +100,3 @@ def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
             "end_error": again.end_error, "closure": again.closure, "integration": again.integration
         }  # fmt: skip
     return result
-
-
-def _place(name: str, suffixes: tuple[str, ...], what: str) -> Path:
-    path = Path(name)
-    if "\0" in name or path.suffix not in suffixes:
-        raise DescriptionError(f"{what}: expected a file name that ends in {' or '.join(suffixes)}, got {name!r}")
-    if not path.parent.is_dir():
-        raise DescriptionError(f"{what}: there is no folder {path.parent}; make it first")
-    return path

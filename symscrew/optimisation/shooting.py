@@ -12,12 +12,13 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
-from symscrew.optimisation.layout import Terms, Unknowns
+from symscrew.optimisation.layout import Terms
 from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.rows import PointFunction, Row
 from symscrew.optimisation.sparse import Family
 from symscrew.optimisation.straight_line import run
-from symscrew.optimisation.transcription import Collocation, LinearRows, Placer, Transcribed, mesh_of
+from symscrew.optimisation.tableau import Tableau
+from symscrew.optimisation.transcription import Collocation, LinearRows, Placer
 
 if TYPE_CHECKING:
     from symscrew.optimisation.result import Trajectory
@@ -29,30 +30,23 @@ class Shooting(Collocation):
     """Builds multiple shooting of a model on its mesh."""
 
     def __init__(self, model: PointModel) -> None:
-        self.model, self.problem = model, model.problem
         unfit = {"energy", "jerk"} & set(model.kinds)
         if unfit or model.problem.drive_rule != "free" or model.problem.via:
             raise DescriptionError(
                 "transcription.method: shooting takes neither via conditions, a rule for the drives, nor the "
                 "objectives energy and jerk; use collocation"
             )
-        self.scheme = None  # type: ignore[assignment]
-        self.mesh = mesh_of(model)
-        self.steps = np.diff(self.mesh)
-        self.point_tau = self.mesh[:-1, None]
-        self.function = self._interval()
-        self.unknowns = Unknowns()
+        super().__init__(model)
 
-    def transcribed(self) -> Transcribed:
-        """The transcription."""
-        self._unknowns()
-        families = (self._interval_family(), *self._observation_families())
-        linear = _ShootingRows(self).linear()
-        return Transcribed(self.unknowns, families, linear, self.linear_cost(), self.mesh, None, self.model)
+    def _scheme(self) -> Tableau:
+        return None  # type: ignore[return-value]
+
+    def _linear_rows(self) -> LinearRows:
+        return _ShootingRows(self)
 
     # -- one interval -----------------------------------------------------------------------------------------
 
-    def _interval(self) -> PointFunction:
+    def _function(self) -> PointFunction:
         """Blocks of an interval: its start, its drives, its end; rows: closure, bounds at the start, defects."""
         model, scales = self.model, self.model.scales
         start = model.blocks(moving=True)
@@ -119,7 +113,7 @@ class Shooting(Collocation):
             q = run(model.equations.move, {"q": q, "y": y, "p": parameters})["q_next"]
         return q
 
-    def _interval_family(self) -> Family:
+    def _family(self) -> Family:
         known = self.unknowns
         place = Placer(self.function, len(self.steps))
         terms = Terms(known)

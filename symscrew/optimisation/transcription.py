@@ -60,21 +60,31 @@ class Collocation:
     """Builds the collocation of a model on its mesh."""
 
     def __init__(self, model: PointModel) -> None:
-        given = model.problem.transcription
         self.model, self.problem = model, model.problem
-        self.scheme = tableau(given.method, given.degree, given.second_order)
         self.mesh = mesh_of(model)
         self.steps = np.diff(self.mesh)
-        self.point_tau = self.mesh[:-1, None] + self.steps[:, None] * self.scheme.nodes
-        self.function = model.collocation()
         self.unknowns = Unknowns()
+        self.scheme = self._scheme()
+        nodes = self.scheme.nodes if self.scheme else np.zeros(1)  # shooting has no scheme
+        self.point_tau = self.mesh[:-1, None] + self.steps[:, None] * nodes
+        self.function = self._function()
 
     def transcribed(self) -> Transcribed:
         """The transcription."""
         self._unknowns()
-        families = (self._collocation_family(), *self._observation_families())
-        linear = LinearRows(self).linear()
+        families = (self._family(), *self._observation_families())
+        linear = self._linear_rows().linear()
         return Transcribed(self.unknowns, families, linear, self.linear_cost(), self.mesh, self.scheme, self.model)
+
+    def _scheme(self) -> Tableau:
+        given = self.problem.transcription
+        return tableau(given.method, given.degree, given.second_order)
+
+    def _function(self) -> PointFunction:
+        return self.model.collocation()
+
+    def _linear_rows(self) -> LinearRows:
+        return LinearRows(self)
 
     def linear_cost(self) -> np.ndarray:
         """What objectives add to the cost linearly in the unknowns: duration, peak."""
@@ -154,7 +164,7 @@ class Collocation:
 
     # -- families ----------------------------------------------------------------------------------------------
 
-    def _collocation_family(self) -> Family:
+    def _family(self) -> Family:
         known, scheme = self.unknowns, self.scheme
         n, points = self.point_tau.shape
         place = Placer(self.function, n * points)

@@ -12,6 +12,7 @@ import numpy as np
 from tqdm import tqdm
 
 from symscrew.errors import DescriptionError
+from symscrew.replacement import destination
 from symscrew.scene import load
 from symscrew.simulation import files
 from symscrew.simulation.run import prepare, simulate
@@ -19,8 +20,8 @@ from symscrew.simulation.run import prepare, simulate
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early."""
-    out = _place(options.out, files.FORMATS, "--out")
-    picture = _place(options.plot, (".png",), "--plot")
+    out = destination(options.out, files.FORMATS, "--out") if options.out is not None else None
+    picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
     if picture is not None and importlib.util.find_spec("matplotlib") is None:
         raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
     scene = load(options.scene)
@@ -46,17 +47,6 @@ def run(options: argparse.Namespace) -> int:
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
     return 0 if found.ok else 1
-
-
-def _place(name: str | None, suffixes: tuple[str, ...], what: str) -> Path | None:
-    if name is None:
-        return None
-    path = Path(name)
-    if "\0" in name or path.suffix not in suffixes:
-        raise DescriptionError(f"{what}: expected a file name that ends in {' or '.join(suffixes)}, got {name!r}")
-    if not path.parent.is_dir():
-        raise DescriptionError(f"{what}: there is no folder {path.parent}; make it first")
-    return path
 
 
 def _numbers(found) -> dict[str, object]:  # type: ignore[no-untyped-def]
