@@ -57,6 +57,7 @@ def test_least_effort_obeys_inverse_dynamics_and_the_power_balance() -> None:
     assert np.trapezoid(each.sum(axis=1), t) == pytest.approx(float(np.diff(energy.sum(axis=1))[0]), abs=1e-5)
 
 
+@pytest.mark.slow
 def test_halving_the_mesh_changes_less_than_the_reported_error() -> None:
     costs = [solve(seed(transcription=Transcription("radau", 3, n))) for n in (10, 20)]
     assert abs(costs[0].cost - costs[1].cost) < costs[0].errors.cost
@@ -64,6 +65,7 @@ def test_halving_the_mesh_changes_less_than_the_reported_error() -> None:
     assert abs(costs[0].cost - costs[1].cost) < costs[0].errors.cost
 
 
+@pytest.mark.slow
 def test_transcriptions_agree() -> None:
     known = solve(seed(transcription=Transcription("radau", 4, 16))).cost
     for other in (
@@ -99,6 +101,7 @@ def test_least_time_of_the_seed(preload: float) -> None:
     assert replay(found).end_error < 1e-6
 
 
+@pytest.mark.slow
 def test_objectives_are_what_they_say() -> None:
     """Every objective is best at its own, evaluated from samples and not by the optimiser."""
     mesh = Transcription("radau", 3, 12)
@@ -146,6 +149,7 @@ def test_periodic_scan() -> None:
     assert passed == pytest.approx(np.array([[0.08, 0], [0, 0.08], [-0.08, 0], [0, -0.08]]), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_friction_and_spindles_cost_effort() -> None:
     found = solve(example("seed_friction_and_spindles"))
     assert found.ok and replay(found).end_error < 1e-6
@@ -171,6 +175,7 @@ def load_example(name: str) -> ModuleType:
     return module
 
 
+@pytest.mark.slow
 def test_leg_springs_make_the_scan_nearly_free() -> None:
     bare, best = load_example("seed_leg_springs").main()
     stiffness = best.parameters["k_leg"]
