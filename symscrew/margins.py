@@ -31,7 +31,7 @@ import numpy as np
 
 from symscrew.closure import Cut, Row, carry, carry_point, universal_axes
 from symscrew.joints import JOINT_TYPES
-from symscrew.screws import IDENTITY, ZERO, Twist, Vector, dot, helical, prismatic, revolute, scale
+from symscrew.screws import IDENTITY, ZERO, Twist, Vector, dot, helical, prismatic, revolute, scale, transform
 from symscrew.system import System
 from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND
@@ -178,7 +178,7 @@ def _limb_volume(system: System, joints: Sequence[str]) -> Volume:
     pieces = [piece for joint in joints for piece in _pieces(system, joint)]
     best: tuple[tuple, Grid] | None = None
     for frame in _candidate_frames([link for link, *_ in pieces]):
-        columns = [_seen(system, piece, frame) for piece in pieces]
+        columns = [_seen(system, piece, frame, known=len(pieces) > LONG) for piece in pieces]
         grid = zeroed(tape, [[column[i] for column in columns] for i in range(6)])
         rows = _constant_span(tape, grid)
         entries = [e for row in grid for e in row if e is not tape.zero]
@@ -191,12 +191,9 @@ def _limb_volume(system: System, joints: Sequence[str]) -> Volume:
 
 
 def _candidate_frames(links: Sequence[int]) -> list[int]:
-    """The links in whose axes a limb is looked at: all of a limb of usual length.
-
-    A long one is seen from its ends and its middle only, where paths are short: all of its links would be cubic.
-    """
+    """The links in whose axes a limb is looked at: all of it, of a long one the ground only, where poses are known."""
     found = list(dict.fromkeys([*links, GROUND]))
-    return found if len(found) <= LONG + 1 else [found[0], found[len(found) // 2], found[-2], GROUND]
+    return found if len(found) <= LONG + 1 else [GROUND]
 
 
 Piece = tuple[int, str, Vector, Vector, object]
@@ -229,16 +226,21 @@ def _cut_pieces(system: System, cut: Cut) -> list[Piece]:
     return [(cut.tip, m.kind, axes[m.axis or 0], cut.tip_point, pitch) for m in motions]
 
 
-def _seen(system: System, piece: Piece, frame: int) -> list[Node]:
-    """The unit screw of a freedom (omega ; v / length) at the origin and in the axes of a link."""
+def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> list[Node]:
+    """The unit screw of a freedom (omega ; v / length) at the origin and in the axes of a link.
+
+    Joint after joint between the two, or with `known` from the poses, which all of a long limb's screws share.
+    """
     link, kind, axis, point, pitch = piece
     tape, tree, placed = system.tape, system.tree, system.placed
-    axis = carry(tree, placed, link, frame, axis)
+    by_pose = known and frame == GROUND and link != GROUND
+    pose = system.pose[link]
+    axis = transform(pose.rotation, axis) if by_pose else carry(tree, placed, link, frame, axis)
     if kind == "P":
         twist: Twist = prismatic(axis)
         linear = twist.linear
     else:
-        at = carry_point(tree, placed, link, frame, point)
+        at = pose.point(point) if by_pose else carry_point(tree, placed, link, frame, point)
         twist = helical(axis, at, pitch) if kind == "H" else revolute(axis, at)
         linear = scale(tape.constant(1 / system.length), twist.linear)
     return [tape.node(c) for c in (*twist.angular, *linear)]

@@ -114,13 +114,13 @@ class Parts:
         printed = self.printed
         real, prefix = printed.precision.real, printed.prefix
         known: set[int] = set()
-        for instruction in self.lists[part]:
+        texts = expressions(self.lists[part], printed.precision.table, printed.operand)
+        for instruction, (target, text) in zip(self.lists[part], texts, strict=True):
             for slot in (a for a in instruction.args if isinstance(a, int)):
                 if slot not in known and self.defined.get(slot) != part:
                     known.add(slot)
                     source = self.entered.get(slot) or f"waiting[{self.waiting[slot]}]"
                     yield f"const {real} {prefix}{slot} = {source};"
-            ((target, text),) = expressions([instruction], printed.precision.table, printed.operand)
             yield f"const {real} {prefix}{target} = {text};"
             for entry in self.stored.get(target, ()):
                 yield f"{entry} = {prefix}{target};"
