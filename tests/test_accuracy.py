@@ -337,6 +337,7 @@ def test_chain_of_loops_falls_as_one_pendulum_and_its_operations_are_linear() ->
 # -- the command ----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_command_leaves_json_table_and_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "new" / "folder"

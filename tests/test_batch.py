@@ -57,6 +57,7 @@ def difference(expected: np.ndarray, got: np.ndarray) -> float:
     return relative(got[~lost], expected[~lost])
 
 
+@pytest.mark.slow
 def test_every_function_in_both_layouts_equals_single_calls(
     found: Model, vectorised: CompiledModel, single: CompiledModel
 ) -> None:

@@ -122,6 +122,7 @@ def test_place_where_nothing_can_be_written(command: str, capsys: pytest.Capture
     assert_one_clear_line(*run(command, *mechanism, "--out", place, capsys=capsys))
 
 
+@pytest.mark.slow
 def test_list_names_the_whole_catalogue(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run("list", "--json", capsys=capsys)
     rows = {row["name"]: row for row in json.loads(out)}
@@ -131,6 +132,7 @@ def test_list_names_the_whole_catalogue(capsys: pytest.CaptureFixture[str]) -> N
     assert len(table.splitlines()) == len(rows) + 2
 
 
+@pytest.mark.slow
 def test_generate_then_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     description, made = tmp_path / "pendulum.toml", tmp_path / "made"
     description.write_text(GOOD)
@@ -160,6 +162,7 @@ def test_effects_reach_the_functions(tmp_path: Path, capsys: pytest.CaptureFixtu
     ]
 
 
+@pytest.mark.slow
 def test_mobility_of_the_seed(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run("mobility", "three_ups_upu_s", capsys=capsys)
     assert code == 0
@@ -188,6 +191,7 @@ def test_version_starts_fast_without_heavy_libraries() -> None:
     assert not {"sympy", "casadi", "numpy", "matplotlib"} & set(shown.split())
 
 
+@pytest.mark.slow
 def test_output_into_a_closed_pipe_ends_quietly() -> None:
     command = f"{sys.executable} -m symscrew.cli list | head -1"
     shown = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=True)

@@ -45,6 +45,7 @@ def test_no_colours_where_they_are_not_wanted(environment: dict[str, str], monke
     assert shown(monkeypatch, **environment) == console.table(HEADER, ROWS) + "\n"
 
 
+@pytest.mark.slow
 def test_pipe_gets_markdown() -> None:
     done = subprocess.run([sys.executable, "-m", "symscrew.cli", "list"], capture_output=True, text=True, check=True)
     assert "\x1b" not in done.stdout and done.stdout.startswith("| name")

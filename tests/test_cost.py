@@ -50,6 +50,7 @@ def effect(name: str, *args: object, **fields: object) -> Effect:
     return getattr(known, name)(*args, **fields)
 
 
+@pytest.mark.slow
 def test_operations_states_and_changes() -> None:
     friction, motor = effect("ViscousFriction", "slider_P", 2), effect("DcMotor", "crank_R", "0.05", 1, "0.1")
     found = bill(catalogue.load(CRANK), [Gravity(), friction, motor], timed=False)
@@ -73,6 +74,7 @@ def test_change_is_what_method_b_says() -> None:
     assert found.items[1].change["drives"] == pytest.approx(float(expected), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_drives_that_vanish_are_compared_with_the_largest_change() -> None:
     """In a free motion the drives are zero with all effects: the effect that matters most counts 100 %."""
     free = SCENE.replace('[drives]\ncrank_R = "0.5*cos(t)"\n', "")
@@ -86,6 +88,7 @@ def test_simplifications_save() -> None:
     assert found.items[1].operations["inverse_dynamics"] < -10
 
 
+@pytest.mark.slow
 def test_scene_along_its_own_motion() -> None:
     found = scene_bill(loads(SCENE), timed=False)
     assert found.name == "cranked" and "simulated motion of 0.5 s, 21 outputs" in found.motion
@@ -94,6 +97,7 @@ def test_scene_along_its_own_motion() -> None:
         assert all(0 < value < 100 for value in item.change.values())
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler: nothing is timed")
 def test_timed_side_by_side() -> None:
     found = bill(catalogue.load(CRANK), [Gravity(), effect("ViscousFriction", "slider_P", 2)])
@@ -111,6 +115,7 @@ def test_labels_tell_effects_apart() -> None:
     assert labels == ["gravity", "viscous_friction A", "viscous_friction B", "viscous_friction A (2)"]
 
 
+@pytest.mark.slow
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene = tmp_path / "cranked.toml"
     scene.write_text(SCENE)

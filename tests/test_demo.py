@@ -23,6 +23,7 @@ def short() -> Demo:
     return run(scene=SHORT, backend="casadi")
 
 
+@pytest.mark.slow
 def test_drives_at_rest_are_those_by_hand() -> None:
     by_hand = 1000 / (2 * 0.8 * np.cos(np.radians(30)))
     assert np.abs(short().statics.drives - [0, by_hand, 0, -by_hand]).max() < 1e-9
@@ -48,6 +49,7 @@ def test_motion_is_consistent() -> None:
     assert np.abs((motion.q[2:, 2] - motion.q[:-2, 2]) / (2 * step) - motion.v[1:-1, 2]).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_integration_is_of_order_four() -> None:
     def last(steps: int) -> np.ndarray:
         scene = Scene(CircularTilt(), 1.0, steps, "E", SECTION_5.load)

@@ -193,6 +193,7 @@ def test_zeros_and_held_nodes() -> None:
 # -- inverse dynamics --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_inverse_dynamics_of_the_tree(name: str) -> None:
     """Differences along the tree, the loops open: the function is smooth off the manifold too."""
@@ -216,6 +217,7 @@ def test_inverse_dynamics_on_the_manifold(name: str) -> None:
         assert relative(x, y) < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "stewart_6ups", "delta", "five_bar", "ur5"])
 def test_against_casadi(name: str) -> None:
     """CasADi differentiates the exported functions by q; the chain rule along the null space does the rest."""
@@ -398,6 +400,7 @@ def test_ports_say_what_is_differentiated() -> None:
     assert set(program.outputs[1].units) == {"N/(rad/s)", "N/(m/s)"}
 
 
+@pytest.mark.slow
 def test_generated_on_request_and_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The command writes them with --derivatives only, and `check` derives them again."""
     for option in ([], ["--derivatives"]):

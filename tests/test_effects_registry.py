@@ -311,6 +311,7 @@ def printed(package: Path) -> tuple[str, set[str]]:
     return result.stdout, set(result.stderr.split())
 
 
+@pytest.mark.slow
 def test_nothing_asked_nothing_paid(tmp_path: Path) -> None:
     """With the files of all other effects taken away the C is the same, byte for byte."""
     shutil.copytree(PACKAGE, tmp_path / "symscrew", ignore=shutil.ignore_patterns("__pycache__", "page"))
@@ -323,6 +324,7 @@ def test_nothing_asked_nothing_paid(tmp_path: Path) -> None:
         assert text == expected and not left & gone
 
 
+@pytest.mark.slow
 def test_generated_code_with_effects_is_checked(tmp_path: Path) -> None:
     """States, time, exp, further inputs and a payload, through C, CasADi and NumPy and back from the manifest."""
     effects = [

@@ -16,6 +16,7 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)
 def test_example(path: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     assert re.search(r"^assert ", path.read_text(), re.MULTILINE), "an example asserts a number"

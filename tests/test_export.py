@@ -303,6 +303,7 @@ def test_python_code_is_never_evaluated():
 # -- files ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_equal_input_gives_equal_bytes_in_every_process():
     code = (
         "import hashlib, handmade; from symscrew.generation import render;"

@@ -50,6 +50,7 @@ LARGE = ("panda", "mixed_loop")
 CASES = [pytest.param(name, marks=pytest.mark.slow) if name in LARGE else name for name in (*NAMES, "with_parameters")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_jacobians_of_programs_are_their_finite_differences(name):
     """Every input, quaternions entry by entry and run-time parameters too; an iteration by its solution."""
@@ -79,6 +80,7 @@ def test_jacobians_of_programs_are_their_finite_differences(name):
                     assert block[:, k] == pytest.approx(expected, abs=2e-6 * scale), (function, port.name, k)
 
 
+@pytest.mark.slow
 def test_values_and_names_are_those_of_the_model(four_bar):
     found = model("four_bar")
     for name, program in found.programs.items():

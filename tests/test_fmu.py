@@ -85,6 +85,7 @@ def coordinates(result: np.ndarray, run_of: Any) -> tuple[np.ndarray, np.ndarray
     return np.array([[result[structured("q", label)][k] for label in labels] for k in at]), run_of.q
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("version", [2, 3])
 def test_unit_is_valid(units: dict[int, Path], version: int) -> None:
     assert validate_fmu(str(units[version])) == []
@@ -107,6 +108,7 @@ def test_model_exchange_follows_the_same_motion(units: dict[int, Path], version:
     assert np.abs(got - expected).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_drives_and_loads_are_inputs(tmp_path: Path) -> None:
     """A constant drive and a load at a point by their inputs: the same as a scene that commands them."""
     text = PUSHED.format(**FIXED)

@@ -141,6 +141,7 @@ def test_articulated_bodies_agree_with_the_mass_matrix(name: str) -> None:
     assert relative(system.numeric(a, *inputs), expected) < LIMIT
 
 
+@pytest.mark.slow
 def test_long_chains_take_operations_in_proportion() -> None:
     """Beyond ten joints the forward dynamics of a chain grows linearly."""
     counts = [derive(chain(n)).programs["forward_dynamics"].operations["total"] for n in (12, 16, 20)]

@@ -44,6 +44,7 @@ def failures(directory: Path) -> list[str]:
     return failed
 
 
+@pytest.mark.slow
 def test_check_passes_what_generate_writes(four_bar, seed, tmp_path):
     generate(four_bar, tmp_path / "four_bar")
     generate(seed, tmp_path / "three_ups_upu_s")
@@ -125,6 +126,7 @@ def test_the_description_is_kept(four_bar, output):
     assert description.load(output / "mechanism.toml") == four_bar.mechanism
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four_bar.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"])
 def test_a_changed_byte_is_found(output, name):
     content = bytearray((output / name).read_bytes())
@@ -135,6 +137,7 @@ def test_a_changed_byte_is_found(output, name):
     assert f"{name} differs from what is generated today, line " in failed[0]
 
 
+@pytest.mark.slow
 def test_more_operations_than_recorded_are_found(output):
     recorded = json.loads((output / "ops.json").read_text())
     recorded["inverse_dynamics"]["mul"] -= 1
@@ -144,6 +147,7 @@ def test_more_operations_than_recorded_are_found(output):
     assert any(f"operations of inverse_dynamics rose from {before} to {before + 1}" in f for f in failures(output))
 
 
+@pytest.mark.slow
 def test_a_wrong_recorded_value_is_found(output):
     recorded = json.loads((output / "test_vectors.json").read_text())
     recorded["inverse_dynamics"]["outputs"]["u"][0][0] *= 1 + 1e-10
@@ -154,6 +158,7 @@ def test_a_wrong_recorded_value_is_found(output):
     assert "inverse_dynamics, u" in failed[0]
 
 
+@pytest.mark.slow
 def test_missing_files_are_found_but_casadi_files_may_be_left_out(output):
     for path in output.glob("*.casadi"):
         path.unlink()
@@ -170,6 +175,7 @@ def test_nothing_to_check_is_an_error(tmp_path):
         check(tmp_path)
 
 
+@pytest.mark.slow
 def test_manifest_is_enough_to_call_the_code(seed, tmp_path):
     """The drives at rest in the reference pose under gravity, in closed form by the centre of mass."""
     generate(seed, tmp_path / "seed", targets=("c",))
@@ -187,6 +193,7 @@ def test_manifest_is_enough_to_call_the_code(seed, tmp_path):
     assert u == pytest.approx(expected, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_cmake_builds_library_and_example(output):
     cmake = shutil.which("cmake")
     if cmake is None:

@@ -247,6 +247,7 @@ def test_denormal_rates() -> None:
     assert first == second <= 0 and (rest == tiny).all()
 
 
+@pytest.mark.slow
 def test_fast_math_and_flushed_denormals() -> None:
     """A04 for 10 s compiled with -ffast-math: the same run to 1e-12, while denormals are flushed to zero.
 

@@ -214,6 +214,7 @@ def in_metres() -> Run:
     return fallen(changed(benchmark_text("bricard")), "-9.81")
 
 
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("millimetres, grams", [(True, False), (False, True)])
 def test_millimetres_and_grams(millimetres: bool, grams: bool) -> None:

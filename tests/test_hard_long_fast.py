@@ -97,6 +97,7 @@ def test_without_projection_the_loop_opens(monkeypatch: pytest.MonkeyPatch) -> N
 # -- many turns ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_angles_beyond_many_turns() -> None:
     """54 rad, 34 rad and 323 rad: angles go on, as in the references, without a jump of 2 pi."""
     assert "323.3 rad" in case(27)["scenario"]

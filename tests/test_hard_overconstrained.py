@@ -80,6 +80,7 @@ def test_bricard_of_square_rods() -> None:
     assert any("1 internal loads are undetermined" in note for note in run.model.notes)
 
 
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("number, variant", [(5, "massless_rod5"), (24, "slender")])
 def test_bricard_with_a_rod_without_mass_or_without_axial_inertia(number: int, variant: str) -> None:

@@ -42,6 +42,7 @@ def tilted(found: Model, angle: float) -> np.ndarray:
     return output(found, "inverse_kinematics", "q", np.array([[np.cos(angle / 2), 0.0, np.sin(angle / 2), 0.0]]))
 
 
+@pytest.mark.slow
 def test_upu_limb_upright() -> None:
     """theta = 0, where the constraint wrench of the limb, (f along y ; moment L/sin(theta) about z), has its pole.
 

@@ -38,6 +38,7 @@ def with_masses(mechanism: Mechanism) -> Mechanism:
     return dataclasses.replace(mechanism, bodies=bodies)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REGULAR)
 def test_model_obeys_its_joints_and_method_b(name: str) -> None:
     expected = ENTRIES[name]["expected"]

@@ -548,6 +548,7 @@ def test_which_mechanisms_have_which_margins() -> None:
     assert set(kinds) <= set(complete_model("four_bar").programs)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "backend", [pytest.param("c", marks=pytest.mark.skipif(not find_compiler(), reason="no C compiler here")), "casadi"]
 )

@@ -130,6 +130,7 @@ def test_independent_blocks_multiply() -> None:
     assert (found.dof, found.branches, found.smooth) == (1, (1,), False)
 
 
+@pytest.mark.slow
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mobility", "sarrus", "--json", "--expect", "1"]) == 0
     values = json.loads(capsys.readouterr().out)

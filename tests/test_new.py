@@ -26,6 +26,7 @@ FREEDOMS = {
 """Independent coordinates (freedoms of the textbook's mechanism of this name) and drives."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limbs", FREEDOMS)
 def test_mechanism_derives_and_moves(limbs: str) -> None:
     model = derive(description.loads(description_text("started", limbs)))
@@ -42,6 +43,7 @@ def test_mechanism_derives_and_moves(limbs: str) -> None:
     assert np.all(status == 0) and np.all(np.isfinite(results[0]))
 
 
+@pytest.mark.slow
 def test_legs_of_delta_translate_only() -> None:
     model = derive(description.loads(description_text("delta", "3-RUU")))
     q, v, _ = model.system.sample_states
@@ -56,6 +58,7 @@ def test_arm_is_not_singular_in_reference() -> None:
     assert np.all(status == 0) and np.abs(margins[0]).min() > 1e-2
 
 
+@pytest.mark.slow
 def test_pictures_of_hexapod_are_not_the_singular_one() -> None:
     """Six legs between two regular hexagons would be singular; ours stand in pairs."""
     mechanism = description.loads(description_text("hexapod", "6-UPS"))

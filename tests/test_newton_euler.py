@@ -192,6 +192,7 @@ def compare(found: NewtonEulerSolution, engine: dict[str, Array], drives: Array)
     assert np.abs(difference).max() < TOLERANCE * size
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_agrees_with_mujoco(name: str) -> None:
     mechanism, rng = mechanism_named(name), seeded(name)
@@ -249,6 +250,7 @@ def test_undriven_freedoms_move_as_the_engine_says() -> None:
     assert found.residual < TOLERANCE
 
 
+@pytest.mark.slow
 def test_many_states_at_once_give_what_each_gives_alone() -> None:
     for name in ("three_ups_upu_s_physical", "four_bar"):
         mechanism, rng = catalogue.load(name), seeded(name)

@@ -66,6 +66,7 @@ def sized(kind: str, size: int) -> Model:
 
 
 # Doubling the limbs doubles the work at most; in a chain the first joints cost less than all later ones.
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "small", "functions", "factor"),
     [
@@ -82,6 +83,7 @@ def test_growth(kind: str, small: int, functions: tuple[str, ...], factor: float
         assert after <= factor * before, f"{function}: {before} operations grow to {after}"
 
 
+@pytest.mark.slow
 def test_every_further_joint_and_limb_costs_the_same() -> None:
     """Linear, not only nearly so: equal steps of the size cost equal operations."""
     for kind, sizes in (("chain", (8, 12, 16)), ("platform", (4, 8, 12))):
@@ -145,6 +147,7 @@ def count_c(source: str, symbol: str) -> int:
     return count
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "stewart_6ups", "four_bar", "delta", "ur5"])
 def test_counted_operations_are_the_printed_ones(name: str) -> None:
     found = model(name)

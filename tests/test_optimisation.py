@@ -123,6 +123,7 @@ def kelly() -> tuple[float, float]:
     return costs["fine"], max(abs(cost - costs["fine"]) for cost in costs.values())
 
 
+@pytest.mark.slow
 def test_cart_pole_swing_up(kelly: tuple[float, float]) -> None:
     known, error = kelly
     assert error < 2e-6

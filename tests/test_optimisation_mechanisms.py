@@ -43,6 +43,7 @@ def test_least_effort_of_the_seed() -> None:
     assert played.end_error < 1e-6 and played.integration < 1e-8 and played.closure < 1e-9
 
 
+@pytest.mark.slow
 def test_least_effort_obeys_inverse_dynamics_and_the_power_balance() -> None:
     """Independent of the optimiser's equations: the model's inverse dynamics and energy along the motion."""
     found = solve(seed(transcription=COARSE))
@@ -158,6 +159,7 @@ def test_friction_and_spindles_cost_effort() -> None:
     assert found.cost > solve(bare).cost * turn**2  # the same motion without friction, behind lossless spindles
 
 
+@pytest.mark.slow
 def test_a_margin_keeps_the_motion_away_from_a_singularity() -> None:
     problem = example("seed_away_from_singularity")
     kept = solve(problem)
@@ -225,6 +227,7 @@ def test_five_bar_pick_and_place() -> None:
     assert replay(found).end_error < 1e-6
 
 
+@pytest.mark.slow
 def test_five_bar_passes_a_singularity_of_its_drives() -> None:
     found = solve(example("five_bar_through_singularity"))
     assert found.ok and found.refinements > 0 and found.errors.closure < 1e-9

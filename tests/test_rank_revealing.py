@@ -61,6 +61,7 @@ def test_both_paths_agree(name: str) -> None:
         assert all(relative(b, a) < LIMIT for a, b in zip(first, second, strict=True)), function
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize("name", ["four_bar", "sarrus", "three_ups_upu_s"])
 def test_c_and_numpy_module_take_it_too(name: str, tmp_path: Path) -> None:
@@ -77,6 +78,7 @@ def test_c_and_numpy_module_take_it_too(name: str, tmp_path: Path) -> None:
             assert relative(flat, a) < LIMIT and relative(c, a) < LIMIT
 
 
+@pytest.mark.slow
 def test_a_bad_choice_of_coordinates_costs_no_accuracy() -> None:
     """At the rocker's turning point the crank is no function of the rocker, yet the motion is regular."""
     mechanism = catalogue.load("four_bar")

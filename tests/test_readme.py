@@ -64,6 +64,7 @@ def printed(text: str) -> float:
     return float(text.split(":")[-1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("title", "file"), [("C", "main.c"), ("C++", "main.cpp")])
 def test_compiled_examples_of_the_readme(directory, title, file):
     if find_compiler() is None or (title == "C++" and shutil.which("c++") is None):
@@ -76,6 +77,7 @@ def test_compiled_examples_of_the_readme(directory, title, file):
     assert printed(output) == pytest.approx(expected(directory), rel=1e-11, abs=1e-11)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("title", ["CasADi", "NumPy", "CasADi external functions"])
 def test_python_examples_of_the_readme(directory, title):
     if title.endswith("external functions") and directory.name != "four_bar":
@@ -158,6 +160,7 @@ int main()
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("standard", ["c++17", "c++20"])
 def test_cpp_header(directory, standard):
     """Arrays of C, std::array and std::span; both forms agree; a wrong size does not compile; no warnings."""
@@ -183,6 +186,7 @@ def test_cpp_header(directory, standard):
 # -- model.md ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s", "panda"])
 def test_markdown_holds_every_quantity_or_says_why_not(name):
     found = model(name)

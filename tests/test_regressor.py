@@ -41,6 +41,7 @@ def first(found: Model, function: str, *arguments: Array) -> Array:
     return results[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_regressor_times_parameters_is_inverse_dynamics(name: str) -> None:
     """Of the tree: mass matrix and bias; of the drives; and along the independent directions by virtual work."""
@@ -83,6 +84,7 @@ def test_every_parameter_of_a_body_has_its_own_column() -> None:
     assert relative(matrix(found, "regressor", q, v, a) @ changed, expected) < 1e-10
 
 
+@pytest.mark.slow
 def test_loads_are_no_part_of_it_and_gravity_is() -> None:
     mechanism = catalogue.load("three_ups_upu_s_physical")
     loaded = derive(mechanism, (Gravity(), ExternalWrench("E")), regressor=True)
@@ -140,6 +142,7 @@ def test_planar_two_link_arm_is_the_textbook_one() -> None:
     assert tau[0, 0] == pytest.approx(inner + outer + 2 * length * heavy * far[0], rel=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "three_ups_upu_s_physical", "delta", "mixed_loop"])
 def test_base_parameters_predict_the_same_forces(name: str) -> None:
     """Y pi = Y[:, independent] combination pi at states that the rank was not found from."""
@@ -165,6 +168,7 @@ def test_too_few_states_are_refused() -> None:
         base_parameters(catalogue.load("panda"), states=8)
 
 
+@pytest.mark.slow
 def test_generated_on_request_and_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     place = tmp_path / "out"
     assert main(["generate", "four_bar", "--out", str(place), "--target", "c", "numpy", "--regressor"]) == 0

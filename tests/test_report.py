@@ -67,6 +67,7 @@ def seed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_page_asks_for_nothing_and_is_sound(seed: Path) -> None:
     text = seed.read_text()
     reader = read(text)
@@ -128,6 +129,7 @@ def test_picture_in_a_page_is_data() -> None:
     assert 'src="data:image/png;base64,iVBORw=="' in text
 
 
+@pytest.mark.slow
 def test_studies_are_included(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     point = {"curve": "C99", "setting": "double", "error": 1.25e-15, "failure": "",
              "cost": {"lower": 1e-7, "median": 1.2e-7, "upper": 1.5e-7, "repeats": 9}, "facts": {}}  # fmt: skip

@@ -28,6 +28,7 @@ type = "gravity"
 """
 
 
+@pytest.mark.slow
 def test_archive_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     scene = tmp_path / "swing.toml"
     scene.write_text(SCENE)
@@ -55,6 +56,7 @@ def test_archive_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture
     assert np.array_equal(table["qA"], q[:, 0])
 
 
+@pytest.mark.slow
 def test_a_run_that_ends_early_is_saved_and_exits_with_1(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     scene = tmp_path / "early.toml"
     scene.write_text(SCENE + "[integrator]\nmost_steps = 3\n")
@@ -68,6 +70,7 @@ def test_a_run_that_ends_early_is_saved_and_exits_with_1(tmp_path: Path, capsys:
         assert np.isfinite(run["q"]).all()
 
 
+@pytest.mark.slow
 def test_the_picture_is_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     scene = tmp_path / "swing.toml"

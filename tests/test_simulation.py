@@ -122,6 +122,7 @@ tolerance = 1e-9
 """
 
 
+@pytest.mark.slow
 def test_controllers_with_states_signals_and_tables() -> None:
     """The scene's controller in the compiled loop, and the same controller as a Python function of SciPy's run."""
     from symscrew.scene import Table
@@ -154,6 +155,7 @@ def test_a_python_controller_and_what_it_may_return() -> None:
         simulate(scene, controller=lambda t, q, v: [1, 2])
 
 
+@pytest.mark.slow
 def test_motion_under_inverse_dynamics_drives_is_the_prescribed_one() -> None:
     """Open loop: the drives of a prescribed motion of the platform, computed beforehand, give that motion."""
     scene = loads(
@@ -190,6 +192,7 @@ def test_motion_under_inverse_dynamics_drives_is_the_prescribed_one() -> None:
     assert run.energy_error < 1e-8
 
 
+@pytest.mark.slow
 def test_reactions_at_every_output_balance_the_momentum_of_the_whole_system() -> None:
     """Rate of the total momentum screw = wrenches of the base on the system + weight, at every output."""
     scene = loads(

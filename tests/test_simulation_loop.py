@@ -50,6 +50,7 @@ def stepped(library: ctypes.CDLL, scene: Scene, sizes: dict[str, int], start: tu
     return q, v
 
 
+@pytest.mark.slow
 def test_the_loop_gives_the_motion_of_the_run(tmp_path: Path) -> None:
     scene = rk4(scene_of("n_four_bar", until=1.0))
     run = simulate(scene)

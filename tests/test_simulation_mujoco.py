@@ -43,6 +43,7 @@ def swung(step: float, duration: float) -> np.ndarray:
     return np.array(angles)
 
 
+@pytest.mark.slow
 def test_mujoco_with_small_steps_converges_to_the_run() -> None:
     run = simulate(loads(SCENE))
     ours = run.q[:, [c.label for c in run.model.system.tree.q].index("A")]

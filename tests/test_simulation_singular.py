@@ -92,6 +92,7 @@ def test_adaptive_steps_through_ten_singular_positions() -> None:
             assert all(row.split(".")[0] in ("B0", "B1", "C0", "C1") for row in crossing.rows)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 4])
 def test_other_numbers_of_four_bars(count: int) -> None:
     scene = Scene(f"row{count}", n_four_bar(count), (Gravity((0, "-9.81", 0)),), 3.0, 20.0, Initial(rates={"A0": -1.0}))
@@ -104,6 +105,7 @@ def test_other_numbers_of_four_bars(count: int) -> None:
     assert {c.lost for c in run.crossings} == {count}
 
 
+@pytest.mark.slow
 def test_the_falling_platform_passes_and_reports_its_singular_configurations() -> None:
     scene = replace(load(EXAMPLES / "scenes" / "falling_platform.toml"), duration=2.5)
     run = simulate(scene)
@@ -120,6 +122,7 @@ def test_the_falling_platform_passes_and_reports_its_singular_configurations() -
         assert all(row.startswith("limb1_U2") for row in crossing.rows)
 
 
+@pytest.mark.slow
 def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
     scene = loads(
         """
@@ -142,6 +145,7 @@ def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
     assert len(run.t) == 1
 
 
+@pytest.mark.slow
 def test_states_of_effects_through_singular_configurations() -> None:
     """The motor's current follows its own law on the second path too; every joule is accounted for."""
     from symscrew.effects import DcMotor

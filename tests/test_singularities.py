@@ -42,6 +42,7 @@ def test_limbs_that_may_be_left_out_in_the_reference_pose() -> None:
     assert held == {"all drives", "limb1_P limb2_P", "limb1_P limb4_P", "limb2_P limb3_P", "limb3_P limb4_P"}
 
 
+@pytest.mark.slow
 def test_constraint_singularity_by_a_parameter_and_by_a_coordinate() -> None:
     """On the locus the margin is zero, and the mechanism has a freedom more; the margin is signed around it."""
     seed = catalogue.load("three_ups_upu_s")
@@ -56,6 +57,7 @@ def test_constraint_singularity_by_a_parameter_and_by_a_coordinate() -> None:
     assert len({value > 0 for value in around[1:]}) == 2, around
 
 
+@pytest.mark.slow
 def test_margin_agrees_with_the_freedoms_left_by_locked_drives() -> None:
     straight = analyse_mobility(catalogue.load("stewart_6ups"))
     assert straight.dof_drives_locked == 0 and abs(values(straight, "actuation")["all drives"]) > 1

@@ -85,6 +85,7 @@ def test_imports_point_one_way(path: Path) -> None:
         assert STAGE[name] <= STAGE[own], f"{own} (stage {STAGE[own]}) imports {name} (stage {STAGE[name]})"
 
 
+@pytest.mark.slow
 def test_no_module_imports_in_a_circle() -> None:
     graph: dict[str, set[str]] = {}
     for path in modules():

@@ -36,6 +36,7 @@ def test_everything_is_float(name: str) -> None:
         assert not re.search(r"(?<![\w.])\d+\.\d*(e[+-]?\d+)?(?![\w.])", code(text)), "a constant without suffix"
 
 
+@pytest.mark.slow
 @compiled_code
 def test_no_promotion_to_double(tmp_path: Path) -> None:
     """Also with vectors and without: four_bar has every kind of function, a second path and an iteration among them."""
@@ -47,6 +48,7 @@ def test_no_promotion_to_double(tmp_path: Path) -> None:
         assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.slow
 @compiled_code
 @pytest.mark.parametrize("name", ["four_bar", "ur5"])
 def test_errors_are_those_of_the_header(name: str) -> None:
@@ -68,6 +70,7 @@ def test_errors_are_those_of_the_header(name: str) -> None:
         assert max(stated, default=0.0) < 1e-3
 
 
+@pytest.mark.slow
 @compiled_code
 def test_assembly_in_single_precision() -> None:
     found = model("four_bar")
@@ -87,6 +90,7 @@ def test_constants_read_back_exactly() -> None:
         SINGLE.number(1e39)
 
 
+@pytest.mark.slow
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     out = tmp_path / "single"
     assert main(["generate", "four_bar", "--precision", "single", "--out", str(out)]) == 0

@@ -253,6 +253,7 @@ BOMB = '<!DOCTYPE r [<!ENTITY a "aaaaaaaaaa">%s]><robot name="&%s;"><link name="
 LEVELS = "".join(f'<!ENTITY {b} "{f"&{a};" * 10}">' for a, b in zip("abcdefgh", "bcdefghi", strict=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("content", "message"),
     [

@@ -146,6 +146,7 @@ def recorded(count: int = 41) -> dict[str, Any]:
     }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_motion_is_in_the_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     arrays = recorded()
     np.savez(tmp_path / "run.npz", **arrays)

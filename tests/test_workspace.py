@@ -40,6 +40,7 @@ def whole(plan: Plan) -> dict[str, np.ndarray]:
 SEED = plan_of("three_ups_upu_s", Axis("tilt", 0.0, 10 * DEG, 6), Axis("azimuth", 0.0, 2 * math.pi, 25))
 
 
+@pytest.mark.slow
 def test_seed_swings_10_degrees_in_every_direction() -> None:
     """Section 3.2 of the source paper asks for it."""
     results = whole(SEED)
@@ -109,6 +110,7 @@ def test_strokes_are_distances_of_the_leg_ends() -> None:
         assert results[f"limb{k}_P"] == pytest.approx(length - 0.3, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_drives_at_rest_balance_the_weight() -> None:
     """Virtual work: over the map, u . d(strokes) = d(potential energy) along the tilt, by differences."""
     step = 1e-4
@@ -131,6 +133,7 @@ def test_drives_at_rest_balance_the_weight() -> None:
     assert u @ (strokes[2] - strokes[0]) == pytest.approx(potential[1] - potential[0], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_condition_number_and_stiffness_of_an_arm() -> None:
     """From the singular values of its Jacobian with lengths divided by the characteristic length."""
     labels = prepare(plan_of("ur5")).labels
@@ -148,6 +151,7 @@ def test_condition_number_and_stiffness_of_an_arm() -> None:
     assert results["stiffness least"] == pytest.approx(least, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_pieces_do_not_matter() -> None:
     cut = plan_of("four_bar", Axis(prepare(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
     one = plan_of("four_bar", cut.axes[0], chunk=1000)
@@ -155,6 +159,7 @@ def test_pieces_do_not_matter() -> None:
     assert all(np.array_equal(first[n], second[n], equal_nan=True) for n in second)
 
 
+@pytest.mark.slow
 def test_limits_and_summary() -> None:
     limit = ("limb1_P", 0.28, 0.32)
     plan = plan_of("three_ups_upu_s", *SEED.axes, limits=(limit,))
@@ -167,6 +172,7 @@ def test_limits_and_summary() -> None:
     assert found["tilt"]["every_direction"] < 10 * DEG
 
 
+@pytest.mark.slow
 def test_parameters_of_a_design_study_follow_another_description() -> None:
     """A leg's stroke with R = 0.9 m as a run-time parameter equals that of a description with R = 0.9 m."""
     study = plan_of("three_ups_upu_s", Axis("R", 0.7, 0.9, 3), Axis("tilt", 0.1, 0.1, 1), run_time=("R",))
@@ -177,6 +183,7 @@ def test_parameters_of_a_design_study_follow_another_description() -> None:
         assert results["limb3_P"][k] - 0.3 == pytest.approx(np.linalg.norm(C - (radius, 0, 0)) - start, abs=1e-11)
 
 
+@pytest.mark.slow
 def test_tolerances_propagate_to_first_order() -> None:
     """Normal deviations of r move C3.x of the resting seed by as much, one to one."""
     plan = plan_of("three_ups_upu_s", run_time=("r",), tolerances=(("r", 1e-3),), samples=4000, chunk=512)
@@ -189,6 +196,7 @@ def test_tolerances_propagate_to_first_order() -> None:
     assert len(np.unique(results["r"])) == 4000
 
 
+@pytest.mark.slow
 def test_local_pool_gives_the_same(tmp_path: Path) -> None:
     plan = plan_of("four_bar", Axis(prepare(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
     kept = Store(tmp_path / "pieces", plan)
@@ -255,6 +263,7 @@ def test_dask_gives_the_same_though_a_worker_is_killed(tmp_path: Path) -> None:
     assert all(np.array_equal(v, expected[n], equal_nan=True) for n, v in kept.whole().items())
 
 
+@pytest.mark.slow
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     over = ["--over", "tilt=0:20deg:5", "azimuth=0:360deg:9"]
@@ -275,6 +284,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "arguments, text",
     [
