@@ -36,8 +36,6 @@ STATUS_MACROS = {
 }
 IN_LANES = frozenset((  # what is called once per control step: these are tried with equal limbs side by side
     "acceleration",
-    "forward_dynamics",
-    "forward_dynamics_independent",
     "inverse_dynamics",
     "inverse_dynamics_independent",
     "inverse_dynamics_platform",
