@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: eb7f4cdf42ee9101
+Programs: f643adab5e8ffe37
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -230,7 +230,7 @@ def body_twists(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 15 (add 7, mul 5, trig 2, compare 1)
+    Operations: 17 (add 9, mul 5, trig 2, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -244,7 +244,7 @@ def body_twists(*arguments):
         x12 = 0.15 * x11
         x13 = x4 * x12
         x14 = 0.64 * x5
-        return _finish(batch, ((0.0, x3, 0.0, 0.0, 0.0, 0.0, 0.0, x6, 0.0, x10, 0.0, x13, 0.0, x5, 0.0, 0.0, 0.0, x14),), (), (x3, x6, x10, x13, x5, x14))
+        return _finish(batch, ((0.0, x3, 0.0, 0.0, 0.0, 0.0, 0.0, x6, 0.0, x10, 0.0, x13, 0.0, x5, 0.0, 0.0, 0.0, x14),), (), (x3, x6, x10, x13, x5, x14, x1, x2))
 
 
 def body_twist_rates(*arguments):
@@ -266,7 +266,7 @@ def body_twist_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 20 (add 8, mul 9, trig 2, compare 1)
+    Operations: 23 (add 11, mul 9, trig 2, compare 1)
     """
     entries, batch = _entries("body_twist_rates", {"q": 3, "v": 3, "a": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
@@ -285,7 +285,7 @@ def body_twist_rates(*arguments):
         x20 = x4 * x19
         x21 = x18 + x20
         x22 = 0.64 * x8
-        return _finish(batch, ((0.0, x6, 0.0, 0.0, 0.0, 0.0, 0.0, x9, 0.0, x17, 0.0, x21, 0.0, x8, 0.0, 0.0, 0.0, x22),), (), (x6, x9, x17, x21, x8, x22))
+        return _finish(batch, ((0.0, x6, 0.0, 0.0, 0.0, 0.0, 0.0, x9, 0.0, x17, 0.0, x21, 0.0, x8, 0.0, 0.0, 0.0, x22),), (), (x6, x9, x17, x21, x8, x22, x1, x2, x5))
 
 
 def forward_kinematics(*arguments):
@@ -299,7 +299,7 @@ def forward_kinematics(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 19 (add 6, mul 8, trig 4, compare 1)
+    Operations: 20 (add 7, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("forward_kinematics", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -321,7 +321,7 @@ def forward_kinematics(*arguments):
         x17 = x15 - x16
         x18 = 0.25 * x17
         x19 = x14 - x18
-        return _finish(batch, ((x13, 0.0, x19),), (), (x13, x19))
+        return _finish(batch, ((x13, 0.0, x19),), (), (x13, x19, x2))
 
 
 def point_motion(*arguments):
@@ -343,7 +343,7 @@ def point_motion(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 48 (add 21, mul 22, trig 4, compare 1)
+    Operations: 51 (add 24, mul 22, trig 4, compare 1)
     """
     entries, batch = _entries("point_motion", {"q": 3, "v": 3, "a": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
@@ -390,7 +390,7 @@ def point_motion(*arguments):
         x48 = x46 - x47
         x49 = x27 * x29
         x50 = x48 + x49
-        return _finish(batch, ((x19, 0.0, x25), (x30, 0.0, x33), (x42, 0.0, x50)), (), (x19, x25, x30, x33, x42, x50))
+        return _finish(batch, ((x19, 0.0, x25), (x30, 0.0, x33), (x42, 0.0, x50)), (), (x19, x25, x30, x33, x42, x50, x2, x5, x8))
 
 
 def joint_screws(*arguments):
@@ -408,7 +408,7 @@ def joint_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 22 (add 9, mul 8, trig 4, compare 1)
+    Operations: 23 (add 10, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("joint_screws", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -431,7 +431,7 @@ def joint_screws(*arguments):
         x18 = x16 + x17
         x19 = 0.5 * x18
         x20 = x7 + x19
-        return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x5, 0.0, x7, 0.0, 1.0, 0.0, x15, 0.0, x20, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x5, x7, x15, x20))
+        return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x5, 0.0, x7, 0.0, 1.0, 0.0, x15, 0.0, x20, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x5, x7, x15, x20, x2))
 
 
 def joint_points(*arguments):
@@ -446,7 +446,7 @@ def joint_points(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 21 (add 8, mul 8, trig 4, compare 1)
+    Operations: 22 (add 9, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("joint_points", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -468,7 +468,7 @@ def joint_points(*arguments):
         x17 = x15 - x16
         x18 = 0.5 * x17
         x19 = x6 - x18
-        return _finish(batch, ((0.0, 0.0, 0.0, x4, 0.0, x6, x14, 0.0, x19, 0.64, 0.0, 0.0),), (), (x4, x6, x14, x19))
+        return _finish(batch, ((0.0, 0.0, 0.0, x4, 0.0, x6, x14, 0.0, x19, 0.64, 0.0, 0.0),), (), (x4, x6, x14, x19, x2))
 
 
 def platform_jacobian(*arguments):
@@ -483,12 +483,12 @@ def platform_jacobian(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 0 ()
+    Operations: 3 (add 2, compare 1)
     """
     entries, batch = _entries("platform_jacobian", {"q": 3}, arguments)
     x0, x1, x2, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), ())
+        return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x0, x1, x2))
 
 
 def joint_displacements(*arguments):
@@ -552,14 +552,14 @@ def joint_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 6 (add 5, compare 1)
+    Operations: 9 (add 8, compare 1)
     """
     entries, batch = _entries("joint_rates", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
     with np.errstate(all="ignore"):
         x6 = x3 + x4
         x7 = x5 - x6
-        return _finish(batch, ((x3, x4, x7, x5),), (), (x3, x4, x7, x5))
+        return _finish(batch, ((x3, x4, x7, x5),), (), (x3, x4, x7, x5, x0, x1, x2))
 
 
 def drive_rates(*arguments):
@@ -575,12 +575,12 @@ def drive_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1 (compare 1)
+    Operations: 6 (add 5, compare 1)
     """
     entries, batch = _entries("drive_rates", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x3,),), (), (x3,))
+        return _finish(batch, ((x3,),), (), (x3, x0, x1, x2, x4, x5))
 
 
 def closure(*arguments):
@@ -1275,7 +1275,7 @@ def mass_matrix(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 15 (add 7, mul 5, trig 2, compare 1)
+    Operations: 17 (add 9, mul 5, trig 2, compare 1)
     """
     entries, batch = _entries("mass_matrix", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -1293,7 +1293,7 @@ def mass_matrix(*arguments):
         x13 = 0.03075 + x12
         x14 = x6 + x13
         x15 = 0.1 + x8
-        return _finish(batch, ((x14, x15, 0.0, x15, 0.1, 0.0, 0.0, 0.0, 0.10404),), (), (x14, x15))
+        return _finish(batch, ((x14, x15, 0.0, x15, 0.1, 0.0, 0.0, 0.0, 0.10404),), (), (x14, x15, x0, x2))
 
 
 def bias(*arguments):
@@ -1310,7 +1310,7 @@ def bias(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 28 (add 9, mul 13, trig 5, compare 1)
+    Operations: 29 (add 10, mul 13, trig 5, compare 1)
     """
     entries, batch = _entries("bias", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -1340,7 +1340,7 @@ def bias(*arguments):
         x28 = 0.4899573262537283 - x2
         x29 = np.sin(x28)
         x30 = 3.00186 * x29
-        return _finish(batch, ((x27, x19, x30),), (), (x27, x19, x30))
+        return _finish(batch, ((x27, x19, x30),), (), (x27, x19, x30, x5))
 
 
 def inverse_dynamics(*arguments):
@@ -1359,7 +1359,7 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 79 (add 24, mul 42, div 2, trig 6, compare 5)
+    Operations: 80 (add 25, mul 42, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 3, "v": 3, "a": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
@@ -1436,7 +1436,7 @@ def inverse_dynamics(*arguments):
         x78 = x62 * x77
         x79 = x74 + x78
         x80 = x68 / x79
-        return _finish(batch, ((x80,),), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09)), (x80, x51, x79))
+        return _finish(batch, ((x80,),), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09)), (x80, x51, x79, x5))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1612,7 +1612,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 273 (add 110, mul 142, div 4, trig 6, compare 11)
+    Operations: 270 (add 110, mul 139, div 4, trig 6, compare 11)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1837,36 +1837,33 @@ def joint_reactions(*arguments):
         x223 = x221 + x222
         x224 = 1.0 / x198
         x225 = x223 * x224
-        x226 = x198 * x225
-        x227 = x225 * x226
-        x228 = x212 - x227
-        x229 = 10.987048687506249 + x207
-        x230 = x204 + x229
-        x231 = x200 + x230
-        x232 = x202 + x231
-        x233 = x200 + x232
-        x234 = x202 + x233
-        x235 = x170 * x206
-        x236 = x173 * x203
-        x237 = x235 + x236
-        x238 = x177 * x199
-        x239 = x237 - x238
-        x240 = x180 * x201
-        x241 = x239 - x240
-        x242 = x190 * x199
-        x243 = x241 + x242
-        x244 = x196 * x201
-        x245 = x243 + x244
-        x246 = x245 * x224
-        x247 = x198 * x246
-        x248 = x246 * x247
-        x249 = x246 * x226
-        x250 = x249 / x228
-        x251 = x228 * x250
-        x252 = x250 * x251
-        x253 = x248 + x252
-        x254 = x234 - x253
-        return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x228, 4.3948000000000004e-08), (x254, 4.3948000000000004e-08)), (x80, x108, x111, x114, x117, x122, x131, x135, x142, x160, x168, x169, x51, x79, x198, x228, x254))
+        x226 = x223 * x225
+        x227 = x212 - x226
+        x228 = 10.987048687506249 + x207
+        x229 = x204 + x228
+        x230 = x200 + x229
+        x231 = x202 + x230
+        x232 = x200 + x231
+        x233 = x202 + x232
+        x234 = x170 * x206
+        x235 = x173 * x203
+        x236 = x234 + x235
+        x237 = x177 * x199
+        x238 = x236 - x237
+        x239 = x180 * x201
+        x240 = x238 - x239
+        x241 = x190 * x199
+        x242 = x240 + x241
+        x243 = x196 * x201
+        x244 = x242 + x243
+        x245 = x244 * x224
+        x246 = x244 * x245
+        x247 = x223 * x245
+        x248 = x247 / x227
+        x249 = x247 * x248
+        x250 = x246 + x249
+        x251 = x233 - x250
+        return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x227, 4.3948000000000004e-08), (x251, 4.3948000000000004e-08)), (x80, x108, x111, x114, x117, x122, x131, x135, x142, x160, x168, x169, x51, x79, x198, x227, x251))
 
 
 def _forward_dynamics_first(*arguments):
@@ -2507,36 +2504,33 @@ def _forward_dynamics_reactions_first(*arguments):
         x271 = x269 + x270
         x272 = 1.0 / x246
         x273 = x271 * x272
-        x274 = x246 * x273
-        x275 = x273 * x274
-        x276 = x260 - x275
-        x277 = 10.987048687506249 + x255
-        x278 = x252 + x277
-        x279 = x248 + x278
-        x280 = x250 + x279
-        x281 = x248 + x280
-        x282 = x250 + x281
-        x283 = x218 * x254
-        x284 = x221 * x251
-        x285 = x283 + x284
-        x286 = x225 * x247
-        x287 = x285 - x286
-        x288 = x228 * x249
-        x289 = x287 - x288
-        x290 = x238 * x247
-        x291 = x289 + x290
-        x292 = x244 * x249
-        x293 = x291 + x292
-        x294 = x293 * x272
-        x295 = x246 * x294
-        x296 = x294 * x295
-        x297 = x294 * x274
-        x298 = x297 / x276
-        x299 = x276 * x298
-        x300 = x298 * x299
-        x301 = x296 + x300
-        x302 = x282 - x301
-        return _finish(batch, ((x111, x115, x117), (x163, 0.0, x166, 0.0, 0.0, 0.0, x169, 0.0, x172, 0.0, x177, 0.0, x180, 0.0, x183, 0.0, x190, 0.0, x208, 0.0, x216, 0.0, x217, 0.0)), ((x62, 3.01689e-06), (x110, 3.264600000000001e-07), (x80, 1.2634000000000003e-06), (x246, 0.0001379), (x276, 0.00043948), (x302, 0.00043948)), (x111, x115, x117, x163, x166, x169, x172, x177, x180, x183, x190, x208, x216, x217, x62, x110, x80, x246, x276, x302))
+        x274 = x271 * x273
+        x275 = x260 - x274
+        x276 = 10.987048687506249 + x255
+        x277 = x252 + x276
+        x278 = x248 + x277
+        x279 = x250 + x278
+        x280 = x248 + x279
+        x281 = x250 + x280
+        x282 = x218 * x254
+        x283 = x221 * x251
+        x284 = x282 + x283
+        x285 = x225 * x247
+        x286 = x284 - x285
+        x287 = x228 * x249
+        x288 = x286 - x287
+        x289 = x238 * x247
+        x290 = x288 + x289
+        x291 = x244 * x249
+        x292 = x290 + x291
+        x293 = x292 * x272
+        x294 = x292 * x293
+        x295 = x271 * x293
+        x296 = x295 / x275
+        x297 = x295 * x296
+        x298 = x294 + x297
+        x299 = x281 - x298
+        return _finish(batch, ((x111, x115, x117), (x163, 0.0, x166, 0.0, 0.0, 0.0, x169, 0.0, x172, 0.0, x177, 0.0, x180, 0.0, x183, 0.0, x190, 0.0, x208, 0.0, x216, 0.0, x217, 0.0)), ((x62, 3.01689e-06), (x110, 3.264600000000001e-07), (x80, 1.2634000000000003e-06), (x246, 0.0001379), (x275, 0.00043948), (x299, 0.00043948)), (x111, x115, x117, x163, x166, x169, x172, x177, x180, x183, x190, x208, x216, x217, x62, x110, x80, x246, x275, x299))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -2819,7 +2813,7 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         x201 = -x200
         x202 = 3.3146717314850727 * x183
         x203 = 3.3146717314850727 * x176
-        return _finish(batch, ((x60, x61, x64, x78, 0.0, x82, x86, x61, x90, x95, x99, x104, x114, x61, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185), (x64, x60, x61, x187, x189, 0.0, x190, x191, x61, x193, x195, 0.0, x196, x197, x61, x199, x201, 0.0, x166, x158, x12, x202, x203, 0.0)), (), (x60, x61, x64, x78, x82, x86, x90, x95, x99, x104, x114, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185, x187, x189, x190, x191, x193, x195, x196, x197, x199, x201, x202, x203))
+        return _finish(batch, ((x60, x61, x64, x78, 0.0, x82, x86, x61, x90, x95, x99, x104, x114, x61, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185), (x64, x60, x61, x187, x189, 0.0, x190, x191, x61, x193, x195, 0.0, x196, x197, x61, x199, x201, 0.0, x166, x158, x12, x202, x203, 0.0)), (), (x60, x61, x64, x78, x82, x86, x90, x95, x99, x104, x114, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185, x187, x189, x190, x191, x193, x195, x196, x197, x199, x201, x202, x203, x6))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -2848,7 +2842,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 328 (add 135, mul 169, div 5, trig 6, compare 13)
+    Operations where no pivot is small: 325 (add 135, mul 166, div 5, trig 6, compare 13)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -3160,7 +3154,7 @@ def inverse_dynamics_platform(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 152 (add 47, mul 91, div 3, sqrt 1, trig 2, compare 8)
+    Operations: 150 (add 47, mul 91, div 3, sqrt 1, trig 2, compare 6)
     """
     entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "gain": 1}, arguments)
     x0, x1, x2, = entries
@@ -3308,7 +3302,7 @@ def inverse_dynamics_platform(*arguments):
         x143 = x11 * x142
         x144 = x139 + x143
         x145 = x133 / x144
-        return _finish(batch, ((x145,),), ((x31, 3.01689e-10), (x31, 1.2634000000000003e-10), (x144, 4.813897755635771e-09)), (x145, x31, x144))
+        return _finish(batch, ((x145,),), ((x31, 3.01689e-10), (x144, 4.813897755635771e-09)), (x145, x31, x144))
 
 
 def _assemble_step(*arguments):
@@ -3432,7 +3426,7 @@ def limb_margins(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 4 (add 1, mul 1, trig 1, compare 1)
+    Operations: 6 (add 3, mul 1, trig 1, compare 1)
     """
     entries, batch = _entries("limb_margins", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -3440,7 +3434,7 @@ def limb_margins(*arguments):
         x3 = 0.9272952180016122 + x1
         x4 = np.sin(x3)
         x5 = 0.8240286515629687 * x4
-        return _finish(batch, ((x5,),), (), (x5,))
+        return _finish(batch, ((x5,),), (), (x5, x0, x2))
 
 
 def constraint_margin(*arguments):
