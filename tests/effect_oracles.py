@@ -7,22 +7,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 from model_states import body_states, relative
 
+from symscrew import catalogue
+from symscrew import effects as known
 from symscrew.effects import Effect, transformed
 from symscrew.functions.dynamics import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.joint_motion import joint_displacements, joint_rates
 from symscrew.maximal_coordinates import BodyState, cross, joint_screws, numeric, stack_states
 from symscrew.mechanism import Mechanism
-from symscrew.model import Model
+from symscrew.model import Model, derive
 from symscrew.newton_euler import newton_euler
 from symscrew.program import lower
 from symscrew.system import System
 
 Loads = dict[str, np.ndarray]
+EXACT = 1e-10
+G = (0.0, 0.0, -9.81)
+CRANK = "slider_crank"  # crank_R drives, slider_P slides, slider_R closes the loop
 
 
 class Oracle:
@@ -140,3 +146,26 @@ def inverse_only(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
 
 
 __all__ = ["Oracle", "at_rest", "call", "input_of", "inputs", "inverse_only", "relative"]
+
+
+def effect(name: str, *args: object, **fields: object) -> Effect:
+    return getattr(known, name)(*args, **fields)
+
+
+@cache
+def with_effects(mechanism: str, *effects: Effect) -> Model:
+    return derive(catalogue.load(mechanism), effects)
+
+
+@cache
+def oracle(mechanism: str) -> Oracle:
+    return Oracle(with_effects(mechanism))
+
+
+@cache
+def inverse(mechanism: str, *effects: Effect) -> Model:
+    return inverse_only(catalogue.load(mechanism), effects)
+
+
+def drives(found: Model, **given: object) -> np.ndarray:
+    return call(found, "inverse_dynamics", **given)

@@ -9,43 +9,28 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from effect_oracles import Oracle, at_rest, call, input_of, inverse_only, relative
+from effect_oracles import (
+    CRANK,
+    EXACT,
+    G,
+    Oracle,
+    at_rest,
+    drives,
+    effect,
+    input_of,
+    inverse,
+    inverse_only,
+    oracle,
+    relative,
+    with_effects,
+)
 
 from symscrew import catalogue
-from symscrew import effects as known
 from symscrew.effects import Effect, Gravity
 from symscrew.errors import DescriptionError
 from symscrew.maximal_coordinates import BodyState, cross
 from symscrew.mechanism import Parameter, Point
-from symscrew.model import Model, derive
-
-EXACT = 1e-10
-G = (0.0, 0.0, -9.81)
-CRANK = "slider_crank"  # crank_R drives, slider_P slides, slider_R closes the loop
-
-
-def effect(name: str, *args: object, **fields: object) -> Effect:
-    return getattr(known, name)(*args, **fields)
-
-
-@cache
-def with_effects(mechanism: str, *effects: Effect) -> Model:
-    return derive(catalogue.load(mechanism), effects)
-
-
-@cache
-def oracle(mechanism: str) -> Oracle:
-    return Oracle(with_effects(mechanism))
-
-
-@cache
-def inverse(mechanism: str, *effects: Effect) -> Model:
-    return inverse_only(catalogue.load(mechanism), effects)
-
-
-def drives(found: Model, **given: object) -> np.ndarray:
-    return call(found, "inverse_dynamics", **given)
-
+from symscrew.model import derive
 
 # -- gravity, loads, the base -----------------------------------------------------------------------------------
 

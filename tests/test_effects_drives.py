@@ -2,45 +2,27 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
-from effect_oracles import Oracle, call, input_of, inverse_only, relative
+from effect_oracles import (
+    CRANK,
+    EXACT,
+    G,
+    call,
+    drives,
+    effect,
+    input_of,
+    inverse,
+    oracle,
+    relative,
+    with_effects,
+)
 
 from symscrew import catalogue
-from symscrew import effects as known
 from symscrew.effects import Effect, Gravity
 from symscrew.maximal_coordinates import BodyState
-from symscrew.model import Model, derive
 
-EXACT = 1e-10
-G = (0.0, 0.0, -9.81)
-CRANK = "slider_crank"  # crank_R drives, slider_P slides, slider_R closes the loop
 SMOOTH = 0.01  # m/s or rad/s: width of the smooth form of friction
-
-
-def effect(name: str, *args: object, **fields: object) -> Effect:
-    return getattr(known, name)(*args, **fields)
-
-
-@cache
-def with_effects(mechanism: str, *effects: Effect) -> Model:
-    return derive(catalogue.load(mechanism), effects)
-
-
-@cache
-def oracle(mechanism: str) -> Oracle:
-    return Oracle(with_effects(mechanism))
-
-
-@cache
-def inverse(mechanism: str, *effects: Effect) -> Model:
-    return inverse_only(catalogue.load(mechanism), effects)
-
-
-def drives(found: Model, **given: object) -> np.ndarray:
-    return call(found, "inverse_dynamics", **given)
 
 
 def faded(rate: np.ndarray) -> np.ndarray:

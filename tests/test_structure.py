@@ -16,7 +16,7 @@ PACKAGE = Path(symscrew.__file__).parent
 
 STAGES = (
     ("errors", "joints", "mechanism", "replacement", "screws"),
-    ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "starter", "usage"),
+    ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "sections", "starter", "usage"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("elementary", "least_squares", "operations", "tape", "differentiation", "program", "rank_revealing", "jacobians"),
     ("lanes", "packs"),

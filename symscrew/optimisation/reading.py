@@ -29,10 +29,10 @@ from pathlib import Path
 from typing import Any
 
 from symscrew import catalogue, scene
-from symscrew.description import read_tables, read_text
+from symscrew.description import read_tables
 from symscrew.effects import Effect
 from symscrew.effects.registry import check_effects, effect_from_table
-from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.errors import DescriptionError, shorten
 from symscrew.expressions import exact, numeric
 from symscrew.functions.ports import u_port
 from symscrew.mechanism import Mechanism
@@ -48,6 +48,7 @@ from symscrew.optimisation.problem import (
     TrajectoryProblem,
     Transcription,
 )
+from symscrew.sections import check_keys, check_sections, from_file
 from symscrew.system import System
 
 CONDITIONS = ("coordinates", "rates", "points", "platform_normal", "platform_position", "platform_rotation", "at_rest")
@@ -73,17 +74,13 @@ def load(path: str | Path) -> TrajectoryProblem:
     Raises:
         DescriptionError: the file cannot be read, or says where and what is wrong in it, and the cure.
     """
-    file = Path(path)
-    try:
-        return loads(read_text(file), folder=file.parent, name=file.stem)
-    except DescriptionError as error:
-        raise DescriptionError(f"{file.name}: {error}") from error
+    return from_file(path, loads)
 
 
 def loads(text: str, *, folder: Path | None = None, name: str = "trajectory") -> TrajectoryProblem:
     """The problem that a TOML text describes; files it names are looked for in `folder`."""
     tables = read_tables(text)
-    _check_sections(tables)
+    check_sections(tables, SECTIONS, KEYS, LISTS)
     if "problem" not in tables:
         raise DescriptionError("the section [problem] is missing; expected at least mechanism or scene, and duration")
     head = tables["problem"]
@@ -121,19 +118,6 @@ def loads(text: str, *, folder: Path | None = None, name: str = "trajectory") ->
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
         text=text,
     )
-
-
-def _check_sections(tables: Mapping[str, Any]) -> None:
-    for section, content in tables.items():
-        if section not in SECTIONS:
-            raise DescriptionError(f"unknown section {shorten(section)}; {did_you_mean(section, SECTIONS)}")
-        expected = list if section in LISTS else dict
-        if not isinstance(content, expected):
-            what = f"tables [[{section}]]" if section in LISTS else "a table"
-            raise DescriptionError(f"{section}: expected {what}, got {shorten(content)}")
-        if section in KEYS:
-            for table in content if isinstance(content, list) else [content]:
-                _check_keys(section, table, KEYS[section])
 
 
 class _Base:
@@ -286,7 +270,7 @@ class _Reader:
 
     def _distance(self, table: Any, k: int) -> Distance:
         where = f"bounds.distances[{k}]"
-        _check_keys(where, table, ("between", "range"))
+        check_keys(where, table, ("between", "range"))
         names = table.get("between")
         if not isinstance(names, list) or len(names) != 2 or not all(isinstance(n, str) for n in names):
             raise DescriptionError(f"{where}.between: expected the names of two points, got {shorten(names)}")
@@ -329,14 +313,6 @@ def _solver(table: Mapping[str, Any], read: _Reader) -> Solver:
         _whole(table.get("iterations", usual.iterations), "solver.iterations"),
         plain,
     )
-
-
-def _check_keys(where: str, table: Any, known: Sequence[str]) -> None:
-    if not isinstance(table, dict):
-        raise DescriptionError(f"{where}: expected a table, got {shorten(table)}")
-    for key in table:
-        if key not in known:
-            raise DescriptionError(f"{where}: unknown key {shorten(key)}; {did_you_mean(key, known)}")
 
 
 def _text(value: Any, where: str) -> str:

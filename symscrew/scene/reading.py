@@ -21,19 +21,20 @@ Keys are fixed: an unknown one is an error. No gravity acts unless a scene says 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
 from symscrew import catalogue
-from symscrew.description import read_tables, read_text
+from symscrew.description import read_tables
 from symscrew.effects.registry import check_effects, effect_from_table
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.expressions import CONSTANTS, FUNCTIONS, exact, numeric
 from symscrew.mechanism import Mechanism
 from symscrew.names import check_name, check_text
 from symscrew.scene.scene import FIXED_STEP, INTERPOLATIONS, METHODS, Initial, Integrator, Scene, Table
+from symscrew.sections import check_keys, check_sections, from_file
 
 KEYS: dict[str, tuple[str, ...]] = {
     "scene": ("name", "mechanism", "description", "duration", "rate", "reactions"),
@@ -52,25 +53,13 @@ def load(path: str | Path) -> Scene:
     Raises:
         DescriptionError: the file cannot be read, or says where and what is wrong in it, and the cure.
     """
-    file = Path(path)
-    try:
-        return loads(read_text(file), folder=file.parent, name=file.stem)
-    except DescriptionError as error:
-        raise DescriptionError(f"{file.name}: {error}") from error
+    return from_file(path, loads)
 
 
 def loads(text: str, *, folder: Path | None = None, name: str = "scene") -> Scene:
     """The scene that a TOML text describes; files it names are looked for in `folder`."""
     tables = read_tables(text)
-    for section, content in tables.items():
-        if section not in SECTIONS:
-            raise DescriptionError(f"unknown section {shorten(section)}; {did_you_mean(section, SECTIONS)}")
-        expected = list if section == "effects" else dict
-        if not isinstance(content, expected):
-            what = "tables [[effects]]" if section == "effects" else "a table"
-            raise DescriptionError(f"{section}: expected {what}, got {shorten(content)}")
-        if section in KEYS:
-            _check_keys(section, content, KEYS[section])
+    check_sections(tables, SECTIONS, KEYS, ("effects",))
     if "scene" not in tables:
         raise DescriptionError("the section [scene] is missing; expected at least mechanism and duration")
     head = tables["scene"]
@@ -144,14 +133,6 @@ def _needed(table: Mapping[str, Any], key: str, where: str) -> Any:
     return table[key]
 
 
-def _check_keys(where: str, table: Any, known: Sequence[str]) -> None:
-    if not isinstance(table, dict):
-        raise DescriptionError(f"{where}: expected a table, got {shorten(table)}")
-    for key in table:
-        if key not in known:
-            raise DescriptionError(f"{where}: unknown key {shorten(key)}; {did_you_mean(key, known)}")
-
-
 def _texts(table: Mapping[str, Any], where: str, *, labels: bool = False) -> dict[str, str]:
     """Expressions by name; a dotted label may come as nested tables (`leg_U.0 = ...`)."""
     result: dict[str, str] = {}
@@ -190,7 +171,7 @@ def _numbers(value: Any, where: str, read: _Reader) -> tuple[float, ...]:
 
 def _table(name: str, table: Any, read: _Reader) -> Table:
     where = f"tables.{check_name(name, 'tables')}"
-    _check_keys(where, table, ("times", "values", "interpolation"))
+    check_keys(where, table, ("times", "values", "interpolation"))
     times, values = (_numbers(_needed(table, key, where), f"{where}.{key}", read) for key in ("times", "values"))
     if len(times) != len(values) or len(times) < 2:
         raise DescriptionError(
@@ -207,7 +188,7 @@ def _table(name: str, table: Any, read: _Reader) -> Table:
 
 def _state(name: str, table: Any, read: _Reader) -> tuple[str, float]:
     where = f"states.{check_name(name, 'states')}"
-    _check_keys(where, table, ("rate", "initial"))
+    check_keys(where, table, ("rate", "initial"))
     rate = _text(_needed(table, "rate", where), f"{where}.rate")
     return rate, read.number(table.get("initial", 0), f"{where}.initial")
 
