@@ -56,7 +56,8 @@ def test_operations_states_and_changes() -> None:
     found = bill(catalogue.load(CRANK), [Gravity(), friction, motor], timed=False)
     gravity, viscous, current = found.items
     assert (gravity.states, viscous.states, current.states) == (0, 0, 1)
-    assert viscous.operations == {"inverse_dynamics": 2, "forward_dynamics": 2}
+    # + c v; less the test for NaN of v, which without friction no result depends on
+    assert viscous.operations == {"inverse_dynamics": 1, "forward_dynamics": 1}
     assert current.operations["inverse_dynamics"] >= 1
     whole = derive(catalogue.load(CRANK), [Gravity(), friction, motor])
     assert found.operations["inverse_dynamics"] == whole.programs["inverse_dynamics"].operations["total"]
@@ -121,7 +122,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene.write_text(SCENE)
     assert main(["cost", str(scene), "--no-timing", "--json", "--plot", str(tmp_path / "bill.png")]) == 0
     values = json.loads(capsys.readouterr().out)
-    assert values["items"][0]["operations"] == {"inverse_dynamics": 2, "forward_dynamics": 2}
+    assert values["items"][0]["operations"] == {"inverse_dynamics": 1, "forward_dynamics": 1}
     assert (tmp_path / "bill.png").read_bytes().startswith(b"\x89PNG")
 
 

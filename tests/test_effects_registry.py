@@ -274,7 +274,7 @@ COUNTS = [  # operations that an effect on the driven joint adds to inverse dyna
     (effect("JointSpring", "crank_R", 5), 2),
     (effect("JointSpring", "crank_R", 5, preload=2), 3),
     (effect("RotorInertia", "crank_R", 2), 2),
-    (effect("DcMotor", "crank_R", 2, 1, 1), 2),  # - k i
+    (effect("DcMotor", "crank_R", 2, 1, 1), 3),  # - k i; the voltage, which no drive depends on, is tested for NaN
     (effect("Payload", "rod", 1, ROD), 0),  # other constants, nothing more
 ]
 

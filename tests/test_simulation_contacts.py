@@ -116,8 +116,9 @@ def test_a_slider_turns_back_at_the_dead_points_of_its_crank(friction: float, la
     found = scene_of("spatial_slider_crank", until=2.5, tolerance=1e-6)
     run = simulate(replace(found, effects=(*found.effects, DryFriction("slide", coulomb=friction, mode="event"))))
     assert run.ok, run.status
-    assert last in run.events[-1]
-    assert all("turns back" in text for text in run.events[:-1])
+    *turns, end = [text for text in run.events if "slide" in text]
+    assert last in end
+    assert all("turns back" in text for text in turns)
     assert run.energy_error < 1e-8
     assert run.closure_error.max() < 1e-12
     rates = run.v[:, [c.label for c in run.model.system.tree.v].index("slide")]
