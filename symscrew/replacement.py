@@ -40,3 +40,8 @@ def replaced(path: Path, make: Callable[[Path], object]) -> Path:
     finally:
         temporary.unlink(missing_ok=True)
     return path
+
+
+def write_text(path: Path, text: str) -> Path:
+    """Write a text in UTF-8 to a file, whole or not at all; raises OSError like `replaced`."""
+    return replaced(path, lambda part: part.write_text(text, encoding="utf-8"))

@@ -18,6 +18,7 @@ from symscrew.description import read_tables, read_text
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.machine import machine
 from symscrew.model import derive
+from symscrew.replacement import write_text
 from symscrew.scene import Scene
 from symscrew.scene import load as load_scene
 
@@ -74,8 +75,8 @@ def _write(name: str, studies: list[Study], facts: dict[str, str], directory: Pa
     pictures = [path for study in studies for path in plots.save(study, directory)]
     text = report.markdown(name, studies, facts, [p.name for p in pictures])
     return [
-        report.write_text(directory / "accuracy.json", report.as_json(name, studies, facts)),
-        report.write_text(directory / "accuracy.md", text),
+        write_text(directory / "accuracy.json", report.as_json(name, studies, facts)),
+        write_text(directory / "accuracy.md", text),
         *pictures,
     ]
 

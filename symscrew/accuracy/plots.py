@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from symscrew.accuracy.measuring import Point, Study
 from symscrew.accuracy.report import UNITS
 from symscrew.plots import DPI, style
+from symscrew.replacement import replaced
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F")
 MARKERS = "osD^vP*X<>dhp"
@@ -36,10 +38,8 @@ def save(study: Study, directory: Path) -> list[Path]:
     with style(), matplotlib.rc_context(SVG):  # type: ignore[arg-type, unused-ignore]
         for kind, metadata in (("png", {"Software": None}), ("svg", {"Date": None})):
             path = directory / f"{study.name}.{kind}"
-            part = directory / f".{study.name}.part.{kind}"
-            figure.savefig(part, dpi=DPI, metadata=metadata, bbox_inches="tight", pad_inches=0.04)
-            part.replace(path)
-            written.append(path)
+            drawn = partial(figure.savefig, dpi=DPI, metadata=metadata, bbox_inches="tight", pad_inches=0.04)
+            written.append(replaced(path, drawn))
     return written
 
 

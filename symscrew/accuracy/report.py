@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 from symscrew.accuracy.measuring import Point, Study
@@ -14,14 +12,6 @@ from symscrew.console import table
 from symscrew.timing import Times
 
 UNITS = {"ns": 1e9, "ms": 1e3, "s": 1.0}
-
-
-def write_text(path: Path, text: str) -> Path:
-    """A whole file or none."""
-    part = path.with_name(f".{path.name}.part")
-    part.write_text(text, encoding="utf-8")
-    os.replace(part, path)
-    return path
 
 
 def values(name: str, studies: Sequence[Study], machine: Mapping[str, str]) -> dict[str, Any]:

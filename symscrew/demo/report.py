@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -14,6 +13,7 @@ import numpy as np
 from symscrew.console import Progress, table
 from symscrew.demo.study import LIMIT, TIMED_STATES, Case, Demo
 from symscrew.mechanism import Joint, Mechanism
+from symscrew.replacement import write_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -156,11 +156,7 @@ def write(demo: Demo, directory: Path, progress: Progress) -> list[Path]:
         ("summary.md", text),
         ("summary.json", json.dumps(values(demo), indent=1) + "\n"),
     ):
-        path = directory / name
-        part = path.with_name(f".{name}.part")
-        part.write_text(content, encoding="utf-8")
-        os.replace(part, path)
-        written.append(path)
+        written.append(write_text(directory / name, content))
     return written
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 from pathlib import Path
+
+from symscrew.replacement import write_text
 
 USUAL = (
     "inverse_dynamics",
@@ -50,7 +51,5 @@ def run(options: argparse.Namespace) -> int:
     if options.out:
         path = Path(options.out)
         path.parent.mkdir(parents=True, exist_ok=True)
-        staged = path.with_name(f".{path.name}.part")
-        staged.write_text(text, encoding="utf-8")
-        os.replace(staged, path)
+        write_text(path, text)
     return 0

@@ -8,8 +8,6 @@
 
 from __future__ import annotations
 
-import os
-import secrets
 from pathlib import Path
 
 from symscrew import description
@@ -19,6 +17,7 @@ from symscrew.interchange.mjcf_writer import print_mjcf
 from symscrew.interchange.outline import mechanism
 from symscrew.interchange.urdf_writer import print_urdf
 from symscrew.mechanism import Mechanism
+from symscrew.replacement import write_text
 
 READ = (".urdf", ".xml", ".mjcf")
 WRITERS = {".urdf": print_urdf, ".xml": print_mjcf, ".mjcf": print_mjcf, ".toml": description.dumps}
@@ -46,12 +45,7 @@ def save(model: Mechanism, path: str | Path) -> None:
     """Write a mechanism to a file; its suffix says as what. An existing file is replaced at the end, or not at all."""
     file = Path(path)
     text = dumps(model, file.suffix)
-    beside = file.with_name(f".{file.name}.{secrets.token_hex(6)}")
-    try:
-        beside.write_text(text, encoding="utf-8")
-        os.replace(beside, file)
-    finally:
-        beside.unlink(missing_ok=True)
+    write_text(file, text)
 
 
 def dumps(model: Mechanism, suffix: str) -> str:

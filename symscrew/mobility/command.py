@@ -9,6 +9,7 @@ from pathlib import Path
 from symscrew.errors import DescriptionError, shorten
 from symscrew.mobility import report
 from symscrew.mobility.analysis import Mobility, analyse_mobility
+from symscrew.replacement import write_text
 
 FORMATS = {".md": report.markdown, ".html": report.page, ".tex": report.latex}
 
@@ -39,14 +40,9 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _write(path: Path, content: str) -> None:
-    """The whole file or none: written beside its place, then renamed."""
-    beside = path.with_name(f".{path.name}.part")
     try:
-        beside.write_text(content, encoding="utf-8")
-        beside.replace(path)
+        write_text(path, content)
     except OSError as error:
-        if beside.parent.is_dir():
-            beside.unlink(missing_ok=True)
         raise DescriptionError(f"--out {shorten(str(path))}: cannot be written ({error.strerror})") from error
 
 
