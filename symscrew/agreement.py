@@ -29,6 +29,7 @@ from symscrew.program import Port
 
 TOLERANCE = 1e-12
 FLOOR = 1e-3
+STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
 SINGLE_FACTOR = 8.0  # sines, roundings and contractions of compilers differ
 Results = tuple[tuple[np.ndarray, ...], np.ndarray]
 
@@ -110,7 +111,7 @@ def relative_difference(expected: np.ndarray, got: np.ndarray) -> float:
 
 
 def _c_results(directory: Path) -> Callable[[str, Sequence[np.ndarray]], Results]:
-    compiled = load(directory, backend="c", flags=("-ffp-contract=off",))
+    compiled = load(directory, backend="c", flags=("-ffp-contract=off", *STRICT))
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]
