@@ -155,8 +155,8 @@ def _external(directory: Path, model: Model, expected: Mapping[str, Results]) ->
         function = load_external(library, f"jac_{model.name}_casadi_{name}")
         values, status = derived(made.program.name, *derived.test_inputs[made.program.name])
         for k in np.flatnonzero(np.asarray(status) == 0):
-            given = [array[k] for array in model.test_inputs[name]]
-            found = function.call([*given, *(array[k] for array in expected[name][0])])
+            state = [array[k] for array in (*model.test_inputs[name], *expected[name][0])]
+            found = function.call(_shaped((*made.source.inputs, *made.source.outputs), state))
             for port, value in zip(made.program.outputs, values, strict=True):
                 output, place, *_ = made.blocks[port.name]
                 block = found[output * len(made.source.inputs) + place]
@@ -220,12 +220,16 @@ def _external_row(
     function: Any, inputs: Sequence[Port], outputs: Sequence[Port], state: Sequence[np.ndarray]
 ) -> tuple[np.ndarray, ...] | None:
     """The outputs (size) of an external function at one state, None where it fails."""
-    shaped = [x.reshape(p.shape, order="F") if len(p.shape) == 2 else x for p, x in zip(inputs, state, strict=True)]
     try:
-        found = function.call(shaped)
+        found = function.call(_shaped(inputs, state))
     except RuntimeError:
         return None
     return tuple(np.array(x).T.reshape(port.size) for port, x in zip(outputs, found, strict=True))
+
+
+def _shaped(ports: Sequence[Port], state: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """Arrays (size) as CasADi wants them: matrices, where the port is one."""
+    return [x.reshape(p.shape, order="F") if len(p.shape) == 2 else x for p, x in zip(ports, state, strict=True)]
 
 
 def load_external(library: Path, symbol: str) -> Any:

@@ -173,7 +173,7 @@ def parser() -> argparse.ArgumentParser:
     _effects(report)
     report.add_argument("--accuracy", metavar="DIR", help="results of `symscrew accuracy` to include")
     report.add_argument("--scene", metavar="SCENE", help="a scene whose bill of effects to include")
-    report.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
+    report.add_argument("--no-timing", action="store_true", help="count only: no function is timed")
 
     maps = _command(verbs, "workspace", commands.map_workspace, "maps over coordinates and parameters, tolerances")
     _mechanism(maps)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -13,13 +12,11 @@ import pytest
 
 from symscrew import catalogue
 from symscrew.cli import main
-from symscrew.compiled import load
 from symscrew.model import derive
 from symscrew.report import document, write
 from symscrew.report.document import Document, Picture, Section, Table, Text, page
 from symscrew.report.sections import _unit_screws
 from symscrew.timing import Times
-from symscrew.workspace.configurations import calls_of
 
 VOID = {"meta", "br", "img", "mspace", "link", "input", "path", "use", "rect", "circle", "line", "mprescripts"}
 
@@ -60,10 +57,7 @@ def read(text: str) -> Reader:
 def seed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("report") / "seed.html"
     model = derive(catalogue.load("three_ups_upu_s"))
-    needed = ("assemble", "limb_margins", "constraint_margin", "actuation_margins")
-    small = replace(model, programs={n: model.programs[n] for n in needed})
-    call = calls_of(load(small))
-    write(document(model, call=call, times={"inverse_dynamics": Times(90.0, 100.0, 110.0, 130.0, 41)}), path)
+    write(document(model, times={"inverse_dynamics": Times(90.0, 100.0, 110.0, 130.0, 41)}), path)
     return path
 
 

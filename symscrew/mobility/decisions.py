@@ -43,7 +43,8 @@ class Decision:
 class Decisions:
     """All ranks of a result. `field`: in words, None without one; `reason`: why not exact, or empty.
 
-    `singular_values`: (smallest kept, bound for the largest neglected) of the closure, in the units of the network.
+    `singular_values`: (smallest kept, bound for the largest neglected) of the closure, in the units of the network;
+    the first is infinite where there is no closure.
     """
 
     field: str | None
@@ -60,11 +61,13 @@ class Decisions:
     def method(self) -> str:
         """`exact: ...` or `certified numeric: ...`, with the evidence."""
         kept, neglected = self.singular_values
-        gap = f"singular values {kept:.2e} kept, at most {neglected:.0e} neglected"
+        gap = ""  # without loops there is no closure whose rank could be in doubt
+        if np.isfinite(kept):
+            gap = f"; closure singular values {kept:.2e} kept, at most {neglected:.0e} neglected"
         if self.exact:
-            return f"exact: {len(self.ranks)} ranks decided over the field {self.field}; closure {gap} with 60 digits"
-        certified = f"certified numeric: ranks decided with 60 digits; closure {gap}"
-        return f"{certified}; {self.why}"
+            digits = " with 60 digits" if gap else ""
+            return f"exact: {len(self.ranks)} ranks decided over the field {self.field}{gap}{digits}"
+        return f"certified numeric: ranks decided with 60 digits{gap}; {self.why}"
 
     @property
     def why(self) -> str:
