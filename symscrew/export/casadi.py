@@ -13,6 +13,7 @@ substeps are only evaluated when the ones before them failed, as in the C code.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import casadi as ca
@@ -23,21 +24,21 @@ from symscrew.program import Iteration, Port, Program
 
 LARGEST = 1.7976931348623157e308
 
-TABLE: Mapping[str, Callable[..., Any]] = {
-    "add": lambda x, y: x + y,
-    "sub": lambda x, y: x - y,
-    "mul": lambda x, y: x * y,
-    "neg": lambda x: -x,
-    "reciprocal": lambda x: 1 / x,
-    "div": lambda x, y: x / y,
-    "sqrt": ca.sqrt,
-    "exp": ca.exp,
-    "sin": ca.sin,
-    "cos": ca.cos,
-    "tan": ca.tan,
-    "atan2": ca.atan2,
-    "abs": ca.fabs,
-    "less": lambda x, y: x < y,
+TABLE: Mapping[str, Callable[..., Any]] = {  # of SX scalars; `SX.binary` takes a sixth of the time of operators
+    "add": partial(ca.SX.binary, ca.OP_ADD),
+    "sub": partial(ca.SX.binary, ca.OP_SUB),
+    "mul": partial(ca.SX.binary, ca.OP_MUL),
+    "neg": partial(ca.SX.unary, ca.OP_NEG),
+    "reciprocal": partial(ca.SX.binary, ca.OP_DIV, ca.SX(1)),
+    "div": partial(ca.SX.binary, ca.OP_DIV),
+    "sqrt": partial(ca.SX.unary, ca.OP_SQRT),
+    "exp": partial(ca.SX.unary, ca.OP_EXP),
+    "sin": partial(ca.SX.unary, ca.OP_SIN),
+    "cos": partial(ca.SX.unary, ca.OP_COS),
+    "tan": partial(ca.SX.unary, ca.OP_TAN),
+    "atan2": partial(ca.SX.binary, ca.OP_ATAN2),
+    "abs": partial(ca.SX.unary, ca.OP_FABS),
+    "less": partial(ca.SX.binary, ca.OP_LT),
     "select": lambda c, x, y: ca.if_else(c != 0, x, y),
 }
 
@@ -58,8 +59,14 @@ def program_function(program: Program) -> ca.Function:
     entries = [entry for symbol in symbols for entry in ca.vertsplit(ca.vec(symbol)) if entry.numel()]
     slots[: len(entries)] = entries
 
+    constants: dict[float, Any] = {}
+
     def value(operand: int | float) -> Any:
-        return slots[operand] if isinstance(operand, int) else ca.SX(operand)
+        if isinstance(operand, int):
+            return slots[operand]
+        if operand not in constants:
+            constants[operand] = ca.SX(operand)
+        return constants[operand]
 
     for instruction in live_instructions(program)[0]:
         slots[instruction.target] = TABLE[instruction.op](*[value(a) for a in instruction.args])
