@@ -18,6 +18,7 @@ from symscrew.export.listing import decimal
 from symscrew.model import Model
 from symscrew.program import Program
 from symscrew.scene import Scene, Table
+from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.history import History, Passage
 from symscrew.simulation.programs import Plant
 
@@ -68,15 +69,12 @@ def constants(plant: Plant) -> str:
     plain = [(link.q.start, link.v.start) for link in tree.links[1:] if link.motion.kind not in "SF"]
     nq, nv, nx, nr = sizes["q"], sizes["v"], sizes["x"], len(plant.rows)
     passive = int(plant.works)
-    live = sorted({int(row) for row, _ in plant.entries})
-    place = {row: k for k, row in enumerate(live)}
-    words = max(1, -(-len(live) // 64))
     numbers = {
         "NQ": nq, "NV": nv, "NX": nx, "NU": sizes["u"], "NS": plant.tables, "NR": nr, "RANK": plant.rank,
         "FREE": nv - plant.rank, "NY": 2 * nv + nx, "PASSIVE": passive, "PLAIN_COUNT": len(plain),
         "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
-        "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "LIVE": len(live), "LIVE1": max(len(live), 1),
-        "WORDS": words, "ENTRIES": len(plant.entries), "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": 12,
+        "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "ENTRIES": len(plant.entries),
+        "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": 12,
         "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
     }  # fmt: skip
     reals = {
@@ -91,7 +89,7 @@ def constants(plant: Plant) -> str:
         _table("SPHERES", spheres),
         _vector("UNIT", plant.units),
         _vector("ROW_SCALE", plant.rows),
-        *(_pattern(plant, live, place, words) if nr else ()),
+        *(_pattern(plant) if nr else ()),
         "#if !defined(PARAMETERS_STORAGE)",
         "#define PARAMETERS_STORAGE static const",
         "#endif",
@@ -100,25 +98,52 @@ def constants(plant: Plant) -> str:
     return "\n".join([*lines, ""])
 
 
-def _pattern(plant: Plant, live: Sequence[int], place: dict[int, int], words: int) -> list[str]:
-    """Where the closure's Jacobian has entries, and which of its live rows share a column."""
-    columns: dict[int, set[int]] = {}
-    for row, column in plant.entries.tolist():
-        columns.setdefault(column, set()).add(place[row])
-    near = [0] * max(len(live), 1)
-    for rows in columns.values():
-        together = sum(1 << row for row in rows)
-        for row in rows:
-            near[row] |= together
-    masks = [[(bits >> (64 * w)) & (2**64 - 1) for w in range(words)] for bits in near]
-    body = ", ".join("{" + ", ".join(f"{mask}ULL" for mask in row) + "}" for row in masks)
-    places = ", ".join(str(place.get(row, 0)) for row in range(len(plant.rows)))
+def _integers(name: str, values: Sequence[int]) -> str:
+    return f"static const int {name}[{max(len(values), 1)}] = {{{', '.join(map(str, values)) or '0'}}};"
+
+
+def _pattern(plant: Plant) -> list[str]:
+    """Where the closure's Jacobian has entries, and the fronts of its rows."""
+    fronts = plant.fronts
+    places, through = layouts(fronts), paths(fronts, plant.entries)
+    live = [row for front in fronts for row in front.rows]
+    coordinates = [(k, column) for k, front in enumerate(fronts) for column in front.columns]
+    column_at = [-1] * sum(place.width for place in places)
+    spots = [-1] * plant.sizes["v"]
+    for k, column in coordinates:
+        spots[column] = places[k].at + fronts[k].columns.index(column)
+        column_at[spots[column]] = column
+    lower = [
+        sum(fronts[j].rank for j in through[row]) + front.rank for front in fronts for row in front.rows
+    ]  # parts of a row along the pivots below, then along those of its own front
+    starts = np.searchsorted(plant.entries[:, 0], np.arange(len(plant.rows) + 1)).tolist()
+    table = ", ".join(
+        f"{{{p.row}, {len(f.rows)}, {p.pivot}, {f.rank}, {p.at}, {p.width}, {len(f.columns)}, {f.parent}, {p.up}, "
+        f"{p.turn}}}"
+        for f, p in zip(fronts, places, strict=True)
+    )
+    sizes = {
+        "FRONTS": max(len(fronts), 1), "LIVE1": max(len(live), 1), "WIDTHS": max(len(column_at), 1),
+        "TURNS": max(sum(p.width**2 for p in places), 1), "LOWERS": max(sum(lower), 1),
+        "MOST_ROWS": max((len(f.rows) for f in fronts), default=1),
+        "MOST_WIDTH": max((p.width for p in places), default=1),
+    }  # fmt: skip
     return [
+        *(f"#define {name} {value}" for name, value in sizes.items()),
+        f"#define FRONT_TABLE {{{table or '{0, 0, 0, 0, 0, 0, 0, -1, -1, 0}'}}}",
         _table("ENTRY", [(row, column) for row, column in plant.entries.tolist()]),
-        f"static const int LIVE_ROW[{max(len(live), 1)}] = {{{', '.join(map(str, live)) or '0'}}};",
-        f"static const int PLACE[{len(plant.rows)}] = {{{places}}};",
-        f"static const unsigned long long NEAR[{len(near)}][{words}] = {{{body}}};",
+        _integers("ENTRY_START", starts),
+        _integers("LIVE_ROW", live),
+        _integers("LOWER_AT", _sums(lower)),
+        _integers("PATH_START", _sums([len(through[row]) for row in live])),
+        _integers("PATH", [front for row in live for front in through[row]]),
+        _integers("SPOT", spots),
+        _integers("COLUMN", column_at),
     ]
+
+
+def _sums(counts: Sequence[int]) -> list[int]:
+    return np.concatenate([[0], np.cumsum(counts)]).astype(int).tolist()
 
 
 def adapters(plant: Plant) -> str:
@@ -172,7 +197,7 @@ def source(plant: Plant, tables: str = "") -> str:
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
-    parts = ("manifold.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "simulation.c")
+    parts = ("rows.c", "manifold.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "simulation.c")
     kernels = [kernel_text(file) for file in parts]
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
     head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations"]

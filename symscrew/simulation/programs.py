@@ -7,6 +7,7 @@ them), values of the scene's tables at t, run-time parameters. Ports that a scen
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -15,6 +16,7 @@ import numpy as np
 from symscrew.functions.ports import a_port, q_port, u_port, v_port
 from symscrew.model import Model
 from symscrew.program import Port, Program
+from symscrew.simulation.fronts import Front, fronts, regular
 from symscrew.simulation.linking import Linker, Operand
 from symscrew.system import System
 
@@ -30,7 +32,7 @@ class Plant:
     `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small.
     `closure`: q, p -> residual, the Jacobian's entries that are not always zero, or None without loops; `entries`:
     their rows and columns (n, 2). `units`, `rows`: what divides rates and closure
-    rows to make them plain numbers. `rank`: independent rows of the closure in regular configurations. `pivot`: the
+    rows to make them plain numbers. `fronts`: the order in which the closure's rows are made orthogonal. `pivot`: the
     smallest pivot of the closure's rows that regular configurations have. `works`: whether the last state is the
     work done by drives and effects.
     """
@@ -43,7 +45,7 @@ class Plant:
     x_labels: tuple[str, ...]
     units: np.ndarray
     rows: np.ndarray
-    rank: int
+    fronts: tuple[Front, ...]
     pivot: float
     works: bool
     parameters: np.ndarray
@@ -55,6 +57,11 @@ class Plant:
     def system(self) -> System:
         """The mechanism on its tape."""
         return self.model.system
+
+    @property
+    def rank(self) -> int:
+        """Independent rows of the closure in regular configurations."""
+        return sum(front.rank for front in self.fronts)
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -109,12 +116,14 @@ def plant(
     values = system.parameter_values if parameters is None else np.asarray(parameters, dtype=float)
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
     rows = np.array([1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows])
-    (closure, entries), rank, pivot = _closure(model), 0, 1.0
+    closure, entries = _closure(model)
+    found: tuple[Front, ...] = ()
+    pivot = 1.0
     if closure is not None:
-        rank, pivot = _regular(model, units, rows)
+        found, pivot = _regular(model, units, rows, entries)
     inputs = _inputs(ports, forward, controller, counts, outside)
     return Plant(
-        model, slopes, inputs, forward, closure, labels, units, rows, rank, pivot, bool(work), values, tables,
+        model, slopes, inputs, forward, closure, labels, units, rows, found, pivot, bool(work), values, tables,
         tuple(outside), entries,
     )  # fmt: skip
 
@@ -213,8 +222,9 @@ def _closure(model: Model) -> tuple[Program | None, np.ndarray]:
         return None, np.zeros((0, 2), dtype=int)
     linker = Linker(first.inputs)
     (residual,), (jacobian,) = (tuple(linker.call(program, {}).values()) for program in (first, second))
-    kept = [k for k, value in enumerate(jacobian) if isinstance(value, int) or value != 0.0]
     count, whole = len(residual), second.outputs[0]
+    by_rows = sorted(range(len(jacobian)), key=lambda k: (k % count, k))
+    kept = [k for k in by_rows if isinstance(jacobian[k], int) or jacobian[k] != 0.0]
     units, labels = (
         tuple(whole_list[k] for k in kept) if whole_list else () for whole_list in (whole.units, whole.labels)
     )
@@ -226,32 +236,16 @@ def _closure(model: Model) -> tuple[Program | None, np.ndarray]:
     )
 
 
-def _regular(model: Model, units: np.ndarray, rows: np.ndarray) -> tuple[int, float]:
-    """Rank and smallest pivot of the closure at the model's sample states, without units."""
+def _regular(model: Model, units: np.ndarray, rows: np.ndarray, entries: np.ndarray) -> tuple[tuple[Front, ...], float]:
+    """Fronts of the closure, and the smallest pivot that the model's sample states have, without units."""
     system = model.system
     q = system.sample_states[0]
     jacobian = model.programs["closure_jacobian"]
     given = [np.repeat(system.parameter_values[None], len(q), 0)] if len(jacobian.inputs) > 1 else []
     values = model("closure_jacobian", q, *given)[0][0].reshape(len(q), len(units), len(rows)).transpose(0, 2, 1)
-    found = [row_pivots(matrix * rows[:, None] * units) for matrix in values]
-    rank = max((int((p > 1e-7 * p[0]).sum()) for p in found if len(p)), default=0)
-    pivots = sorted(p[rank - 1] for p in found if len(p) >= rank and rank)
-    return rank, float(pivots[len(pivots) // 2]) if pivots else 1.0
-
-
-def row_pivots(matrix: np.ndarray) -> np.ndarray:
-    """Lengths of the rows made orthogonal one after the other, the longest remaining row first."""
-    left, pivots = np.array(matrix), []
-    for _ in range(min(left.shape)):
-        norms = np.sqrt((left**2).sum(axis=1))
-        best = int(norms.argmax())
-        if norms[best] < 1e-14:
-            break
-        pivots.append(norms[best])
-        unit = left[best] / norms[best]
-        for _ in range(2):
-            left -= np.outer(left @ unit, unit)
-    return np.array(pivots)
+    ends = np.cumsum([0, *(len(cut.rows) for cut in system.cuts)]).tolist()
+    loops = [range(first, last) for first, last in itertools.pairwise(ends)]
+    return regular(fronts(loops, entries), [matrix * rows[:, None] * units for matrix in values])
 
 
 def commands(plant: Plant, controller_inputs: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:

@@ -38,7 +38,7 @@ def _start(scene, model, plant):  # type: ignore[no-untyped-def]
 
 def _bare(plant: Plant) -> Plant:
     """The same functions for an integrator that knows of no loops."""
-    return replace(plant, closure=None, rows=np.zeros(0), rank=0)
+    return replace(plant, closure=None, rows=np.zeros(0), fronts=())
 
 
 def _fastest(name: str, library: native.Library, start, model, plant: Plant, goal: float, repeats: int):  # type: ignore[no-untyped-def]

@@ -15,39 +15,29 @@ typedef struct {
     double slope;               /* of the pivot along the way: pivot by slope is the distance to the zone's middle */
 } Chart;
 
-static int tangent_space(const Rows *f, double (*tangent)[NV1])
+static int tangent_space(Rows *f, double (*tangent)[NV1])
 {
-    double left[NV1]; /* squares of what the directions found leave of every axis */
-    for (int k = 0; k < NV; ++k) {
-        left[k] = 1.0;
-        for (int j = 0; j < f->rank; ++j) {
-            left[k] -= f->basis[j][k] * f->basis[j][k];
-        }
-    }
-    for (int found = 0; found < FREE; ++found) {
-        int best = 0;
-        for (int k = 1; k < NV; ++k) {
-            best = left[k] > left[best] * (1.0 + 1e-9) ? k : best;
-        }
-        double *axis = tangent[found];
-        for (int k = 0; k < NV; ++k) {
-            axis[k] = k == best ? 1.0 : 0.0;
-        }
-        for (int pass = 0; pass < 2; ++pass) {
-            for (int j = 0; j < f->rank + found; ++j) {
-                without(axis, j < f->rank ? f->basis[j] : tangent[j - f->rank]);
+    int found = 0;
+    for (int k = 0; k < FRONTS; ++k) { /* what the rows of a tree of fronts leave is left in its top */
+        const Front *s = FRONT + k;
+        double *vectors = f->turn + s->turn, local[WIDTHS];
+        for (int r = f->rank[k]; r < s->width && s->parent < 0 && found < FREE; ++r) {
+            if (another(vectors, r, s->width) != 0) {
+                return FAILED;
             }
-        }
-        const double size = sqrt(product(axis, axis));
-        if (!(size > 1e-10)) {
-            return FAILED;
-        }
-        for (int k = 0; k < NV; ++k) {
-            axis[k] /= size;
-            left[k] -= axis[k] * axis[k];
+            memset(local, 0, sizeof local);
+            memcpy(local + s->at, vectors + r * s->width, sizeof(double) * s->width);
+            memset(tangent[found], 0, sizeof tangent[found]);
+            spread(f, NULL, local, tangent[found++]);
         }
     }
-    return 0;
+    for (int k = 0; k < NV && found < FREE; ++k) {
+        if (SPOT[k] < 0) { /* no row knows this rate */
+            memset(tangent[found], 0, sizeof tangent[found]);
+            tangent[found++][k] = 1.0;
+        }
+    }
+    return found == FREE ? 0 : FAILED;
 }
 
 /* The shortest d with jacobian d = right for the independent rows and nothing along the tangents. */
@@ -56,15 +46,12 @@ static int shortest_across(const Chart *c, const Rows *f, const double *right, d
     double free[FREE][NV1], matrix[FREE][FREE], w[FREE];
     shortest(f, right, d);
     for (int j = 0; j < FREE; ++j) { /* what no row sees of the tangents, and how much of d is along them */
-        memcpy(free[j], c->tangent[j], sizeof free[j]);
-        for (int r = 0; r < f->rank; ++r) {
-            without(free[j], f->basis[r]);
-        }
-        w[j] = -product(c->tangent[j], d);
+        unseen(f, c->tangent[j], free[j]);
+        w[j] = -product(c->tangent[j], d, NV);
     }
     for (int j = 0; j < FREE; ++j) { /* Cholesky's factorisation, and forwards */
         for (int i = j; i < FREE; ++i) {
-            matrix[i][j] = product(free[i], free[j]);
+            matrix[i][j] = product(free[i], free[j], NV);
             for (int k = 0; k < j; ++k) {
                 matrix[i][j] -= matrix[i][k] * matrix[j][k];
             }

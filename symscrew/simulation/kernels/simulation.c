@@ -196,11 +196,12 @@ static int crossing_between(Simulation *s, double left, double right, double low
     row_space(&o, RANK_FLOOR, &f);
     found->lost = 0.0;
     memset(found->rows, 0, sizeof found->rows);
-    for (int i = 0; i < LIVE; ++i) {
-        const int row = f.order[i];
-        const int lost = i < RANK && (i >= f.rank || f.lower[row][i] < LOOK);
-        found->rows[LIVE_ROW[row]] = lost ? 1.0 : 0.0;
-        found->lost += lost;
+    for (int k = 0; k < FRONTS; ++k) {
+        for (int r = 0; r < FRONT[k].rank; ++r) {
+            const int lost = f.pivot[FRONT[k].pivot + r] < LOOK;
+            found->rows[LIVE_ROW[FRONT[k].row + f.order[FRONT[k].row + r]]] = lost ? 1.0 : 0.0;
+            found->lost += lost;
+        }
     }
     return 1;
 #else
