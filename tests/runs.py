@@ -50,10 +50,16 @@ def scene_of(name: str, until: float | None = None, **integrator: object) -> Sce
 
 
 @cache
+def prepared(name: str):  # type: ignore[no-untyped-def]
+    """Model and programs of a benchmark."""
+    return prepare(scene_of(name))
+
+
+@cache
 def compiled(name: str):  # type: ignore[no-untyped-def]
     """Model, programs and compiled loop of a benchmark."""
     scene = scene_of(name)
-    model, plant = prepare(scene)
+    model, plant = prepared(name)
     library = native.Library(plant, native.table_code(list(scene.tables.values()))) if find_compiler() else None
     return model, plant, library
 

@@ -18,7 +18,7 @@ import pytest
 from hard import case
 from model_states import model as catalogued
 from model_states import relative
-from runs import compiled
+from runs import prepared
 
 from symscrew.compiled import CompileError, find_compiler, load
 from symscrew.export.c import print_c
@@ -237,10 +237,9 @@ print(first.ok, second.ok, np.abs(first.q - second.q).max() < 1e-12, error_of("b
 
 def test_denormal_rates() -> None:
     """A04 with rates of 1e-310: the accelerations of rest, bit for bit. (Times are not asserted in tests.)"""
-    found, _, _ = compiled("bricard")
-    calls = load(
-        dataclasses.replace(found, programs={"forward_dynamics": found.programs["forward_dynamics"]}), backend="c"
-    )
+    found, _ = prepared("bricard")
+    forward = {"forward_dynamics": found.programs["forward_dynamics"]}
+    calls = load(dataclasses.replace(found, programs=forward), backend="c")
     q = found.system.reference
     rest, first = calls.forward_dynamics(q, np.zeros(5), check=False)  # type: ignore[misc]
     tiny, second = calls.forward_dynamics(q, np.full(5, 1e-310), check=False)  # type: ignore[misc]
