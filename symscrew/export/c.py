@@ -130,6 +130,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)",
         '#pragma GCC optimize("no-tree-slp-vectorize")',
         "#endif",
+        *(c_batch.WIDEST if batches else []),
         "",
         f"const char *{model.name}_status_text(int status)",
         "{",
@@ -156,7 +157,8 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     lines += c_parts.prologue(model.name, _straight_lines(model.name, model.programs, precision))
     lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
     if batches:
-        lines += ["", *c_batch.prologue(model.name, precision)]
+        angles = any(p.angles.gathered for p in printed.values())
+        lines += ["", *c_batch.prologue(model.name, precision, angles=angles)]
     seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]
     if seconds:
         lines += ["", *routines(model.name, precision, internal=any(p.wrenches for p in seconds))]

@@ -3,30 +3,40 @@
     int <symbol>_batch(count, inputs ..., outputs ..., status)               one state after the other
     int <symbol>_batch_soa(count, stride, inputs ..., outputs ..., status)   entry k of state i at k * stride + i
 
-Both copy eight states into arrays [entry][8], run `<symbol>_lane` (see `c_function`) over the eight, and copy
-the results out. A state whose check fails is given to the function of one state, which takes the second path,
-or writes NaN and says why: statuses and results are those of single calls. With OpenMP, blocks are shared
-among threads. Functions that repeat a step, those with functions of computed angles, and long ones (see `c_parts`)
-run state by state.
+`<symbol>_lane` (see `c_function`) runs over eight states that lie side by side, at once; states one after the other,
+and less than eight, are copied into arrays [entry][8] and the results out of them. A state whose check fails is given
+to the function of one state, which takes the second path, or writes NaN and says why: statuses and results are those
+of single calls. Vectors are as wide as the machine has them: 512 bits need to be asked for, which GCC hesitates to use.
+With OpenMP, blocks are shared among threads. Functions that repeat a step, those with functions of computed angles,
+and long ones (see `c_parts`) run state by state.
 """
 
 from __future__ import annotations
 
 from symscrew.export import c_parts
-from symscrew.export.c_function import Printed, argument_names, arguments, declare, outcome, wrapped_code
+from symscrew.export.c_function import Printed, argument_names, arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
-from symscrew.export.listing import checked_slots
 from symscrew.program import COUNTED, Iteration, Port, Program
 
 LANES = 8
 MOST_ENTRIES = 4096  # of all arrays of a function: blocks of more would take too much of the stack
 FEW = 2  # states that are as fast one by one
+VOID = "static void "
 THREADED = 1024  # states from which on threads are worth their start
 BY_LANES = frozenset(op for op, kind in COUNTED.items() if kind != "trig")
 
 
-def prologue(model: str, precision: Precision) -> list[str]:
-    """The macros and copying routines that all batch functions of a model share."""
+WIDEST = [
+    "",
+    "/* Of itself GCC takes half of a vector of 512 bits. */",
+    "#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)",
+    '#pragma GCC target("prefer-vector-width=512")',
+    "#endif",
+]
+
+
+def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
+    """The macros and routines that all batch functions of a model share; `angles`: some take sines of angles."""
     upper, real = model.upper(), precision.real
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
@@ -37,6 +47,20 @@ def prologue(model: str, precision: Precision) -> list[str]:
         f"#define {upper}_VECTORISE",
         f"#define {upper}_INLINE",
         "#endif",
+        "",
+        "/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */",
+        f"static inline void {model}_prefetch(size_t size, size_t stride, const {real} *array)",
+        "{",
+        "#if defined(__GNUC__)",
+        "    for (size_t k = 0; k < size; ++k) {",
+        "        __builtin_prefetch(array + k * stride);",
+        "    }",
+        "#else",
+        "    (void)size;",
+        "    (void)stride;",
+        "    (void)array;",
+        "#endif",
+        "}",
         "",
         "/* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one",
         "   fills the lanes that are left. */",
@@ -55,12 +79,8 @@ def prologue(model: str, precision: Precision) -> list[str]:
         "    }",
         "    for (size_t k = 0; k < size; ++k) {",
         f"        const {real} *entry = array + k * stride + first;",
-        f"        if (some == {LANES}) {{",
-        f"            memcpy(block + k * {LANES}, entry, {LANES} * sizeof(*entry));",
-        "        } else {",
-        f"            for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-        f"                block[k * {LANES} + lane] = entry[lane < some ? lane : some - 1];",
-        "            }",
+        f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
+        f"            block[k * {LANES} + lane] = entry[lane < some ? lane : some - 1];",
         "        }",
         "    }",
         "}",
@@ -80,15 +100,50 @@ def prologue(model: str, precision: Precision) -> list[str]:
         "    }",
         "    for (size_t k = 0; k < size; ++k) {",
         f"        {real} *entry = array + k * stride + first;",
-        f"        if (some == {LANES}) {{",
-        f"            memcpy(entry, block + k * {LANES}, {LANES} * sizeof(*entry));",
-        "        } else {",
-        "            for (size_t lane = 0; lane < some; ++lane) {",
-        f"                entry[lane] = block[k * {LANES} + lane];",
-        "            }",
+        "        for (size_t lane = 0; lane < some; ++lane) {",
+        f"            entry[lane] = block[k * {LANES} + lane];",
         "        }",
         "    }",
         "}",
+        *(_sincos_block(model, precision) if angles else []),
+    ]
+
+
+def _sincos_block(model: str, precision: Precision) -> list[str]:
+    """Sines and cosines of `size` angles; the vector functions of eight have the bits of those of four."""
+    upper, real = model.upper(), precision.real
+    arguments = f"size_t size, const {real} *angle, {real} *sine, {real} *cosine"
+    lines = [
+        f"static inline void {model}_sincos_block({arguments})",
+        "{",
+        f"    for (size_t k = 0; k < size; k += {precision.group}) {{",
+        f"        {model}_sincos({precision.group}, angle + k, sine + k, cosine + k);",
+        "    }",
+        "}",
+    ]
+    if precision.group >= LANES:
+        return ["", *lines]
+    wide, conditions = f"{model}_lanes{LANES}", ("__GNUC__", "__GLIBC__", "__x86_64__", "__AVX512F__")
+    return [
+        "",
+        f"#if {' && '.join(f'defined({c})' for c in conditions)} && !defined({upper}_SCALAR)",
+        f"typedef {real} {wide} __attribute__((vector_size(64)));",
+        f"{wide} _ZGVeN{LANES}v_sin({wide});",
+        f"{wide} _ZGVeN{LANES}v_cos({wide});",
+        f"static inline void {model}_sincos_block({arguments})",
+        "{",
+        f"    for (size_t k = 0; k < size; k += {LANES}) {{",
+        f"        {wide} all, s, c;",
+        "        memcpy(&all, angle + k, sizeof(all));",
+        f"        s = _ZGVeN{LANES}v_sin(all);",
+        f"        c = _ZGVeN{LANES}v_cos(all);",
+        "        memcpy(sine + k, &s, sizeof(s));",
+        "        memcpy(cosine + k, &c, sizeof(c));",
+        "    }",
+        "}",
+        "#else",
+        *lines,
+        "#endif",
     ]
 
 
@@ -105,47 +160,36 @@ def by_lanes(printed: Printed) -> bool:
 
 
 def block(printed: Printed) -> list[str]:
-    """`<symbol>_block`: eight states side by side, and the status of each."""
+    """`<symbol>_block`: eight states side by side, and of each the sum of what must be finite, NaN at a small pivot."""
     program, precision = printed.program, printed.precision
     real, symbol, upper = precision.real, printed.symbol, printed.model.upper()
-    given = [*arguments(program, precision), "int *restrict status"]
-    lines = [declare(f"{symbol}_block", given, "static void "), "{"]
+    lines = [
+        declare(f"{symbol}_block", ["size_t stride", *arguments(program, precision), f"{real} *restrict total"], VOID),
+        "{",
+    ]
     count, extra = len(printed.angles.gathered), []
-    loop = f"    for (size_t lane = 0; lane < {LANES}; ++lane) {{"
+    loop = [f"    {upper}_VECTORISE", f"    for (size_t lane = 0; lane < {LANES}; ++lane) {{"]
     inputs = [f"{name} + lane" for name in printed.handed(outputs=False)]
     if count:
-        handed = ", ".join([str(LANES), *inputs, "angle + lane"])
+        size, handed = count * LANES, ", ".join(["stride", str(LANES), *inputs, "angle + lane"])
         lines += [
-            f"    {real} angle[{count * LANES}], sine[{count * LANES}], cosine[{count * LANES}];",
-            f"    {upper}_VECTORISE",
-            loop,
+            f"    {real} angle[{size}], sine[{size}], cosine[{size}];",
+            *loop,
             *wrapped_code(f"{symbol}_angles({handed});", "        "),
             "    }",
-            f"    for (size_t k = 0; k < {count * LANES}; k += {precision.group}) {{",
-            f"        {printed.model}_sincos({precision.group}, angle + k, sine + k, cosine + k);",
-            "    }",
+            f"    {printed.model}_sincos_block({size}, angle, sine, cosine);",
         ]
         extra += ["sine + lane", "cosine + lane"]
     if program.guards:
         lines += [f"    {real} pivot[{len(program.guards) * LANES}];"]
         extra += ["pivot + lane"]
     outputs = [f"{name} + lane" for name in printed.handed()[len(program.inputs) :]]
-    call = f"{symbol}_lane({', '.join([str(LANES), *inputs, *outputs, *extra])});"
-    vectorised = [f"    {upper}_VECTORISE", loop]
-    status = f"status[lane] = {outcome(printed, 'total[lane]', f' * {LANES}', ' + lane')};"
-    if not checked_slots(program):
-        return [*lines, *vectorised, *wrapped_code(f"(void){call}", "        "), f"        {status}", "    }", "}"]
-    return [
-        *lines,
-        f"    {real} total[{LANES}];",
-        *vectorised,
-        *wrapped_code(f"total[lane] = {call}", "        "),
-        "    }",
-        loop,
-        *wrapped_code(status, "        "),
-        "    }",
-        "}",
-    ]
+    call = f"{symbol}_lane({', '.join(['stride', str(LANES), *inputs, *outputs, *extra])});"
+    lines += [*loop, *wrapped_code(f"{real} sum = {call}", "        ")]
+    for k, (_, threshold) in enumerate(program.guards):
+        small = f"{precision.function('fabs')}(pivot[{k * LANES} + lane]) <= {precision.threshold(threshold)}"
+        lines.append(f"        sum = {small} ? ({real})NAN : sum;")
+    return [*lines, "        total[lane] = sum;", "    }", "}"]
 
 
 def signatures(symbol: str, program: Program | Iteration, precision: Precision, restrict: str) -> list[str]:
@@ -224,37 +268,12 @@ def _copied(port: Port, statement: str) -> list[str]:
 
 def _some(model: str, symbol: str, program: Program | Iteration, precision: Precision, *, lanes: bool) -> list[str]:
     """Up to eight states from `first` on."""
-    ports = (*program.inputs, *program.outputs)
-    names = argument_names(ports)
+    names = argument_names((*program.inputs, *program.outputs))
     given = ["size_t first", "size_t some", "size_t stride", *arguments(program, precision), "int *restrict status"]
     one = f"{symbol}_one(first + lane, stride, {', '.join(names)})"
     lines = [declare(f"{symbol}_some", given, "static int "), "{", "    int worst = 0;"]
     if lanes:
-        sized = [(name, port, k) for k, (name, port) in enumerate(zip(names, ports, strict=True)) if port.size]
-        inputs = [(name, port) for name, port, k in sized if k < len(program.inputs)]
-        outputs = [(name, port) for name, port, k in sized if k >= len(program.inputs)]
-        passed = ", ".join(f"{n}_block" if p.size else n for n, p in zip(names, ports, strict=True))
-        lines += [
-            f"#if {guard(model)}",
-            f"    if (some > {FEW}) {{",
-            *(f"        {precision.real} {name}_block[{port.size * LANES}];" for name, port, _ in sized),
-            f"        int outcome[{LANES}];",
-            *(f"        {model}_gather({p.size}, first, some, stride, {n}, {n}_block);" for n, p in inputs),
-            *wrapped_code(f"{symbol}_block({passed}, outcome);", "        "),
-            *(f"        {model}_scatter({p.size}, first, some, stride, {n}_block, {n});" for n, p in outputs),
-            "        for (size_t lane = 0; lane < some; ++lane) {",
-            "            if (outcome[lane] != 0) {",
-            *wrapped_code(f"outcome[lane] = {one};", "                "),
-            "            }",
-            "            if (status != NULL) {",
-            "                status[first + lane] = outcome[lane];",
-            "            }",
-            "            worst = outcome[lane] > worst ? outcome[lane] : worst;",
-            "        }",
-            "        return worst;",
-            "    }",
-            "#endif",
-        ]
+        lines += [f"#if {guard(model)}", *_blocked(model, symbol, program, precision, one), "#endif"]
     return [
         *lines,
         "    for (size_t lane = 0; lane < some; ++lane) {",
@@ -266,4 +285,48 @@ def _some(model: str, symbol: str, program: Program | Iteration, precision: Prec
         "    }",
         "    return worst;",
         "}",
+    ]
+
+
+def _blocked(model: str, symbol: str, program: Program | Iteration, precision: Precision, one: str) -> list[str]:
+    """Three to eight states as a block: where they are, if they lie side by side, else in a copy."""
+    ports = (*program.inputs, *program.outputs)
+    names, read = argument_names(ports), len(program.inputs)
+    sized = [(name, port, k < read) for k, (name, port) in enumerate(zip(names, ports, strict=True)) if port.size]
+    here = [f"{n} + first" if p.size else n for n, p in zip(names, ports, strict=True)]
+    copies = [f"{n}_block" if p.size else n for n, p in zip(names, ports, strict=True)]
+    return [
+        f"    if (some > {FEW}) {{",
+        f"        {precision.real} total[{LANES}];",
+        f"        if (some == {LANES} && stride != 0) {{",
+        f"            if (first + {2 * LANES} <= stride) {{",
+        *(f"                {model}_prefetch({p.size}, stride, {n} + first + {LANES});" for n, p, _ in sized),
+        "            }",
+        *wrapped_code(f"{symbol}_block({', '.join(['stride', *here, 'total'])});", " " * 12),
+        "        } else {",
+        *(f"            {precision.real} {name}_block[{port.size * LANES}];" for name, port, _ in sized),
+        *(
+            f"            {model}_gather({p.size}, first, some, stride, {n}, {n}_block);"
+            for n, p, given in sized
+            if given
+        ),
+        *wrapped_code(f"{symbol}_block({', '.join([str(LANES), *copies, 'total'])});", " " * 12),
+        *(
+            f"            {model}_scatter({p.size}, first, some, stride, {n}_block, {n});"
+            for n, p, given in sized
+            if not given
+        ),
+        "        }",
+        "        for (size_t lane = 0; lane < some; ++lane) {",
+        "            int outcome = 0;",
+        "            if (!isfinite(total[lane])) {",
+        *wrapped_code(f"outcome = {one};", " " * 16),
+        "            }",
+        "            if (status != NULL) {",
+        "                status[first + lane] = outcome;",
+        "            }",
+        "            worst = outcome > worst ? outcome : worst;",
+        "        }",
+        "        return worst;",
+        "    }",
     ]

@@ -1,15 +1,15 @@
 """Straight-line functions in C.
 
-The operations of a function are printed once, as `<symbol>_lane`, in which entry k of an array lies at
-k * stride: with a stride of 1 it is one state, with a stride of 8 one of eight states that lie side by side
-(see `c_batch`). Sines and cosines of input angles come ready, from `<symbol>_angles` and `c_angles`. Where equal
-limbs make it pay, one state has a second form with limbs side by side (see `c_lanes`).
+The operations of a function are printed once, as `<symbol>_lane`, in which entry k of an argument lies at
+k * stride and entry k of our own arrays at k * pitch: both are 1 for one state, and the pitch is 8 for one of eight
+states that lie side by side (see `c_batch`). Sines and cosines of input angles come ready, from `<symbol>_angles` and
+`c_angles`. Where equal limbs make it pay, one state has a second form with limbs side by side (see `c_lanes`).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -25,7 +25,8 @@ NAMES_OF_MATH += " sinf cosf tanf sqrtf expf atan2f fabsf"
 NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
-NAMES_OF_LOCALS += " angle sine cosine pivot stride lane index first some block blocks number"
+NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
+ALONE = ("1", "1")  # stride and pitch of one state
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
@@ -101,19 +102,33 @@ class Printed:
         ports = (*self.program.inputs, *self.program.outputs) if outputs else self.program.inputs
         return [self.names[p.name] for p in ports]
 
-    def at(self, entry: int) -> str:
-        """The place of an entry in an array of a lane."""
-        return ("0", "stride")[entry] if entry < 2 else f"{entry} * stride"
+    def at(self, entry: int, step: str = "stride") -> str:
+        """The place of an entry in an array of a lane: `stride` apart in arguments, `pitch` in arrays of our own."""
+        return ("0", step)[entry] if entry < 2 else f"{entry} * {step}"
 
-    def _loads(self, read: set[int]) -> list[str]:
-        real = self.precision.real
-        return [
-            f"    const {real} {self.prefix}{slot} = {self.names[port.name]}[{self.at(k)}];"
-            for slot, (port, k) in enumerate(input_entries(self.program))
-            if slot in read
-        ]
+    @cached_property
+    def entered(self) -> dict[int, str]:
+        """Where slots are that are there from the start: entries of inputs, sines and cosines."""
+        entries = enumerate(input_entries(self.program))
+        found = {slot: f"{self.names[port.name]}[{self.at(k)}]" for slot, (port, k) in entries}
+        for k, (_, *pair) in enumerate(self.angles.gathered):
+            pairs = zip(("sine", "cosine"), pair, strict=True)
+            found |= {slot: f"{array}[{self.at(k, 'pitch')}]" for array, slot in pairs if slot is not None}
+        return found
 
-    def _unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
+    def loads(self, slots: Iterable[int]) -> list[str]:
+        """Statements that read slots that are there from the start."""
+        return [f"    const {self.precision.real} {self.prefix}{s} = {self.entered[s]};" for s in slots]
+
+    @cached_property
+    def stored(self) -> list[tuple[str, int | float]]:
+        """The entries of outputs and pivots, and what goes there."""
+        outputs = zip(self.program.outputs, self.program.results, strict=True)
+        found = [(f"{self.names[port.name]}[{self.at(k)}]", s) for port, slots in outputs for k, s in enumerate(slots)]
+        return found + [(f"pivot[{self.at(k, 'pitch')}]", slot) for k, (slot, _) in enumerate(self.program.guards)]
+
+    def unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
+        """Nothing is said of ports of which nothing is read."""
         entries = input_entries(self.program)
         used = {entries[slot][0].name for slot in read if slot < len(entries)}
         return [f"    (void){self.names[port.name]};" for port in ports if port.name not in used]
@@ -122,11 +137,48 @@ class Printed:
 def lane(printed: Printed, *, inline: str = "") -> list[str]:
     """`<symbol>_angles` and `<symbol>_lane`: everything but the decision about the status.
 
-    The lane returns the sum of all that must be finite and leaves its pivots in `pivot`.
+    The lane returns the sum of all that must be finite and leaves its pivots in `pivot`. What it reads is read
+    where it is first needed, and results are written and summed where they are known, so that few values live at once.
     """
-    body, head = _statements(printed, printed.angles.rest), f"static inline {inline}{printed.precision.real} "
-    first = angles_function(printed, inline=inline)
-    return [*first, *_lane(printed, f"{printed.symbol}_lane", head, body, printed.operand)]
+    head = f"static inline {inline}{printed.precision.real} "
+    body = [f"    {statement}" for statement in _streamed(printed)]
+    return [*angles_function(printed, inline=inline), *_lane(printed, f"{printed.symbol}_lane", head, body)]
+
+
+def _streamed(printed: Printed) -> Iterator[str]:
+    """The statements of a lane."""
+    real, prefix, operand = printed.precision.real, printed.prefix, printed.operand
+    known: set[int] = set()
+    places: dict[int | float, list[str]] = {}
+    for place, slot in printed.stored:
+        places.setdefault(slot, []).append(place)
+    waiting = dict.fromkeys(checked_slots(printed.program))
+    started = False
+
+    def first_read(slot: int | float) -> Iterator[str]:
+        if isinstance(slot, int) and slot not in known:
+            known.add(slot)
+            yield f"const {real} {prefix}{slot} = {printed.entered[slot]};"
+
+    def ready(slot: int | float) -> Iterator[str]:
+        nonlocal started
+        yield from (f"{place} = {operand(slot)};" for place in places.pop(slot, ()))
+        if isinstance(slot, int) and slot in waiting:
+            del waiting[slot]
+            yield f"total = total + {operand(slot)};" if started else f"{real} total = {operand(slot)};"
+            started = True
+
+    texts = expressions(printed.angles.rest, printed.precision.table, operand)
+    for instruction, (target, text) in zip(printed.angles.rest, texts, strict=True):
+        for arg in instruction.args:
+            yield from first_read(arg)
+        known.add(target)
+        yield f"const {real} {prefix}{target} = {text};"
+        yield from ready(target)
+    for slot in (*places, *waiting):
+        yield from first_read(slot)
+        yield from ready(slot)
+    yield "return total;" if started else f"return {printed.precision.number(0.0)};"
 
 
 def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
@@ -134,16 +186,18 @@ def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
     program, real, angles = printed.program, printed.precision.real, printed.angles
     if not angles.gathered:
         return []
-    given = ["size_t stride", *arguments(program, printed.precision)[: len(program.inputs)], f"{real} *restrict angle"]
+    strides = ["size_t stride", "size_t pitch"]
+    given = [*strides, *arguments(program, printed.precision)[: len(program.inputs)], f"{real} *restrict angle"]
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
     return [
         declare(f"{printed.symbol}_angles", given, f"static inline {inline}void "),
         "{",
         "    (void)stride;",
-        *printed._unused(program.inputs, read),
-        *printed._loads(read),
+        "    (void)pitch;",
+        *printed.unused(program.inputs, read),
+        *printed.loads(sorted(read & set(printed.entered) - {i.target for i in angles.first})),
         *_statements(printed, angles.first),
-        *(f"    angle[{printed.at(k)}] = {printed.operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
+        *(f"    angle[{printed.at(k, 'pitch')}] = {printed.operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
         "}",
         "",
     ]
@@ -151,49 +205,38 @@ def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
 
 def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     """`<symbol>_packed_lane`: the same as the lane of one state, with equal limbs side by side."""
-    entered = {*range(len(input_entries(printed.program))), *(s for _, *pair in printed.angles.gathered for s in pair)}
-    body = c_lanes.Body(
-        printed.model, packing, printed.precision, printed.prefix, {s for s in entered if s is not None}
-    )
+    read = _read(printed)
+    entered = [slot for slot in printed.entered if slot in read]
+    body = c_lanes.Body(printed.model, packing, printed.precision, printed.prefix, set(entered))
     statements = c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, wrapped_code)
-    head = f"static inline {printed.precision.real} "
     before = len(body.lines)
-    lines = _lane(printed, f"{printed.symbol}_packed_lane", head, statements, body.scalar, lambda: body.lines[before:])
+    ends = [f"    {place} = {body.scalar(slot)};" for place, slot in printed.stored]
+    checked = [body.scalar(slot) for slot in checked_slots(printed.program)] or [printed.precision.number(0.0)]
+    total = wrapped_code(f"return {balanced_sum(checked)};")
+    lines = [*printed.loads(entered), *statements, *body.lines[before:], *ends, *total]
+    lines = _lane(printed, f"{printed.symbol}_packed_lane", f"static inline {printed.precision.real} ", lines)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]
 
 
-def _lane(
-    printed: Printed,
-    symbol: str,
-    head: str,
-    body: Sequence[str],
-    operand: Callable[[int | float], str],
-    late: Callable[[], Sequence[str]] = tuple,
-) -> list[str]:
-    """A function around the statements of a lane; `late` gives those that naming its results has added."""
-    program, real, angles = printed.program, printed.precision.real, printed.angles
-    given = ["size_t stride", *arguments(program, printed.precision)]
-    given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if angles.gathered else []
+def _read(printed: Printed) -> set[int]:
+    """The slots that a lane reads."""
+    read = {a for i in printed.angles.rest for a in i.args if isinstance(a, int)}
+    return read | {slot for _, slot in printed.stored if isinstance(slot, int)} | set(checked_slots(printed.program))
+
+
+def _lane(printed: Printed, symbol: str, head: str, body: Sequence[str]) -> list[str]:
+    """A function around the statements of a lane."""
+    program, real, gathered = printed.program, printed.precision.real, printed.angles.gathered
+    given = ["size_t stride", "size_t pitch", *arguments(program, printed.precision)]
+    given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if gathered else []
     given += [f"{real} *restrict pivot"] if program.guards else []
-    pivots = [slot for slot, _ in program.guards]
-    read = {a for i in angles.rest for a in i.args if isinstance(a, int)} | set(checked_slots(program))
     lines = [declare(symbol, given, head), "{"]
-    lines += printed._unused(program.inputs, read)
+    lines += printed.unused(program.inputs, _read(printed))
     lines += [f"    (void){printed.names[port.name]};" for port in program.outputs if not port.size]
-    lines += ["    (void)stride;"]
-    lines += printed._loads(read)
-    for k, (_, *pair) in enumerate(angles.gathered):
-        for array, slot in zip(("sine", "cosine"), pair, strict=True):
-            if slot is not None:
-                lines.append(f"    const {real} {printed.prefix}{slot} = {array}[{printed.at(k)}];")
-    for name, which in (("sine", 1), ("cosine", 2)) if angles.gathered else ():
-        if all(entry[which] is None for entry in angles.gathered):
+    for name, which in (("sine", 1), ("cosine", 2)) if gathered else ():
+        if all(entry[which] is None for entry in gathered):
             lines.append(f"    (void){name};")
-    ends = [f"    pivot[{printed.at(k)}] = {operand(slot)};" for k, slot in enumerate(pivots)]
-    for port, slots in zip(program.outputs, program.results, strict=True):
-        ends += [f"    {printed.names[port.name]}[{printed.at(k)}] = {operand(s)};" for k, s in enumerate(slots)]
-    checked = [operand(slot) for slot in checked_slots(program)] or [printed.precision.number(0.0)]
-    return [*lines, *body, *late(), *ends, *wrapped_code(f"return {balanced_sum(checked)};"), "}"]
+    return [*lines, "    (void)stride;", "    (void)pitch;", *body, "}"]
 
 
 def _statements(printed: Printed, instructions: Iterable) -> list[str]:
@@ -227,13 +270,13 @@ def function(printed: Printed, signature: str, second: str = "") -> list[str]:
         size = -(-count // group) * group
         lines += [
             f"    {real} angle[{size}] = {{{zero}}}, sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
-            *wrapped_code(f"{printed.symbol}_angles({', '.join(['1', *printed.handed(outputs=False), 'angle'])});"),
+            *wrapped_code(f"{printed.symbol}_angles({', '.join([*ALONE, *printed.handed(outputs=False), 'angle'])});"),
             *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
             *calls(printed.model, count, precision),
         ]
     if program.guards:
         lines += [f"    {real} pivot[{len(program.guards)}] = {{{zero}}};"]
-    handed = ["1", *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
+    handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
     call = f"{printed.symbol}_lane({', '.join(handed)});"
     side_by_side = f"{printed.symbol}_packed_lane({', '.join(handed)});"
     if not checked_slots(program):

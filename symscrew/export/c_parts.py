@@ -149,9 +149,9 @@ def lane_in_parts(printed: Printed) -> list[str]:
     total = balanced_sum([parts.entered[s] for s in checked if s in parts.entered] or [precision.number(0.0)])
     return [
         *lines,
-        declare(f"{printed.symbol}_lane", ["size_t stride", *given], f"static inline {real} "),
+        declare(f"{printed.symbol}_lane", ["size_t stride", "size_t pitch", *given], f"static inline {real} "),
         "{",
-        *_unread(["stride", *handed]),
+        *_unread(["stride", "pitch", *handed]),
         f"    {real} waiting[{max(1, len(set(parts.waiting.values())))}];",
         *_given(parts),
         *wrapped_code(f"{real} total = {total};"),
