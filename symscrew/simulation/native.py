@@ -79,7 +79,7 @@ def constants(plant: Plant) -> str:
     }  # fmt: skip
     reals = {
         "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-3 * plant.pivot,
-        "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.1, "SPACING": 0.03,
+        "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.05, "SPACING": 0.015,
         "REACH": 0.6, "CAREFUL_TOLERANCE": 4e-12,
     }  # fmt: skip
     lines = [f"#define {name} {value}" for name, value in numbers.items()]

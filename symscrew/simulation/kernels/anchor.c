@@ -11,8 +11,16 @@ static int anchored(const double *q, const double *v, Chart *c)
         size += (v[k] / UNIT[k]) * (v[k] / UNIT[k]);
     }
     size = sqrt(size);
+    c->scale = 1.0;
+    if (size > 0.0) {
+        double most = 0.0;
+        for (int k = 0; k < NV; ++k) {
+            most = fmax(most, fabs(v[k] / UNIT[k]));
+        }
+        c->scale = size / most;
+    }
     double sign = -1.0, rate = 0.0;
-    c->slope = 0.3;
+    c->slope = 0.5 * PIVOT / c->scale;
     for (int step = 0; step < 17; ++step) {
         const double distance = sign * (step % 2 == 0 ? -1.0 : 1.0) * ((step + 1) / 2);
         memcpy(at, q, sizeof(double) * NQ);
@@ -20,7 +28,7 @@ static int anchored(const double *q, const double *v, Chart *c)
             if (!(size > 0.0)) {
                 return AT_REST;
             }
-            const double length = fmax(2.0 * ZONE, fmin(0.2, rate > 0.0 ? 1.6 * ZONE / rate : 0.0));
+            const double length = fmax(0.02 * c->scale, fmin(0.1 * c->scale, rate > 0.0 ? 1.6 * ZONE / rate : 0.0));
             for (int k = 0; k < NV; ++k) {
                 z[k] = v[k] / size * length * distance;
             }
@@ -51,7 +59,7 @@ static int anchored(const double *q, const double *v, Chart *c)
             row_space(&o, RANK_FLOOR, &f);
             rate = fabs(f.smallest - here) / 1e-6;
             sign = f.smallest > here ? 1.0 : -1.0;
-            c->slope = fmin(fmax(rate, 0.02), 3.0);
+            c->slope = fmin(fmax(rate * c->scale / PIVOT, 0.04), 6.0) * PIVOT / c->scale;
         }
         if (regular) {
             return outcome;

@@ -12,6 +12,7 @@
 typedef struct {
     double base[NQ1];           /* the anchor */
     double tangent[FREE][NV1];  /* orthonormal, without units */
+    double scale;               /* length of the motion by its largest part: distances grow with it, not parts */
     double slope;               /* of the pivot along the way: pivot by slope is the distance to the zone's middle */
 } Chart;
 
@@ -133,7 +134,7 @@ static int corrected(const Chart *c, const double *y, double *q, Opening *o, Row
         if (*moved < 0.0) {
             *moved = sqrt(size);
         }
-        if (!(size < 1.0)) {
+        if (!(size < c->scale * c->scale)) {
             return FAILED;
         }
         retract(q, z, next);
@@ -232,7 +233,8 @@ static int stride(const Chart *c, const double *start, const double *direction, 
 /* Walks from the last remembered place to `goal`, over the zone where it must. IN_ZONE: the goal itself is in it. */
 static int walk(const Chart *c, const double *start, const double *direction, double goal, Walk *w, double *q)
 {
-    double length = STRIDE, place = w->place[w->count - 1];
+    const double longest = STRIDE * c->scale;
+    double length = longest, place = w->place[w->count - 1];
     const double sign = goal > place ? 1.0 : -1.0;
     for (int step = 0; step < 400; ++step) {
         const double left = fabs(goal - place);
@@ -243,18 +245,18 @@ static int walk(const Chart *c, const double *start, const double *direction, do
         const int outcome = stride(c, start, direction, next, w, q);
         if (outcome == 0) {
             place = next;
-            length = fmin(STRIDE, 1.5 * length);
+            length = fmin(longest, 1.5 * length);
         } else if (outcome == IN_ZONE) {
             if (left <= length) {
                 return IN_ZONE;
             }
-            length += 0.4 * STRIDE;
-            if (length > 20.0 * STRIDE) {
+            length += 0.4 * longest;
+            if (length > 20.0 * longest) {
                 return FAILED;
             }
         } else {
             length *= 0.5;
-            if (length < 1e-3 * STRIDE) {
+            if (length < 1e-3 * longest) {
                 return FAILED;
             }
         }
@@ -412,8 +414,8 @@ static int branch_state(const Chart *c, double t, const double *z, const double 
     if (outcome != IN_ZONE) {
         return FAILED;
     }
-    const double first = fmin(fmax(SPACING, 2.1 * ZONE / c->slope), 8.0 * SPACING);
-    for (double spacing = first; spacing < 16.0 * SPACING; spacing *= 1.4) {
+    const double least = SPACING * c->scale, first = fmin(fmax(least, 2.1 * ZONE / c->slope), 8.0 * least);
+    for (double spacing = first; spacing < 16.0 * least; spacing *= 1.4) {
         outcome = interpolated_state(c, t, y, w, x, spacing, q_out, v_out, a, x_dot, u);
         if (outcome != IN_ZONE) {
             break;
