@@ -128,11 +128,14 @@ class Program:
                 seen.update(a for a in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(a, int))
         return (*found, *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
-    @property
+    @cached_property
     def hash(self) -> str:
         """SHA-256 of everything that determines the printed code, 16 hex digits."""
-        text = repr((self.name, self.inputs, self.outputs, self.instructions, self.results, self.guards))
-        return hashlib.sha256(text.encode()).hexdigest()[:16]
+        # the text of repr(self.instructions), which takes three times as long
+        body = ", ".join(f"Instruction(target={i.target}, op={i.op!r}, args={i.args!r})" for i in self.instructions)
+        body = f"({body},)" if len(self.instructions) == 1 else f"({body})"
+        before, after = repr((self.name, self.inputs, self.outputs)), repr((self.results, self.guards))
+        return hashlib.sha256(f"{before[:-1]}, {body}, {after[1:]}".encode()).hexdigest()[:16]
 
     def __call__(self, *arguments: object) -> tuple[np.ndarray, ...]:
         """Results only; see `evaluate`."""
@@ -197,19 +200,20 @@ def lower(function: Function) -> Program:
 def _uses(roots: Sequence[Node]) -> dict[int, int]:
     """How often each node that the roots need is an operand or a root."""
     uses: dict[int, int] = {}
-    seen: set[int] = set()
-    stack = list(roots)
-    for root in roots:
-        uses[root.index] = uses.get(root.index, 0) + 1
-    while stack:
-        node = stack.pop()
-        if node.index in seen or node.op in ("symbol", "const"):
-            continue
-        seen.add(node.index)
-        for arg in node.args:
-            uses[arg.index] = uses.get(arg.index, 0) + 1
-            stack.append(arg)
-    return uses
+    stack: list[Node] = []
+    needed: Sequence[Node] = roots
+    while True:
+        for node in needed:
+            index = node.index
+            if index in uses:
+                uses[index] += 1
+            else:
+                uses[index] = 1
+                if node.op not in ("symbol", "const"):
+                    stack.append(node)
+        if not stack:
+            return uses
+        needed = stack.pop().args
 
 
 def _factored(function: Function) -> Function:
@@ -220,8 +224,7 @@ def _factored(function: Function) -> Function:
         return function
     tape = roots[0].tape
     new: dict[int, Node] = {}
-    needed = sorted((i for i in uses), key=int)
-    for index in needed:
+    for index in sorted(uses):
         node = tape.nodes[index]
         if node.op in ("symbol", "const"):
             new[index] = node
@@ -336,12 +339,12 @@ class _Lowering:
         return op, args
 
     def _emit(self, op: str, args: tuple[int | float, ...]) -> int:
-        key = (op, *((type(a), a) for a in args))  # slot 2 and the constant 2.0 are equal, and not the same
-        if key not in self.made:
-            target = next(self.next)
-            self.made[key] = target
+        key = (op, args, tuple(map(type, args)))  # slot 2 and the constant 2.0 are equal, and not the same
+        target = self.made.get(key)
+        if target is None:
+            self.made[key] = target = next(self.next)
             self.instructions.append(Instruction(target, op, args))
-        return self.made[key]
+        return target
 
 
 def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
@@ -370,12 +373,7 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         for instruction in program.instructions:
             args = [values[a] if isinstance(a, int) else a for a in instruction.args]
             values[instruction.target] = apply_numpy(instruction.op, args)
-        results = []
-        for slots in program.results:
-            columns = [values[s] if isinstance(s, int) else s for s in slots]
-            results.append(
-                np.stack([np.broadcast_to(c, batch) for c in columns], axis=-1) if columns else np.zeros((*batch, 0))
-            )
+        results = [_entries(values, slots, batch) for slots in program.results]
         status = np.zeros(batch, dtype=int)
         for guard, threshold in program.guards:
             status = np.where((status == 0) & (np.abs(values[guard]) <= threshold), 1, status)
@@ -384,6 +382,16 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         for result in results:
             result[status != 0] = np.nan
     return tuple(results), status
+
+
+def _entries(values: Sequence, slots: Sequence[int | float], batch: tuple[int, ...]) -> np.ndarray:
+    """An output (*batch, size) from the values of its slots, and its constants."""
+    result = np.empty((*batch, len(slots)))
+    result[...] = [0.0 if isinstance(s, int) else s for s in slots]
+    for k, slot in enumerate(slots):
+        if isinstance(slot, int):
+            result[..., k] = values[slot]
+    return result
 
 
 def evaluate_iteration(iteration: Iteration, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -45,10 +45,10 @@ class RankRevealing(Program):
     rows: tuple[float, ...] = ()
     regular: int = 0
 
-    @property
+    @cached_property
     def hash(self) -> str:
         """Of all parts."""
-        parts = [Program.hash.fget(self)]  # type: ignore[attr-defined]
+        parts = [Program.hash.func(self)]  # type: ignore[attr-defined]
         parts += [part.hash for part in (self.dense, self.wrenches) if part is not None]
         return "".join(part[: 16 // len(parts)] for part in parts)
 
