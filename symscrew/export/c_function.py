@@ -149,9 +149,9 @@ def _streamed(printed: Printed) -> Iterator[str]:
     """The statements of a lane."""
     real, prefix, operand = printed.precision.real, printed.prefix, printed.operand
     known: set[int] = set()
-    places: dict[int | float, list[str]] = {}
+    places: dict[str, list[str]] = {}  # by the text of what goes there: as keys the constant 1.0 and slot 1 are one
     for place, slot in printed.stored:
-        places.setdefault(slot, []).append(place)
+        places.setdefault(operand(slot), []).append(place)
     waiting = dict.fromkeys(checked_slots(printed.program))
     started = False
 
@@ -162,7 +162,7 @@ def _streamed(printed: Printed) -> Iterator[str]:
 
     def ready(slot: int | float) -> Iterator[str]:
         nonlocal started
-        yield from (f"{place} = {operand(slot)};" for place in places.pop(slot, ()))
+        yield from (f"{place} = {operand(slot)};" for place in places.pop(operand(slot), ()))
         if isinstance(slot, int) and slot in waiting:
             del waiting[slot]
             yield f"total = total + {operand(slot)};" if started else f"{real} total = {operand(slot)};"
@@ -175,7 +175,8 @@ def _streamed(printed: Printed) -> Iterator[str]:
         known.add(target)
         yield f"const {real} {prefix}{target} = {text};"
         yield from ready(target)
-    for slot in (*places, *waiting):
+    left = {operand(slot): slot for _, slot in printed.stored}
+    for slot in (*(left[text] for text in places), *waiting):
         yield from first_read(slot)
         yield from ready(slot)
     yield "return total;" if started else f"return {printed.precision.number(0.0)};"
