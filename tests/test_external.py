@@ -14,9 +14,11 @@ from symscrew.builder import MechanismBuilder
 from symscrew.compiled import compile_c, find_compiler
 from symscrew.export.c import print_c
 from symscrew.export.casadi_external import DIFFERENTIATED, jacobians_model, print_external
+from symscrew.generation import generate
 from symscrew.jacobians import jacobian
 from symscrew.model import Model, derive
 from symscrew.program import Iteration
+from symscrew.verification import check
 
 NAMES = ("four_bar", "panda", "mixed_loop", "slider_crank")
 
@@ -132,6 +134,20 @@ def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     again = solver(x0=float(found["x"]) + 0.1, lbg=0, ubg=0)
     assert solver.stats()["success"]
     assert float(again["x"]) == pytest.approx(float(found["x"]), abs=1e-5)
+
+
+@pytest.mark.slow
+def test_check_compares_the_jacobians_of_matrices_too(tmp_path):
+    """Two named points: an output of 3 x 2."""
+    builder = MechanismBuilder("two_points")
+    builder.body("rod", mass=1, com=[0, 0, "-1/4"], inertia=[0.01, 0.01, 0])
+    builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    builder.point("tip", body="rod", at=[0, 0, "-1/2"])
+    builder.point("side", body="rod", at=["1/10", 0, 0])
+    generate(derive(builder.build()), tmp_path / "two_points", ["external"])
+    result = check(tmp_path / "two_points")
+    assert result.ok, result.lines
+    assert any("Jacobians of CasADi externals agree with the evaluator" in line for line in result.lines)
 
 
 def test_what_is_differentiated_exists_and_iterations_too():

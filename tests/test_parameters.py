@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -15,6 +17,8 @@ from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import PRECISIONS
+from symscrew.export.cpp import print_cpp
+from symscrew.export.readme import print_readme
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
 from symscrew.verification import STRICT
@@ -72,17 +76,21 @@ int main(void)
 """
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-@pytest.mark.parametrize("precision, error", [("double", 1e-14), ("single", 1e-6)])
-def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, tmp_path: Path) -> None:
-    """The torque that holds a rod of mass m and length l at an angle: m g l/2 sin(angle)."""
+def pendulum() -> Model:
     builder = MechanismBuilder("pendulum")
     builder.parameter("length", "0.5", unit="m", description="length of the rod", run_time=True)
     builder.parameter("mass", "1.5", unit="kg", run_time=True)
     builder.body("rod", mass="mass", com=[0, 0, "-length/2"], inertia=["mass*length^2/12", "mass*length^2/12", 0])
     builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    return derive(builder.build())
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize("precision, error", [("double", 1e-14), ("single", 1e-6)])
+def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, tmp_path: Path) -> None:
+    """The torque that holds a rod of mass m and length l at an angle: m g l/2 sin(angle)."""
     real = PRECISIONS[precision]
-    for name, text in print_c(derive(builder.build()), precision=real).items():
+    for name, text in print_c(pendulum(), precision=real).items():
         (tmp_path / name).write_text(text)
     header = (tmp_path / "pendulum.h").read_text()
     assert f"{real.real} length; /* [m] length of the rod; default 0.5{real.suffix} */" in header
@@ -93,3 +101,25 @@ def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, t
     printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout.split()
     torque = 1.5 * 9.81 * 0.25 * np.sin(0.5)
     assert printed[0] == "0" and [float(x) for x in printed[1:]] == pytest.approx([torque, 2 * torque], rel=error)
+
+
+@pytest.mark.skipif(find_compiler() is None or shutil.which("c++") is None, reason="no compilers of C and C++")
+def test_the_readme_shows_the_type(tmp_path: Path) -> None:
+    """Its examples compile and give the torque of the defaults; twice the mass needs twice as much."""
+    found = pendulum()
+    for name, text in (print_c(found) | print_cpp(found)).items():
+        (tmp_path / name).write_text(text)
+    c, cpp = re.findall(r"```c\w*\n(.*?)```", print_readme(found, ["c"]), re.DOTALL)
+    declared = "    pendulum_parameters p_ = PENDULUM_PARAMETERS_DEFAULT; /* such as p_.by_name.length */\n"
+    assert declared in c and declared in cpp
+    (tmp_path / "main.c").write_text(c)
+    (tmp_path / "main.cpp").write_text(cpp.replace(declared, declared + "    p_.by_name.mass *= 2;\n"))
+    subprocess.run([str(find_compiler()), "-std=c99", "-O1", "-c", "pendulum.c"], cwd=tmp_path, check=True)
+    printed = []
+    for command in (["cc", "-std=c99", "-Wall", "-Werror", "main.c"], ["c++", "-std=c++17", "-Wall", "main.cpp"]):
+        subprocess.run([*command, "pendulum.o", "-o", "main", "-lm"], cwd=tmp_path, check=True)
+        printed.append(subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout)
+    state = [array[:1] for array in found.test_inputs["inverse_dynamics"]]
+    torque = found("inverse_dynamics", *state)[0][0].item()
+    assert all(text.startswith("success: ") for text in printed)
+    assert [float(text.split(":")[1]) for text in printed] == pytest.approx([torque, 2 * torque], rel=1e-11)

@@ -208,6 +208,17 @@ def test_right_angles_of_a_file_are_exact(tmp_path):
     assert load(text, tmp_path).joints["shoulder"].axes == ((0, 0, 1),)
 
 
+def test_what_rounding_leaves_of_no_inertia_is_none(tmp_path):
+    """As published files have it: one product of inertia of 1.4e-20 kg m^2 beside zeros, which no body has."""
+    moments = re.search(r"<inertia [^>]*>", ROBOT)[0]
+    text = ROBOT.replace(moments, '<inertia ixx="0" ixy="0" ixz="1.35525e-20" iyy="0" iyz="0" izz="0"/>', 1) % ""
+    found = load(text, tmp_path)
+    name = next(n for n in found.bodies if n != "sled" and found.bodies[n].mass)
+    assert found.bodies[name].mass > 0 and not any(x for row in found.bodies[name].inertia for x in row)
+    with pytest.raises(DescriptionError, match="expected principal moments of at least 0"):
+        load(text.replace("1.35525e-20", "1.35525e-8"), tmp_path)
+
+
 def test_driven_joints(tmp_path):
     assert {n for n, j in load(ROBOT % "", tmp_path).joints.items() if j.driven} == {"shoulder", "rail"}
     drive = '<transmission name="t"><joint name="rail"/></transmission>'

@@ -90,8 +90,11 @@ def _first(program: Program | Iteration) -> Port:
 
 def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> list[str]:
     sizes = [f"{real} {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
-    inputs = [f"    const {real} {k}_[] = {v};" for k, v in _states(model, name, "{", "}").items() if v != "{}"]
+    states = _states(model, name, "{", "}").items()
+    typed = _typed(model)
+    inputs = [f"    const {real} {k}_[] = {v};" for k, v in states if v != "{}" and not (typed and k == "p")]
     passed = [f"{p.name}_" if p.size else "NULL" for p in (*program.inputs, *program.outputs)]
+    passed = [f"{argument}.p" if typed and argument == "p_" else argument for argument in passed]
     main = [
         f'#include "{model.name}.h"',
         "#include <stdio.h>",
@@ -99,6 +102,7 @@ def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> l
         "int main(void)",
         "{",
         *inputs,
+        *typed,
         *(f"    {size};" for size in sizes),
         f"    const int outcome = {model.name}_{name}({', '.join(passed)});",
         f'    printf("%s: %.12g\\n", {model.name}_status_text(outcome), (double){_first(program).name}_[0]);',
@@ -109,17 +113,28 @@ def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> l
     return ["### C", "", "```c", *main, "```", "", command]
 
 
+def _typed(model: Model) -> list[str]:
+    """Run-time parameters with their names and defaults, if there are any: what a user changes."""
+    chosen = [p.name for p in model.mechanism.parameters.values() if p.run_time]
+    line = f"    {model.name}_parameters p_ = {model.name.upper()}_PARAMETERS_DEFAULT;"
+    return [f"{line} /* such as p_.by_name.{chosen[0]} */"] if chosen else []
+
+
 def _cpp(model: Model, name: str, program: Program | Iteration, *, real: str) -> list[str]:
     states = _states(model, name, "{", "}").items()
     sizes = {port.name: port.size for port in program.inputs}
+    typed = _typed(model)
+    arrays = [f"    const std::array<{real}, {sizes[k]}> {k}_{v};" for k, v in states if not (typed and k == "p")]
+    passed = [f"{k}_.p" if typed and k == "p" else f"{k}_" for k, _ in states]
     main = [
         f'#include "{model.name}.hpp"',
         "#include <cstdio>",
         "",
         "int main()",
         "{",
-        *(f"    const std::array<{real}, {sizes[k]}> {k}_{v};" for k, v in states),
-        f"    const auto result = {model.name}::{name}({', '.join(f'{k}_' for k, _ in states)});",
+        *arrays,
+        *typed,
+        f"    const auto result = {model.name}::{name}({', '.join(passed)});",
         f'    std::printf("%s: %.12g\\n", {model.name}::text(result.status), result.{_member(program)}[0]);',
         "    return result.ok() ? 0 : 1;",
         "}",

@@ -242,7 +242,7 @@ def _check_forces(reading: Reading, attributes: Attributes, where: str) -> None:
     if number(attributes.get("armature", "0"), f"{where}, armature") != 0:
         raise DescriptionError(
             f"{where}: armature {attributes['armature']} adds inertia that a mechanism does not hold; set it to 0 "
-            "(here or in the default class) to import the bodies alone"
+            "(here or in the default class) to import the bodies, and name it as an effect of type rotor_inertia"
         )
     for key in FORCES:
         if any(value != 0 for value in numbers(attributes.get(key, "0"), f"{where}, {key}")):

@@ -36,6 +36,8 @@ from symscrew.names import RESERVED
 
 NEAR = 1e-12
 """Below this, lengths [m], sines of angles and differences of unit vectors count as zero."""
+POINT_MASS = 1e-15
+"""Inertia over mass [m^2] below which a body of a file is a point: what rounding leaves of a zero."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +110,7 @@ def mechanism(outline: Outline) -> Mechanism:
                 named_bodies[body.name],
                 mass=exact(body.mass),
                 com=exact_vector(body.com),
-                inertia=exact_matrix(body.inertia),
+                inertia=exact_matrix(_without_rounding(body.mass, body.inertia)),
             )
     for joint in joints:
         builder.joint(
@@ -125,6 +127,12 @@ def mechanism(outline: Outline) -> Mechanism:
     for name, body_name, place in outline.points:
         builder.point(named_points[name], body=named_bodies[body_name], at=exact_vector(place))
     return builder.build()
+
+
+def _without_rounding(mass: Real, inertia: Rotation) -> Rotation:
+    """The inertia, or zero where it is what rounding leaves of that."""
+    largest = max(abs(entry) for row in inertia for entry in row)
+    return (ZERO, ZERO, ZERO) if 0 < largest < POINT_MASS * mass else inertia
 
 
 def safe_names(names: Iterable[str]) -> dict[str, str]:

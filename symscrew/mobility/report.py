@@ -152,14 +152,14 @@ def key_figures(found: Mobility) -> list[tuple[str, str]]:
 
 def _summary(found: Mobility) -> list[str]:
     finite = found.finite
-    lines = [f"{found.dof} instantaneous freedoms; Kutzbach-Gruebler counts {found.kutzbach}"]
+    lines = [f"{_count(found.dof, 'instantaneous freedom')}; Kutzbach-Gruebler counts {found.kutzbach}"]
     if found.overconstraints:
         lines.append(
             f"The count is {found.overconstraints} too low, because {found.overconstraints} of the "
             f"{6 * len(found.network.chords)} closure equations follow from the others"
         )
     if found.internal_freedoms:
-        lines.append(f"{found.internal_freedoms} freedoms with {found.platform.body} at rest (internal)")
+        lines.append(f"{_count(found.internal_freedoms, 'freedom')} with {found.platform.body} at rest (internal)")
     if found.dof and not found.platform.dof and finite.dof:
         lines.append(
             f"{found.platform.body} is at rest for an instant while the mechanism moves (a dead point for it), "
@@ -177,7 +177,7 @@ def _summary(found: Mobility) -> list[str]:
             + ", ".join(map(str, finite.branches))
         )
     if found.dof_drives_locked is not None:
-        lines.append(f"{found.dof_drives_locked} freedoms left with all drives locked")
+        lines.append(f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked")
     return lines
 
 

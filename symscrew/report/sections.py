@@ -338,6 +338,10 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
             "is a singularity. Curves end where the loops cannot be closed."
         )
         blocks.append(Picture("margins", svg(figure), text))
+    elif rows:
+        blocks.append(
+            Text("Every margin is 0 in the reference configuration: there is nothing to compare others with.")
+        )
     return blocks
 
 
