@@ -130,9 +130,11 @@ def parser() -> argparse.ArgumentParser:
     cost.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
 
     accuracy = _command(verbs, "accuracy", commands.study_accuracy, "what accuracy costs in time: methods side by side")
-    accuracy.add_argument("mechanism", metavar="NAME|SCENE", help="a name of `symscrew list`, or a scene file")
+    text = "a name of `symscrew list`, a scene file, or a folder of benchmark problems"
+    accuracy.add_argument("mechanism", metavar="NAME|SCENE|FOLDER", help=text)
     text = "which study; default: all of a mechanism, forward of a scene (growth: cost over the number of loops)"
     accuracy.add_argument("--study", metavar="STUDY", help=text)
+    accuracy.add_argument("--problems", metavar="DIR", help="also the benchmark problems of a folder, a row for each")
     accuracy.add_argument("--out", metavar="DIR", required=True, help="for JSON, Markdown table and plots")
     accuracy.add_argument("--full", action="store_true", help="more repeats and smaller steps: takes longer")
 

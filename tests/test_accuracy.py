@@ -354,6 +354,29 @@ def test_command_leaves_json_table_and_plots(tmp_path: Path, capsys: pytest.Capt
     assert "inverse dynamics" in shown
 
 
+@pytest.mark.slow
+@needs_compiler
+def test_command_on_a_folder_of_problems(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Error and time at the stated accuracy in a row; a scene without a reference is none of the problems."""
+    folder = tmp_path / "problems"
+    (folder / "mechanisms").mkdir(parents=True)
+    for name in ("simple_pendulum.toml", "simple_pendulum.reference.json", "mechanisms/simple_pendulum.toml"):
+        (folder / name).write_bytes((EXAMPLES / name).read_bytes())
+    (folder / "other.toml").write_bytes((EXAMPLES / "simple_pendulum.toml").read_bytes())
+    reference = folder / "simple_pendulum.reference.json"
+    content = json.loads(reference.read_text())
+    published = {"text": "an engine: 0.5 s", "error": 1e-9, "seconds": 0.5}
+    peers = {"mujoco RK4": {"1e-06": 0.1}, "generatedC proj": {"1e-08": 0.001, "1e-10": 0.002}}
+    reference.write_text(json.dumps({**content, "published": [published], "peers": peers}))
+    assert main(["accuracy", str(folder), "--out", str(tmp_path / "out")]) == 0
+    (row,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("| simple_pendulum ")]
+    cells = [cell.strip() for cell in row.strip("|").split("|")]
+    assert float(cells[1]) == 1e-8 and float(cells[2]) <= 1e-8 and float(cells[3]) > 0
+    assert cells[5:] == ["published an engine, 1e-09", "500", "1"]  # those who reach it, and are fastest
+    assert main(["accuracy", str(folder), "--study", "momentum", "--out", str(tmp_path / "other")]) == 2
+    assert "a folder is one of problems" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     "arguments, text",
     [

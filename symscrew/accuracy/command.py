@@ -19,13 +19,13 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.machine import machine
 from symscrew.model import derive
 from symscrew.replacement import write_text
-from symscrew.scene import Scene
 from symscrew.scene import load as load_scene
 
 STUDIES = ("kinematics", "momentum", "forward", "precision", "effects", "claims")
-FURTHER = ("growth", "transcription")
+FURTHER = ("growth", "problems", "transcription")
 CHOICES = (*STUDIES, *FURTHER, "all")
 USUAL_OF_A_SCENE = ("forward",)
+TAKES_A_PATH = ("forward", "kinematics", "growth", "problems")
 REPEATS, SECONDS = 9, 12.0
 FULL_REPEATS, FULL_SECONDS = 25, 120.0
 
@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
         return _transcription(options, directory)
     progress = Progress()
     subject, path = _subject(options.mechanism, progress)
-    asked = _studies(options.study, subject.scene)
+    asked = _studies(options.study, subject, options.problems)
     facts = machine()
     studies: list[Study] = []
     left_out: list[str] = []
@@ -49,13 +49,15 @@ def run(options: argparse.Namespace) -> int:
     for name in asked:
         try:
             with progress.step(f"study {name}"):
-                studies.append(_function(name)(subject, path, options.full)(progress, repeats, seconds))
+                place = Path(options.problems) if name == "problems" and options.problems else path
+                studies.append(_function(name)(subject, place, options.full)(progress, repeats, seconds))
         except (DescriptionError, ArithmeticError) as error:
             if options.study != "all" and len(asked) == 1:
                 raise DescriptionError(str(error)) from error
             left_out.append(f"{name}: {error}")
     directory.mkdir(parents=True, exist_ok=True)
-    written = _write(subject.model.name if path is None else path.stem, studies, facts, directory)
+    name = subject.model.name if subject is not None and path is None else Path(options.mechanism).stem
+    written = _write(name, studies, facts, directory)
     print(report.short(studies))
     for study in studies:
         own = "not known" if study.reference_error is None else f"{study.reference_error:.1e}"
@@ -93,9 +95,14 @@ def _directory(name: str) -> Path:
     return path
 
 
-def _subject(name: str, progress: Progress) -> tuple[Subject, Path | None]:
-    """The model of a mechanism, or of a scene (a TOML file with a table [scene]), and the scene's file."""
+def _subject(name: str, progress: Progress) -> tuple[Subject | None, Path | None]:
+    """The model of a mechanism, or of a scene (a TOML file with a table [scene]), and the scene's file.
+
+    A folder is one of benchmark problems: it has no model of its own.
+    """
     path = Path(name)
+    if path.is_dir() and name not in catalogue.names():
+        return None, path
     if path.suffix == ".toml" and name not in catalogue.names():
         tables = read_tables(read_text(path))
         if "scene" in tables:
@@ -107,22 +114,27 @@ def _subject(name: str, progress: Progress) -> tuple[Subject, Path | None]:
         return Subject(derive(mechanism)), None
 
 
-def _studies(chosen: str | None, scene: Scene | None) -> tuple[str, ...]:
+def _studies(chosen: str | None, subject: Subject | None, problems: str | None) -> tuple[str, ...]:
+    further = ("problems",) if problems else ()
+    if subject is None:
+        if chosen not in (None, "all", "problems"):
+            raise DescriptionError(f"--study {chosen}: expected a mechanism or a scene; a folder is one of problems")
+        return ("problems",)
     if chosen in (None, "all"):
-        return USUAL_OF_A_SCENE if chosen is None and scene is not None else STUDIES
+        return (*(USUAL_OF_A_SCENE if chosen is None and subject.scene is not None else STUDIES), *further)
     assert chosen is not None
-    return (chosen,)
+    return (chosen, *(name for name in further if name != chosen))
 
 
 Study_ = Callable[[Progress, int, float], Study]
 
 
-def _function(name: str) -> Callable[[Subject, Path | None, bool], Study_]:
+def _function(name: str) -> Callable[[Subject | None, Path | None, bool], Study_]:
     """The study of this name: module `symscrew.accuracy.<name>`, function `study`."""
 
-    def bound(subject: Subject, path: Path | None, full: bool) -> Study_:
+    def bound(subject: Subject | None, path: Path | None, full: bool) -> Study_:
         found = importlib.import_module(f"symscrew.accuracy.{name}").study
-        extra = {"path": path, "full": full} if name in ("forward", "kinematics", "growth") else {}
+        extra = {"path": path, "full": full} if name in TAKES_A_PATH else {}
         return lambda progress, repeats, seconds: found(subject, progress, repeats=repeats, seconds=seconds, **extra)
 
     return bound

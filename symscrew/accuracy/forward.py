@@ -64,7 +64,7 @@ def study(
         raise DescriptionError("--study forward: contacts with events are not for these integrators")
     text, own, error_of = _judge(scene, reference, model, (library, made))
     stiff, missing = stiff_setups(scene, plant, start, error_of, watch)
-    setups = [*_ours(scene, library, start, error_of), *_all_formulations(scene, made, error_of, full), *stiff]
+    setups = [*ours(scene, library, start, error_of), *_all_formulations(scene, made, error_of, full), *stiff]
     points = measured(
         setups, repeats=repeats, seconds=max(seconds, 25.0), progress=progress, text="forward", longest=LONGEST
     )
@@ -78,6 +78,8 @@ def study(
         tables["Stated accuracy, and the least time to reach an error, beside peers"] = beside(
             points, reference, scene.duration
         )
+        if reference.published:
+            tables["Published"] = reference.published_table()
     return Study(
         "forward",
         f"Simulation of {scene.name}",
@@ -148,7 +150,7 @@ def _units(model: Model) -> Array:
     return np.array([model.system.length if c.unit == "m" else 1.0 for c in model.system.tree.q])
 
 
-def _ours(scene: Scene, library: native.Library, start: tuple, error_of: Callable[[Array], float]) -> list[Setup]:
+def ours(scene: Scene, library: native.Library, start: tuple, error_of: Callable[[Array], float]) -> list[Setup]:
     """`symscrew simulate` itself: DOP853 with dense output, projection and care near singular configurations."""
     setups = []
     for tolerance in OURS:
@@ -208,7 +210,7 @@ def beside(
 ) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
     """Rows: error levels; columns: least time of a whole run of ours, of other formulations here, of each engine."""
     levels = sorted({*reference.levels, *((reference.stated,) if reference.stated else ())}, reverse=True)
-    engines = list(dict.fromkeys(name.split()[0] for name in reference.peers))
+    engines = list(dict.fromkeys(p.curve.split()[0] for p in points if p.facts.get("peer")))
     names = ["ours", "other formulations", *engines]
     rows = []
     for level in levels:

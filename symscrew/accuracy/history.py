@@ -45,6 +45,7 @@ class Reference:
     measure: str
     peers: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    published: tuple[Mapping[str, Any], ...] = ()
 
     @property
     def levels(self) -> tuple[float, ...]:
@@ -55,10 +56,11 @@ class Reference:
     @property
     def error_label(self) -> str:
         """What is compared."""
-        names = [str(c.get("coordinate", c.get("point"))) for c in self.columns]
-        what = ", ".join(dict.fromkeys(names))
+        kinds = {kind: [str(c[kind]) for c in self.columns if kind in c] for kind in ("coordinate", "point")}
+        named = [(kind, list(dict.fromkeys(names))) for kind, names in kinds.items() if names]
+        what = " and ".join(f"{kind}{'s' * (len(names) > 1)} {', '.join(names)}" for kind, names in named)
         kind = "root mean square" if self.measure == "rms" else "largest"
-        return f"{kind} error of {what if len(what) < 40 else 'all outputs'} [rad, m]"
+        return f"{kind} error of {what if len(what) < 45 else 'all outputs'} [rad, m]"
 
     def error_of(self, model: Model) -> Callable[[Array], float]:
         """The error of q (n, nq) at all times of the reference."""
@@ -95,14 +97,25 @@ class Reference:
         return error
 
     def peer_points(self, duration: float) -> tuple[Point, ...]:
-        """Points of peers, seconds per simulated second."""
-        found = []
-        for engine, points in self.peers.items():
-            for error, seconds in points.items():
-                cost = seconds / duration
-                facts = {"peer": True, "panel": "peers"}
-                found.append(Point(engine, "as measured", float(error), quartiles([cost]), "", facts))
-        return tuple(found)
+        """Points of peers and published ones that state error and time, seconds per simulated second."""
+        rows = [
+            (engine, "as measured", float(error), seconds)
+            for engine, points in self.peers.items()
+            for error, seconds in points.items()
+        ]
+        for entry in self.published:
+            if entry.get("error") and entry.get("seconds"):
+                rows.append(("published", str(entry["text"]).split(":")[0], entry["error"], entry["seconds"]))
+        facts = {"peer": True, "panel": "peers"}
+        return tuple(Point(who, how, e, quartiles([s / duration]), "", facts) for who, how, e, s in rows)
+
+    def published_table(self) -> tuple[tuple[str, str, str], list[list[str]]]:
+        """What others published, as they state it."""
+        rows = []
+        for entry in self.published:
+            numbers = [("-" if entry.get(key) is None else f"{entry[key]:.3g}") for key in ("error", "seconds")]
+            rows.append([str(entry["text"]), *numbers])
+        return ("published", "error", "time of the run [s]"), rows
 
 
 def read_reference(scene: Path) -> Reference | None:
@@ -124,6 +137,7 @@ def read_reference(scene: Path) -> Reference | None:
             str(content.get("measure", "largest")),
             {str(k): {str(e): float(s) for e, s in v.items()} for k, v in content.get("peers", {}).items()},
             _notes(content, stated),
+            tuple({"text": str(p["text"]), **p} for p in content.get("published", ())),
         )
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise DescriptionError(f"{path.name}: not a reference history: {error}") from error
@@ -141,6 +155,4 @@ def _notes(content: Mapping[str, Any], stated: Mapping[str, Any]) -> tuple[str, 
         lines.append(f"Peers: {content['peers_text']}")
     if content.get("further_peers"):
         lines.append(str(content["further_peers"]))
-    for entry in content.get("published", ()):
-        lines.append(f"Published: {entry['text']}")
     return tuple(lines)

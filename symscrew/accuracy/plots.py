@@ -53,7 +53,7 @@ def work_precision(study: Study) -> Figure:
     stepped = any("h" in p.facts for p in study.points)
     count = len(panels) + stepped
     rows = max(len(_of_panel(study, panel)) for panel in panels)
-    rows = rows if count > 1 and panels != [""] else -(-rows // (3 if count > 1 else 1))
+    rows = rows if count > 1 and panels != [""] else -(-rows // _columns(study, count))
     with style():
         made = Figure(figsize=((0.6 + 3.1 * count) if count > 1 else 5.0, 2.7 + 0.145 * rows), layout="constrained")
         FigureCanvasAgg(made)
@@ -78,13 +78,18 @@ def work_precision(study: Study) -> Figure:
         _reference_line(axes, study)
         if panels == [""]:
             handles, labels = axes[0].get_legend_handles_labels()
-            made.legend(handles, labels, loc="outside upper center", ncols=3 if count > 1 else 1)
+            made.legend(handles, labels, loc="outside upper center", ncols=_columns(study, count))
         else:
             for axis, panel in zip(axes, panels, strict=False):
                 if not axis.get_legend_handles_labels()[1]:
                     continue
                 axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), title=panel, alignment="left", fontsize=6.8)
     return made
+
+
+def _columns(study: Study, count: int) -> int:
+    """Of a legend above `count` frames."""
+    return 3 if count > 1 or max(map(len, study.curves)) < 24 else 1
 
 
 def _growth_figure(study: Study) -> Figure:
@@ -166,13 +171,15 @@ def _settings_figure(study: Study) -> Figure:
                     continue
                 marker = MARKERS[settings.index(point.setting) % len(MARKERS)]
                 bars = np.array([[low], [high]]) if low + high > 0 else None
-                look: dict[str, Any] = {"marker": marker, "color": COLOURS[k], "linestyle": "none", "markersize": 5.5}
+                look: dict[str, Any] = {"marker": marker, "color": COLOURS[k], "linestyle": "none", "markersize": 6}
+                look |= {"markerfacecolor": "none"}  # settings at one place are all seen
                 axis.errorbar(x, float(point.error or 0.0), xerr=bars, elinewidth=0.6, capsize=1.5, **look)
         axis.set_ylabel(study.error_label.replace(" / ", "\n/ "))
         axis.set_xlabel(_abscissa(study))
         _finish(axis)
         for k, setting in enumerate(settings):
-            axis.plot([], [], marker=MARKERS[k % len(MARKERS)], color="#505050", linestyle="none", label=setting)
+            look = {"marker": MARKERS[k % len(MARKERS)], "color": "#505050", "markerfacecolor": "none"}
+            axis.plot([], [], linestyle="none", label=setting, **look)
         for k, name in enumerate(study.curves):
             axis.plot([], [], color=COLOURS[k], linewidth=3, label=name)
         made.legend(loc="outside right upper")

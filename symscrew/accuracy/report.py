@@ -90,13 +90,13 @@ def number(value: float) -> str:
 
 
 def short(studies: Sequence[Study]) -> str:
-    """One table for a README: of every curve the points of its Pareto front, at most four."""
-    rows = []
+    """The figures in one table: of one study each curve's Pareto front, at most four points; of several its best."""
+    rows, most = [], 4 if len(studies) == 1 else 1
     for study in studies:
         unit = study.cost_unit if study.cost_unit in UNITS else "ns"
         for curve, points in study.curves.items():
             few = len(points) <= 8 and study.name in ("precision", "effects")
-            for point in [p for p in points if p.error is not None] if few else front(points):
+            for point in [p for p in points if p.error is not None] if few else front(points, most):
                 rows.append(
                     [study.name, curve, point.setting, f"{point.error:.1e}", f"{cost_text(point.cost, unit)} {unit}"]
                 )
@@ -107,7 +107,10 @@ def short(studies: Sequence[Study]) -> str:
 
 
 def front(points: Sequence[Point], most: int = 4) -> list[Point]:
-    """Points of which none is both slower by over 5 % and less accurate than another; spread over the errors."""
+    """Points of which none is both slower by over 5 % and less accurate than another; spread over the errors.
+
+    Of one alone: the cheapest of those whose error is at most twice the least.
+    """
     good = [p for p in points if p.error is not None and p.cost is not None]
     best = [
         p for p in good
@@ -116,5 +119,12 @@ def front(points: Sequence[Point], most: int = 4) -> list[Point]:
     best.sort(key=lambda p: -(p.error or 0.0))
     if len(best) <= most:
         return best
+    if most == 1:
+        return [next(p for p in sorted(best, key=_median) if (p.error or 0.0) <= 2 * (best[-1].error or 0.0))]
     picked = [round(k * (len(best) - 1) / (most - 1)) for k in range(most)]
     return [best[k] for k in picked]
+
+
+def _median(point: Point) -> float:
+    assert point.cost is not None
+    return point.cost.median
