@@ -101,7 +101,7 @@ def front_pivots(matrix: np.ndarray, found: Sequence[Front]) -> list[np.ndarray]
 @dataclass(frozen=True)
 class Layout:
     """Where a front's numbers are in arrays over all fronts: `row`, `pivot`, directions `at`, `width` of them, place
-    `up` of those that it leaves among its parent's, and its orthonormal vectors `turn`."""
+    `up` of those that it leaves among its parent's (0: none), and its orthonormal vectors `turn`."""
 
     row: int
     pivot: int
@@ -120,7 +120,7 @@ def layouts(found: Sequence[Front]) -> tuple[Layout, ...]:
     for k, front in enumerate(found):
         widths.append(len(front.columns) + sum(widths[c] - found[c].rank for c in children[k]))
     starts = np.concatenate([[0], np.cumsum(widths)]).astype(int).tolist()
-    up = [-1] * len(found)
+    up = [0] * len(found)
     for k, front in enumerate(found):
         place = starts[k] + len(front.columns)
         for c in children[k]:

@@ -130,7 +130,7 @@ def _pattern(plant: Plant) -> list[str]:
     }  # fmt: skip
     return [
         *(f"#define {name} {value}" for name, value in sizes.items()),
-        f"#define FRONT_TABLE {{{table or '{0, 0, 0, 0, 0, 0, 0, -1, -1, 0}'}}}",
+        f"#define FRONT_TABLE {{{table or '{0, 0, 0, 0, 0, 0, 0, -1, 0, 0}'}}}",
         _table("ENTRY", [(row, column) for row, column in plant.entries.tolist()]),
         _integers("ENTRY_START", starts),
         _integers("LIVE_ROW", live),

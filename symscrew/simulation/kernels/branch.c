@@ -26,8 +26,10 @@ static int tangent_space(Rows *f, double (*tangent)[NV1])
             if (another(vectors, r, s->width) != 0) {
                 return FAILED;
             }
-            memset(local, 0, sizeof local);
-            memcpy(local + s->at, vectors + r * s->width, sizeof(double) * s->width);
+            clear(local, WIDTHS);
+            for (int i = 0; i < s->width; ++i) {
+                local[s->at + i] = vectors[r * s->width + i];
+            }
             memset(tangent[found], 0, sizeof tangent[found]);
             spread(f, NULL, local, tangent[found++]);
         }

@@ -56,7 +56,7 @@ typedef struct {
 
 static const Front FRONT[FRONTS] = FRONT_TABLE;
 
-static double product(const double *a, const double *b, int width)
+static inline double product(const double *a, const double *b, int width)
 {
     double sum[4] = {0.0, 0.0, 0.0, 0.0};
     int k = 0;
@@ -71,13 +71,20 @@ static double product(const double *a, const double *b, int width)
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-static double without(double *row, const double *direction, int width)
+static inline double without(double *row, const double *direction, int width)
 {
     const double along = product(row, direction, width);
     for (int k = 0; k < width; ++k) {
         row[k] -= along * direction[k];
     }
     return along;
+}
+
+static void clear(double *values, int count)
+{
+    for (int k = 0; k < count; ++k) {
+        values[k] = 0.0;
+    }
 }
 
 /* One more unit vector across the first `count` of a front: the axis that they leave most of. */
@@ -118,9 +125,9 @@ static void enter(const Opening *o, int row, Rows *f, const Front *s, double *en
 {
     double local[WIDTHS], *lower = f->lower + LOWER_AT[row];
     for (int i = PATH_START[row]; i < PATH_START[row + 1]; ++i) {
-        memset(local + FRONT[PATH[i]].at, 0, sizeof(double) * FRONT[PATH[i]].width);
+        clear(local + FRONT[PATH[i]].at, FRONT[PATH[i]].width);
     }
-    memset(local + s->at, 0, sizeof(double) * s->width);
+    clear(local + s->at, s->width);
     for (int e = ENTRY_START[LIVE_ROW[row]]; e < ENTRY_START[LIVE_ROW[row] + 1]; ++e) {
         local[SPOT[ENTRY[e][1]]] = o->value[e];
     }
@@ -135,7 +142,9 @@ static void enter(const Opening *o, int row, Rows *f, const Front *s, double *en
             }
         }
     }
-    memcpy(entered, local + s->at, sizeof(double) * s->width);
+    for (int k = 0; k < s->width; ++k) {
+        entered[k] = local[s->at + k];
+    }
 }
 
 static void front_space(const Opening *o, double floor, int index, Rows *f)
@@ -220,7 +229,7 @@ static void spread(const Rows *f, const double *c, double *local, double *d)
         double *here = local + s->at;
         const int count = s->parent < 0 ? f->rank[k] : s->width;
         if (s->parent >= 0) {
-            memset(here, 0, sizeof(double) * s->width);
+            clear(here, s->width);
         }
         for (int r = c == NULL ? (s->parent < 0 ? count : s->rank) : 0; r < count; ++r) {
             const double part = r < s->rank ? c[s->pivot + r] : local[s->up + r - s->rank];
