@@ -20,8 +20,7 @@ PACKED = frozenset(("add", "mul", "div", "reciprocal", "sqrt"))  # what a vector
 MOST_LANES = 8
 MOST_INSTRUCTIONS = 5000  # the search takes seconds beyond
 MOST_CLASSES = 16
-MOST_SPLITS = 3  # ways to split a program into lanes that are followed up
-OF_A_SIZE = 2  # and of these with the same number of lanes
+MOST_SPLITS = 2  # ways to split a program into lanes that are followed up
 MOST_CANDIDATES = 64  # pairs of instructions that look the same and are compared
 LEAST = 0.3  # the part of the operations that packs must be able to save for a split to be followed up
 ROUNDS = 5  # how many operations far instructions are compared
@@ -68,12 +67,12 @@ def corresponding(operations: Mapping[int, Operation]) -> list[tuple[Row, ...]]:
     read = {slot: [a for a, _ in o.args if isinstance(a, int)] for slot, o in operations.items()}
     splits = [(_lanes(operations, read, users, group), len(group)) for group in _classes(operations)]
     hopes = [_shared(operations, *split) for split in splits]
-    kept: list[tuple[dict[int, int], int]] = []
+    kept: dict[int, dict[int, int]] = {}  # the best of every number of lanes
     for k in sorted(range(len(splits)), key=lambda k: -hopes[k]):
-        alike = sum(count == splits[k][1] for _, count in kept)
-        if hopes[k] >= LEAST * len(operations) and alike < OF_A_SIZE and len(kept) < MOST_SPLITS:
-            kept.append(splits[k])
-    found = (_rows(_Pairing(operations, users, *split)) for split in kept)
+        lane, count = splits[k]
+        if hopes[k] >= LEAST * len(operations) and count not in kept and len(kept) < MOST_SPLITS:
+            kept[count] = lane
+    found = (_rows(_Pairing(operations, users, lane, count)) for count, lane in kept.items())
     return [rows for rows in found if _saved(rows) >= LEAST * len(operations)]
 
 

@@ -19,9 +19,9 @@ WIDTHS = (2, 4)  # of vectors; more lanes than that take several
 SLOW = {"div": 4.0, "reciprocal": 4.0, "sqrt": 6.0}  # beside 1 for a sum or a product
 GATHERED = 1.0  # an entry that is put into a vector
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
-FLIPPED = 0.5  # a vector times signs: part of a multiply-add, mostly
 ENOUGH = 0.8  # the part of the cost that is worth packing at most
 HOPELESS = 1.1  # and of what is tried to be improved
+NEAR = 1.1  # times the least cost: other ways are not tried to be improved
 PASSES = 2
 
 Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane
@@ -60,7 +60,6 @@ class Packing:
     place: Mapping[int, tuple[Pack, int]]
     width: int
     cost: float
-    scalar_cost: float
 
 
 def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packing | None:
@@ -70,7 +69,8 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
     kept = {slot for slot in wanted if isinstance(slot, int)}
     plans = [_Plan(operations, rows, kept) for rows in corresponding(operations)]
     scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
-    plans = [plan for plan in plans if plan.cost < HOPELESS * scalar]
+    least = min((plan.cost for plan in plans), default=0.0)
+    plans = [plan for plan in plans if plan.cost < min(HOPELESS * scalar, NEAR * least)]
     for plan in plans:
         plan.improve()
     if not plans or min(plan.cost for plan in plans) > ENOUGH * scalar:
@@ -79,7 +79,7 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
     order = plan.order()
     items = tuple(_signed_packs(plan, order))
     place = {t: (p, k) for p in items if isinstance(p, Pack) for k, t in enumerate(p.targets) if t is not None}
-    return Packing(operations, negatives, items, place, plan.width, plan.cost, scalar)
+    return Packing(operations, negatives, items, place, plan.width, plan.cost)
 
 
 class _Plan:
@@ -104,6 +104,7 @@ class _Plan:
                     self.users.setdefault(arg, []).append(slot)
         self.needs: Counter[tuple] = Counter({("out", slot): 1 for slot in wanted})
         self.cost = 0.0
+        self._wanted: dict[tuple[bool, int], tuple[tuple, ...]] = {}
         while (stuck := self._cycle()) is not None:
             self.on[stuck] = False
         for item in self._items():
@@ -170,8 +171,13 @@ class _Plan:
         different = len(set(key[1]))
         return GATHERED if different == 1 else GATHERED * different
 
-    def _wants(self, item: tuple[bool, int]) -> Iterator[tuple]:
-        """What an item needs beside vectors that are there: slots taken out, vectors gathered."""
+    def _wants(self, item: tuple[bool, int]) -> tuple[tuple, ...]:
+        """What an item needs beside vectors that are there: slots taken out, vectors gathered; remembered."""
+        if item not in self._wanted:
+            self._wanted[item] = tuple(self._looked_up(item))
+        return self._wanted[item]
+
+    def _looked_up(self, item: tuple[bool, int]) -> Iterator[tuple]:
         packs, number = item
         if not packs:
             yield from (("out", a) for a, _ in self.operations[number].args if isinstance(a, int))
@@ -197,20 +203,26 @@ class _Plan:
             if min(before, before + sign) == 0:
                 self.cost += sign * self._price(key)
 
-    def _toggle(self, row: int) -> None:
-        """Pack a row, or undo it, and account for it and for all that reads it."""
+    def _toggle(self, row: int, known: Mapping[tuple[bool, int], tuple[tuple, ...]] | None = None) -> Mapping:
+        """Pack a row, or undo it, and account for it and for all that reads it; `known` takes a toggle back.
+
+        What all of these wanted before is returned.
+        """
         members = [slot for slot in self.rows[row] if slot is not None]
         around = {self._item(u) for slot in members for u in self.users.get(slot, ())}
-        own = {(True, row)} if self.on[row] else {(False, slot) for slot in members}
-        for item in around | own:
+        packed, single = {(True, row)}, {(False, slot) for slot in members}
+        concerned = around | (packed if self.on[row] else single)
+        for item in concerned:
             self._account(item, -1)
         kept = [slot for slot in members if self.needs["out", slot]]
         self.cost -= sum(self._price(("out", slot)) for slot in kept)
+        before = {item: self._wanted.pop(item) for item in concerned}
+        self._wanted |= known or {}
         self.on[row] = not self.on[row]
         self.cost += sum(self._price(("out", slot)) for slot in kept)
-        own = {(True, row)} if self.on[row] else {(False, slot) for slot in members}
-        for item in around | own:
+        for item in around | (packed if self.on[row] else single):
             self._account(item, 1)
+        return before
 
     def _item(self, slot: int) -> tuple[bool, int]:
         found = self.at(slot)
@@ -223,11 +235,11 @@ class _Plan:
             for row in range(len(self.rows)):
                 if self.on[row]:
                     before = self.cost
-                    self._toggle(row)
+                    wanted = self._toggle(row)
                     if self.cost < before:
                         changed = True
                     else:
-                        self._toggle(row)
+                        self._toggle(row, wanted)
             if not changed:
                 return
 

@@ -15,6 +15,7 @@ from functools import cached_property
 
 from symscrew.export import c_lanes
 from symscrew.export.c_angles import Angles, calls, gather
+from symscrew.export.c_order import ordered
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
 from symscrew.packs import Packing, packed
@@ -29,6 +30,7 @@ NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some 
 ALONE = ("1", "1")  # stride and pitch of one state
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
+PER_RESULT = 30  # instructions for every result: with less of them, the order that suits these is the one derived
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
 
@@ -168,8 +170,10 @@ def _streamed(printed: Printed) -> Iterator[str]:
             yield f"total = total + {operand(slot)};" if started else f"{real} total = {operand(slot)};"
             started = True
 
-    texts = expressions(printed.angles.rest, printed.precision.table, operand)
-    for instruction, (target, text) in zip(printed.angles.rest, texts, strict=True):
+    many = len(printed.stored) * PER_RESULT > len(printed.angles.rest)
+    instructions = printed.angles.rest if many else ordered(printed.angles.rest)
+    texts = expressions(instructions, printed.precision.table, operand)
+    for instruction, (target, text) in zip(instructions, texts, strict=True):
         for arg in instruction.args:
             yield from first_read(arg)
         known.add(target)

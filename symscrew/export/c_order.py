@@ -1,0 +1,123 @@
+"""An order of instructions that suits registers and pipelines: few values alive, long operations started early.
+
+Two passes over a straight-line program; results do not depend on it. The first takes what ends most lives of operands
+among all that can be done, so that limb after limb is worked off. The second looks a few instructions ahead and starts
+what the longest chain of dependent operations waits for: roots and quotients of one limb run beside sums of another.
+Measured on blocks of eight states in vectors of 512 bits: a fifth of the time of the seed's drives; further ahead, more
+values than registers are alive, which costs functions with many results more than it gains.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections import defaultdict
+from collections.abc import Sequence
+
+from symscrew.program import Instruction
+
+AHEAD = 60  # instructions
+LATENCY = {"reciprocal": 24.0, "div": 24.0, "sqrt": 31.0}  # cycles in vectors of 512 bits, beside 4
+ISSUED = 0.55  # cycles from one to the next
+
+
+def ordered(instructions: Sequence[Instruction]) -> list[Instruction]:
+    """The same instructions, every one after those whose targets it reads."""
+    return _early(_short_lived(instructions))
+
+
+class _Open:
+    """Which instructions can be done: how many of their operands are to be computed yet."""
+
+    def __init__(self, instructions: Sequence[Instruction]) -> None:
+        self.read = [tuple({a for a in i.args if isinstance(a, int)}) for i in instructions]
+        self.users: dict[int, list[int]] = defaultdict(list)
+        for k, slots in enumerate(self.read):
+            for slot in slots:
+                self.users[slot].append(k)
+        defined = {i.target for i in instructions}
+        self.missing = [sum(slot in defined for slot in slots) for slots in self.read]
+
+    def done(self, target: int) -> list[int]:
+        """What can be done when `target` is known."""
+        found = []
+        for k in self.users.get(target, ()):
+            self.missing[k] -= 1
+            if self.missing[k] == 0:
+                found.append(k)
+        return found
+
+
+def _short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
+    """What ends most lives first, of equals the one that came first."""
+    left = _Open(instructions)
+    waiting = {slot: set(users) for slot, users in left.users.items()}
+    computed: set[int] = set()
+    gain = [-1 if i.target in waiting else 0 for i in instructions]
+    heap = [(-gain[k], k) for k, n in enumerate(left.missing) if n == 0]
+    heapq.heapify(heap)
+    order: list[Instruction] = []
+    taken: set[int] = set()
+
+    def last_reader(slot: int) -> None:
+        """One reader is left: it ends the life of a value."""
+        if slot in computed and len(waiting[slot]) == 1:
+            (k,) = waiting[slot]
+            gain[k] += 1
+            if left.missing[k] == 0:
+                heapq.heappush(heap, (-gain[k], k))
+
+    while heap:
+        negative, k = heapq.heappop(heap)
+        if k in taken or -negative != gain[k]:
+            continue
+        taken.add(k)
+        order.append(instructions[k])
+        target = instructions[k].target
+        computed.add(target)
+        for slot in left.read[k]:
+            waiting[slot].discard(k)
+            last_reader(slot)
+        if target in waiting:
+            last_reader(target)
+        for ready in left.done(target):
+            heapq.heappush(heap, (-gain[ready], ready))
+    return order
+
+
+def _early(instructions: Sequence[Instruction]) -> list[Instruction]:
+    """The longest chain first, among the next instructions whose operands are there at the time."""
+    left = _Open(instructions)
+    chain = [0.0] * len(instructions)
+    for k in reversed(range(len(instructions))):
+        after = max((chain[u] for u in left.users.get(instructions[k].target, ())), default=0.0)
+        chain[k] = LATENCY.get(instructions[k].op, 4.0) + after
+    known: dict[int, float] = {}
+    ahead: list[tuple[float, int]] = []
+    ready: list[tuple[float, int]] = []
+    taken = [False] * len(instructions)
+    order: list[Instruction] = []
+    first, entered, now = 0, 0, 0.0
+
+    def arrive(k: int) -> None:
+        heapq.heappush(ahead, (max((known.get(slot, 0.0) for slot in left.read[k]), default=0.0), k))
+
+    while len(order) < len(instructions):
+        while first < len(taken) and taken[first]:
+            first += 1
+        while entered < min(first + AHEAD, len(taken)):
+            if left.missing[entered] == 0:
+                arrive(entered)
+            entered += 1
+        now = now if ready else max(now, ahead[0][0])
+        while ahead and ahead[0][0] <= now:
+            k = heapq.heappop(ahead)[1]
+            heapq.heappush(ready, (-chain[k], k))
+        k = heapq.heappop(ready)[1]
+        taken[k] = True
+        order.append(instructions[k])
+        now += ISSUED
+        known[instructions[k].target] = now + LATENCY.get(instructions[k].op, 4.0)
+        for following in left.done(instructions[k].target):
+            if following < entered:
+                arrive(following)
+    return order
