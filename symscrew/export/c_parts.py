@@ -5,6 +5,11 @@ the compiler may inline. A value that a later part needs waits in an array on th
 another one afterwards; inside a part every input is read where it is first needed and every output written where it
 is known. The compiler would keep these values on the stack, too: there are more of them than registers.
 
+Of a chain of 100 joints, in one piece with its block of eight states, in one piece without, and in parts:
+`body_poses` compiles in 16, 9 and 1.8 s and takes 4.2, 4.5 and 3.1 us for one state, 6.7, 4.8 and 3.1 us for one of a
+batch; `energy` in 4.8, 2.0 and 1.0 s and takes 2.6 us each, and 1.0, 1.6 and 1.5 us. Parts of 250 and of 1000
+instructions are not faster.
+
 Matrices that are mostly zero are cleared by a loop instead of an assignment for each of their entries.
 """
 
@@ -19,8 +24,8 @@ from symscrew.export.c_function import Printed, angles_function, arguments, decl
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries
 from symscrew.program import Instruction
 
-LONG = 8000  # instructions of functions that are printed in parts
-WIDE = 1500  # entries of all outputs of functions that are
+LONG = 5500  # functions of more than so many instructions and entries stored are printed in parts
+STORED = 4  # instructions that an entry of an output counts as: compilers take a function's stores by pairs
 PART = 500  # instructions of a part
 CLEARED = 16  # zeros of an output from which on a loop writes them
 
@@ -28,7 +33,7 @@ CLEARED = 16  # zeros of an output from which on a loop writes them
 def long(printed: Printed) -> bool:
     """Whether a function is printed in parts."""
     program = printed.program
-    return len(program.instructions) > LONG or sum(port.size for port in program.outputs) > WIDE
+    return len(program.instructions) + STORED * sum(port.size for port in program.outputs) > LONG
 
 
 def prologue(model: str, functions: Iterable[Printed]) -> list[str]:
