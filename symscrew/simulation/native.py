@@ -80,7 +80,7 @@ def constants(plant: Plant) -> str:
     reals = {
         "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-3 * plant.pivot,
         "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.05, "SPACING": 0.015,
-        "REACH": 0.6, "CAREFUL_TOLERANCE": 4e-12,
+        "REACH": 0.6, "CAREFUL_TOLERANCE": 4e-12, "DUST": 1e-150,
     }  # fmt: skip
     lines = [f"#define {name} {value}" for name, value in numbers.items()]
     lines += [f"#define {name} {decimal(float(value))}" for name, value in reals.items()]

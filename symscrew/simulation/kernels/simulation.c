@@ -73,6 +73,8 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     s->longest = longest;
     s->earlier_error = 1e-4;
     s->budget = budget;
+    without_dust(s->v, NV);
+    without_dust(s->x, NX);
     const int outcome = settle(s->q, s->v, &s->pivot);
     s->pivot_rate = pivot_rate(s->q, s->v);
     return outcome == 0 ? 0 : NOT_CLOSED;

@@ -92,9 +92,19 @@ static int dop853(Step *s)
     return 0;
 }
 
+/* Rates and states that matter no more are zero: they and their products would become denormal numbers, which take
+ * many times as long, once a motion has died down or when it starts with such rates. */
+static void without_dust(double *values, int count)
+{
+    for (int k = 0; k < count; ++k) {
+        values[k] = fabs(values[k]) < DUST ? 0.0 : values[k];
+    }
+}
+
 /* From end to a state on the manifold. */
 static int finish(Step *s)
 {
+    without_dust(s->end + NV, NY - NV);
     memcpy(s->x, s->end + 2 * NV, sizeof(double) * NX);
 #if NR && FREE
     if (s->careful) {
