@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from symscrew.closure import Cut, carry, carry_before, closure_bias, universal_axes
+from symscrew.closure import Cut, carry, carry_before, carry_point, closure_bias
 from symscrew.differentiation import differentiate
 from symscrew.joints import JOINT_TYPES
 from symscrew.recursion import Rates, acceleration_matrix
-from symscrew.screws import ZERO, Vector, add, cross, dot, subtract, transform, transpose
+from symscrew.screws import Vector, add, cross, dot, scale, subtract, transform, transpose
 from symscrew.tape import Node
 from symscrew.tree import GROUND
 from symscrew.variations import (
@@ -30,22 +30,20 @@ from symscrew.variations import (
 Changes = Sequence[Sequence[Rates]]
 
 
-def closure_rows(variation: Variation) -> tuple[list[Node], list[list[Node]]]:
-    """J a + (dJ/dt) v per row at the system's nodes, and its changes: [direction][row].
+def closure_rows(variation: Variation) -> list[list[Node]]:
+    """Changes of J a + (dJ/dt) v at the system's nodes: [direction][row].
 
-    The changes hold where the motion is consistent or no direction displaces anything.
+    They hold where the motion is consistent or no direction displaces anything.
     """
     system = variation.system
     moving = system.rates(system.inputs.a)
     changes = variation.rate_changes(moving)
-    values: list[Node] = []
     by: list[list[Node]] = [[] for _ in variation.directions]
     for cut in system.cuts:
         rows = (_sliding if slides(cut) else _meeting)(variation, cut, moving, changes)
-        values += rows[0]
-        for column, more in zip(by, rows[1:], strict=True):
+        for column, more in zip(by, rows, strict=True):
             column += more
-    return values, by
+    return by
 
 
 def _sliding(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: Changes) -> list[list[Node]]:
@@ -56,7 +54,7 @@ def _sliding(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
             seed_rates(seeds, name, moving[link], change[link])
     rows = closure_bias(cut, system.tree, system.placed, system.twist, moving)
     found = differentiate(system.tape, rows, seeds, variation.names, order="forward")
-    return [list(rows), *([row[k] for row in found] for k in range(len(changes)))]
+    return [[row[k] for row in found] for k in range(len(changes))]
 
 
 def _meeting(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: Changes) -> list[list[Node]]:
@@ -64,39 +62,75 @@ def _meeting(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
     tip = [moving[cut.tip], *(change[cut.tip] for change in changes)]
     at_tip: Varied = [rates.at(cut.tip_point) for rates in tip]
     # Along a consistent motion the hub's point has the acceleration of the tip's: one of them need not be carried.
-    linear = minus(_seen(variation, cut, _contact(variation, cut, moving, changes), at_tip[0]), at_tip)
-    rows: list[list[Node]] = [[] for _ in tip]
-    if any(row.unit != "N" for row in cut.rows):
+    if _spins(variation, cut):
+        at_hub = [at_tip[0], *_spun(variation, cut)]
+    else:
+        at_hub = _seen(variation, cut, _contact(variation, cut, moving, changes), at_tip[0])
+    linear = minus(at_hub, at_tip)
+    alpha: Varied = linear
+    if any(row.unit != "N" for row in cut.rows) and not universal(cut):
         spin = [_seen(variation, cut, x) for x in _spin(variation, cut, moving, changes)]
         omega = minus(spin[0], [rates.omega for rates in tip])
         alpha = minus(spin[1], [rates.alpha for rates in tip])
         alpha = minus(alpha, times([rates.omega for rates in tip], omega))
+    rows: list[list[Node]] = [[] for _ in changes]
     for row in cut.rows:
         if row.unit == "N":
-            values = [dot(row.force, x) for x in linear]
+            values = [dot(row.force, x) for x in linear[1:]]
         elif universal(cut):
-            values = _axes_rows(variation, cut, omega, alpha)
+            values = _axes_rows(variation, cut, moving, changes)
         else:
-            values = [dot(row.couple, x) for x in alpha]
+            values = [dot(row.couple, x) for x in alpha[1:]]
         for column, value in zip(rows, values, strict=True):
             column.append(-variation.system.tape.node(value))
     return rows
 
 
-def _axes_rows(variation: Variation, cut: Cut, omega: Varied, alpha: Varied) -> list[Node]:
-    """The couple of a universal joint: the second rate of the product of its axes, seen from the tip.
+def _axes_rows(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: Changes) -> list[Node]:
+    """Changes of the couple of a universal joint: of the second rate of e . h, e the tip's axis, h the hub's,
 
-    `omega`, `alpha`: of the hub against the tip, with which e . h, e the tip's axis, has the second rate e . U h.
+        e . U_hub h + h . U_tip e + 2 (omega_tip x e) . (omega_hub x h),    U = [alpha]x + [omega]x^2.
+
+    What the links' turn against each other contributes is one scalar product.
     """
-    first, second = universal_variation(variation, cut)
-    (e, *_), h = (first, second) if cut.tip_is_parent else (second, first)
-    sign = -1 if cut.tip_is_parent else 1
-    matrix = acceleration_matrix(omega[0], alpha[0])
-    values = [sign * dot(e, transform(matrix, h[0]))]
-    for k in range(1, len(h)):
-        change = transform(matrix_change(omega[0], omega[k], alpha[k]), h[0])
-        values.append(sign * dot(e, add(change, transform(matrix, h[k]))))
-    return values
+    system, tip, hub = variation.system, moving[cut.tip], moving[cut.hub]
+    k = 0 if cut.tip_is_parent else 1
+    e, h = cut.tip_axes[k], cut.hub_axes[1 - k]
+    fixed = 2 * system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))  # 2 e . h
+
+    def to_tip(vector: Vector) -> Vector:
+        return carry(system.tree, system.placed, cut.hub, cut.tip, vector)
+
+    def to_hub(vector: Vector) -> Vector:
+        return carry(system.tree, system.placed, cut.tip, cut.hub, vector)
+
+    e_hub, h_tip, spin = to_hub(e), to_tip(h), to_tip(hub.omega)
+    a, b, c, d = dot(e_hub, hub.omega), dot(h, hub.omega), dot(e, tip.omega), dot(h_tip, tip.omega)
+    # e . U_hub h and so on are a b - 2 a d + c d - e . h (omega_hub - omega_tip)^2, beside the angular accelerations.
+    relative = scale(fixed, subtract(spin, tip.omega))
+    by_hub = subtract(add(scale(a, h), scale(b - 2 * d, e_hub)), to_hub(relative))
+    by_tip = add(add(scale(d, e), scale(c - 2 * a, h_tip)), relative)
+    by_turn = subtract(scale(c - 2 * a, cross(h_tip, tip.omega)), scale(b - 2 * d, cross(e, spin)))
+    by_turn = add(by_turn, cross(h_tip, cross(tip.alpha, e)))
+    by_turn = subtract(by_turn, cross(e, to_tip(cross(hub.alpha, h))))
+    by_turn = add(by_turn, scale(fixed, cross(spin, tip.omega)))
+    across_hub, across_tip, values = cross(h, e_hub), cross(e, h_tip), []
+    for turn, change in zip(relative_turns(variation, cut), changes, strict=True):
+        of_hub, of_tip = change[cut.hub], change[cut.tip]
+        value = dot(by_turn, turn) + dot(by_hub, of_hub.omega) + dot(by_tip, of_tip.omega)
+        values.append(value + dot(across_hub, of_hub.alpha) + dot(across_tip, of_tip.alpha))
+    return [-value for value in values] if cut.tip_is_parent else values
+
+
+def relative_turns(variation: Variation, cut: Cut) -> list[Vector]:
+    """Virtual rotation of a cut joint's hub against its tip, tip axes, per direction."""
+    system, before = variation.system, _before(variation, cut)
+    turns = variation.turn(cut.hub)
+    if before:
+        turns = [add(m, n) for m, n in zip(variation.outer(cut.hub), variation.own_turn(cut.hub), strict=True)]
+    carrier = carry_before if before else carry
+    seen = (carrier(system.tree, system.placed, cut.hub, cut.tip, turn) for turn in turns)
+    return [subtract(x, n) for x, n in zip(seen, variation.turn(cut.tip), strict=True)]
 
 
 def slides(cut: Cut) -> bool:
@@ -107,19 +141,6 @@ def slides(cut: Cut) -> bool:
 def universal(cut: Cut) -> bool:
     """Whether a cut joint's couple stands on two axes, of which one turns with the hub."""
     return sum(m.kind == "R" for m in JOINT_TYPES[cut.joint.type].motions) == 2
-
-
-def universal_variation(variation: Variation, cut: Cut) -> tuple[Varied, Varied]:
-    """Present axes of a cut universal joint, tip axes: one is the tip's own, the other turns with the hub."""
-    system = variation.system
-    first, second = universal_axes(cut, system.tree, system.placed)
-    carried = second if cut.tip_is_parent else first
-    varied: Varied = [carried]
-    for of_hub, of_tip in zip(variation.turn(cut.hub), variation.turn(cut.tip), strict=True):
-        relative = subtract(carry(system.tree, system.placed, cut.hub, cut.tip, of_hub), of_tip)
-        varied.append(cross(relative, carried))
-    still: list[Vector] = [ZERO] * len(variation.directions)
-    return ([first, *still], varied) if cut.tip_is_parent else (varied, [second, *still])
 
 
 def _before(variation: Variation, cut: Cut) -> bool:
@@ -159,6 +180,33 @@ def _contact(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
         change = matrix_change(omega[0], omega[k], alpha[k])
         first, second, third = (add(x, cross(row, n)) for x, row in zip(change, matrix, strict=True))  # U (n x arm)
         result.append(add(origin[k], transform((first, second, third), arm)))
+    return result
+
+
+def _spins(variation: Variation, cut: Cut) -> bool:
+    """Whether only rates vary, of a hub that spins about a point of the ground."""
+    zero = variation.system.tape.zero
+    steady = all(x is zero for d in variation.directions for x in (*d.step, *d.gain))
+    return steady and _before(variation, cut) and variation.system.tree.links[cut.hub].parent == GROUND
+
+
+def _spun(variation: Variation, cut: Cut) -> list[Vector]:
+    """Changes of the acceleration of a point r of such a hub, tip axes.
+
+    With the hub's angular velocity w it is w (w . r) - r (w . w), whose terms ask for no matrix, and for few
+    components where few are needed. r is the way through the limb: in the tip's axes most of it is constant.
+    """
+    system, hub, here = variation.system, variation.system.tree.links[cut.hub], variation.system.placed[cut.hub]
+    centre = carry_point(system.tree, system.placed, GROUND, cut.tip, here.offset)
+    seen_arm = subtract(cut.tip_point, centre)
+
+    def seen(vector: Vector) -> Vector:
+        return carry_before(system.tree, system.placed, cut.hub, cut.tip, vector)
+
+    omega, arm, result = three(variation.w, hub), here.before(cut.contact), []
+    for change in (three(direction.rate, hub) for direction in variation.directions):
+        along = add(scale(dot(change, arm), seen(omega)), scale(dot(omega, arm), seen(change)))
+        result.append(subtract(along, scale(2 * dot(omega, change), seen_arm)))
     return result
 
 

@@ -103,7 +103,7 @@ class Variation:
             speed = own_screws(link, frame, system.inputs.v)
             step, rate, gain = (own_screws(link, frame, x) for x in (direction.step, direction.rate, direction.gain))
             carried = add(transform(change.matrix, here.offset), transform(parent.matrix, step.linear))
-            carried = add(carried, cross(scale(2, change.omega), speed.linear))
+            carried = add(carried, cross(change.omega, scale(2, speed.linear)))
             carried = add(add(carried, cross(scale(2, parent.omega), rate.linear)), gain.linear)
             carried = add(carried, change.origin)  # last: what gravity adds is all that its frame has of its own
             if link.motion.kind in "PF":
@@ -158,12 +158,12 @@ def link_rotations(system: System, rates: Sequence[Node]) -> list[Vector]:
 def matrix_change(omega: Vector, by: Vector, alpha: Vector) -> Matrix:
     """Change of U = [alpha]x + [omega]x^2 when omega changes by `by` and the angular acceleration by alpha."""
     (x, y, z), (dx, dy, dz) = omega, by
-    xx, yy, zz = 2 * (x * dx), 2 * (y * dy), 2 * (z * dz)
+    xx, yy, zz = x * dx, y * dy, z * dz
     xy, xz, yz = x * dy + y * dx, x * dz + z * dx, y * dz + z * dy
     return (
-        (-(yy + zz), xy - alpha[2], xz + alpha[1]),
-        (xy + alpha[2], -(xx + zz), yz - alpha[0]),
-        (xz - alpha[1], yz + alpha[0], -(xx + yy)),
+        (-2 * (yy + zz), xy - alpha[2], xz + alpha[1]),
+        (xy + alpha[2], -2 * (xx + zz), yz - alpha[0]),
+        (xz - alpha[1], yz + alpha[0], -2 * (xx + yy)),
     )
 
 

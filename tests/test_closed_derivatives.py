@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from model_states import HAND_TYPED, relative
+from sympy import Rational
 
 from symscrew import catalogue
 from symscrew import effects as known
@@ -22,7 +25,18 @@ def effect(name: str, *args: object, **fields: object) -> Effect:
     return getattr(known, name)(*args, **fields)
 
 
+def skew_universal() -> Mechanism:
+    """The seed with a cut universal joint whose axes are not perpendicular."""
+    seed = catalogue.load("three_ups_upu_s_physical")
+    joint = seed.joints["limb1_U2"]
+    first, second = joint.axes
+    tilted = tuple(Rational(3, 5) * a + Rational(4, 5) * b for a, b in zip(first, second, strict=True))
+    return replace(seed, joints={**seed.joints, joint.name: replace(joint, axes=(first, tilted))})
+
+
 def loaded(name: str) -> Mechanism:
+    if name == "skew_universal":
+        return skew_universal()
     return HAND_TYPED[name]() if name in HAND_TYPED else catalogue.load(name)
 
 
@@ -39,6 +53,7 @@ CASES = [
     pytest.param("mixed_loop", (Gravity(),), marks=pytest.mark.slow),
     pytest.param("delta", (Gravity(), effect("ExternalWrench", "E")), marks=pytest.mark.slow),
     pytest.param("three_ups_upu_s", (effect("RotorInertia", "limb2_P", "0.4"),), marks=pytest.mark.slow),
+    pytest.param("skew_universal", (Gravity(),), marks=pytest.mark.slow),
 ]
 
 

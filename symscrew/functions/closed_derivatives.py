@@ -54,10 +54,9 @@ def covers(system: System, acting: Acting) -> bool:
 
 def inverse_derivatives(system: System, effects: Sequence[Effect], loops: Loops) -> Derivatives | None:
     """Of the drives by (y, y_dot, y_ddot); None where freedoms carry no drive."""
-    w, moving = _moving(system, loops)
-    start = _curvature(moving, loops, w)
-    second = loops.inputs("yddot")
-    motion = ClosedMotion.with_gains(moving, loops, w, start, _Independent(loops).free_gains(w, start, second))
+    independent = _Independent(loops)
+    moving = ClosedMotion.steady(system, loops, independent.free_rates(loops.inputs("ydot")))
+    motion = moving.with_gains(independent.free_gains(moving.w, moving.w_dot, loops.inputs("yddot")))
     acting = Acting(motion.system, effects)
     missing = system.joint_rates(generalised_forces(motion.system, acting, motion.system.inputs.a))
     rows = system.drive_rows()
@@ -87,16 +86,15 @@ def inverse_derivatives(system: System, effects: Sequence[Effect], loops: Loops)
 
 def forward_derivatives(system: System, effects: Sequence[Effect], loops: Loops) -> Derivatives:
     """Of the second rates of y by (y, y_dot, u)."""
-    w, moving = _moving(system, loops)
-    start = _curvature(moving, loops, w)
-    acting, drives = driven(moving, effects)
-    admissible = Admissible(moving, loops, acting.reflected_inertia)
-    free, guards = admissible.solve([-r for r in admissible.residual(system.tree_rates(start), acting)])
-    motion = ClosedMotion.with_gains(moving, loops, w, start, free)
+    independent = _Independent(loops)
+    moving = ClosedMotion.steady(system, loops, independent.free_rates(loops.inputs("ydot")))
+    acting, drives = driven(moving.system, effects)
+    admissible = Admissible(moving.system, loops, acting.reflected_inertia)
+    free, guards = admissible.solve([-r for r in admissible.residual(moving.system.inputs.a, acting)])
+    motion = moving.with_gains(free)
     acting, _ = driven(motion.system, effects)
     missing = system.joint_rates(generalised_forces(motion.system, acting, motion.system.inputs.a))
     by_y, by_rate, _ = motion.powers(acting, multipliers(loops, missing))
-    independent = _Independent(loops)
     rows = Drives(motion, {u: k for k, u in system.drive_rows().items()}).rows
     count = len(drives[0][1]) if drives else 0
     by_u = [[-row[j] for row in rows] for j in range(count)]
@@ -105,21 +103,6 @@ def forward_derivatives(system: System, effects: Sequence[Effect], loops: Loops)
         return [independent.rates(motion.moved(admissible.solve([-c for c in column])[0])) for column in columns]
 
     return Derivatives((solved(by_y), solved(by_rate), solved(by_u)), tuple(guards))
-
-
-def _moving(system: System, loops: Loops) -> tuple[list[Node], System]:
-    """Joint rates for the inputs y_dot, and the system that moves with them."""
-    free = _Independent(loops).free_rates(loops.inputs("ydot"))
-    zero = [system.tape.zero] * len(system.tree.v)
-    w = Admissible(system, loops).moved(zero, free)
-    return w, system.at(system.inputs.q, {}, system.tree_rates(w), zero)
-
-
-def _curvature(moving: System, loops: Loops, w: Sequence[Node]) -> list[Node]:
-    """dw/dt with all free joint rates steady."""
-    tape = moving.tape
-    zero = [tape.zero] * len(w)
-    return loops.dependent([-b for b in closure_rows(Variation(moving, w, zero))[0]], [tape.zero] * len(loops.free))
 
 
 @dataclass(frozen=True)
@@ -176,21 +159,35 @@ class _Independent:
 
 @dataclass(frozen=True)
 class ClosedMotion:
-    """A consistent motion of a system with loops: its nodes q, v, a, and the same rates as w and dw/dt."""
+    """A consistent motion of a system with loops: its nodes q, v, a, and the same rates as w and dw/dt.
+
+    `following`: changes of dw/dt for changes N_j of w, free joint rates and configuration steady.
+    """
 
     system: System
     loops: Loops
     w: list[Node]
     w_dot: list[Node]
+    following: list[list[Node]]
 
     @classmethod
-    def with_gains(
-        cls, moving: System, loops: Loops, w: list[Node], start: list[Node], free: Sequence[Node]
-    ) -> ClosedMotion:
-        """The motion with given rates of the free joint rates; `start` is dw/dt without them."""
-        w_dot = Admissible(moving, loops).moved(start, free)
-        system = moving.at(moving.inputs.q, {}, moving.inputs.v, moving.tree_rates(w_dot))
-        return cls(system, loops, w, w_dot)
+    def steady(cls, system: System, loops: Loops, f: Sequence[Node]) -> ClosedMotion:
+        """The motion with given free joint rates that do not change: dw/dt is quadratic in w = N f."""
+        zero = [system.tape.zero] * len(system.tree.v)
+        half = system.tape.reciprocal(system.tape.node(2))
+        w = Admissible(system, loops).moved(zero, f)
+        following = _following(system, loops, w)
+        w_dot = zero
+        for amount, column in zip(f, following, strict=True):
+            w_dot = [x + half * amount * y for x, y in zip(w_dot, column, strict=True)]
+        moving = system.at(system.inputs.q, {}, system.tree_rates(w), system.tree_rates(w_dot))
+        return cls(moving, loops, w, w_dot, following)
+
+    def with_gains(self, free: Sequence[Node]) -> ClosedMotion:
+        """The same motion with rates of the free joint rates added."""
+        w_dot = self.moved(free, self.w_dot)
+        system = self.system.at(self.system.inputs.q, {}, self.system.inputs.v, self.system.tree_rates(w_dot))
+        return replace(self, system=system, w_dot=w_dot)
 
     @cached_property
     def columns(self) -> list[list[Node]]:
@@ -199,8 +196,7 @@ class ClosedMotion:
 
     def moved(self, amounts: Sequence[Node], start: Sequence[Node] | None = None) -> list[Node]:
         """start + N amounts."""
-        zero = [self.system.tape.zero] * len(self.w)
-        return Admissible(self.system, self.loops).moved(start or zero, amounts)
+        return Admissible(self.system, self.loops).moved(start or self._still(), amounts)
 
     # -- changes of the motion ------------------------------------------------------------------------------------
 
@@ -215,11 +211,6 @@ class ClosedMotion:
     def by_rates(self) -> list[Direction]:
         """Changes N_j of w alone, before dw/dt follows."""
         return [Direction(f"rate{j}", self._still(), column, self._still()) for j, column in enumerate(self.columns)]
-
-    @cached_property
-    def following(self) -> list[list[Node]]:
-        """Changes of dw/dt for changes N_j of w, free joint rates and configuration steady."""
-        return [self._dependent(rows) for rows in closure_rows(self._variation(self.by_rates))[1]]
 
     @cached_property
     def following_free(self) -> list[list[Node]]:
@@ -249,7 +240,7 @@ class ClosedMotion:
     @cached_property
     def displaced(self) -> list[list[Node]]:
         """Changes of dw/dt along the steps, free joint rates steady."""
-        return [self._dependent(rows) for rows in closure_rows(self._variation(self.by_steps))[1]]
+        return [self._dependent(rows) for rows in closure_rows(self._variation(self.by_steps))]
 
     @cached_property
     def displaced_free(self) -> list[list[Node]]:
@@ -294,21 +285,19 @@ class ClosedMotion:
 
     def powers(self, acting: Acting, multipliers: Mapping[int, Node]) -> tuple[Matrix, Matrix, Matrix]:
         """Changes of N^T r, multipliers and drives held, by y, y_dot, y_ddot: columns of entries per free rate."""
-        count, columns = len(self.columns), self.columns
+        count, columns, system = len(self.columns), self.columns, self.system
+        tree = mass_matrix(system, acting.reflected_inertia)
+        gains = [[_inner(row, system.tree_rates(gain)) for row in tree] for gain in (*self.displaced, *self.following)]
         every = self._variation([*self.by_steps, *self.by_rates])
-        still = power_changes(every, acting, multipliers, columns)
-        tree = mass_matrix(self.system, acting.reflected_inertia)
-        in_v = [self.system.tree_rates(column) for column in columns]
-        momenta = [self.system.joint_rates([_inner(row, column) for row in tree]) for column in in_v]
-        inertia = [[_inner(columns[min(i, k)], momenta[max(i, k)]) for i in range(count)] for k in range(count)]
+        changes = power_changes(every, acting, multipliers, columns, gains)
+        in_v = [system.tree_rates(column) for column in columns]
+        momenta = [[_inner(row, column) for row in tree] for column in in_v]
+        inertia = [[_inner(in_v[min(i, k)], momenta[max(i, k)]) for i in range(count)] for k in range(count)]
         groups = []
-        for start, changes, free in (
-            (0, self.displaced, self.displaced_free),
-            (count, self.following, self.following_free),
-        ):
+        for start, free in ((0, self.displaced_free), (count, self.following_free)):
             group = []
             for j in range(count):
-                column = [still[i][start + j] + _inner(momenta[i], changes[j]) for i in range(count)]
+                column = [changes[i][start + j] for i in range(count)]
                 group.append([x + _inner(row, free[j]) for x, row in zip(column, inertia, strict=True)])
             groups.append(group)
         half = self.system.tape.reciprocal(self.system.tape.node(2))
@@ -358,18 +347,26 @@ class Drives:
 
     def moved(self, right: Sequence[Node]) -> Matrix:
         """Changes of u per entry of y at fixed m, where redundant drives are u = B^T N m: the rates N m bend."""
-        motion, system = self.motion, self.motion.system
-        tape, columns, count = system.tape, motion.columns, len(motion.columns)
+        motion, columns, count = self.motion, self.motion.columns, len(self.motion.columns)
+        tape = motion.system.tape
         if len(self.places) == count:
             return [[tape.zero] * len(self.places) for _ in columns]
         normal = [[_inner(x, y) for y in self.rows] for x in self.rows]
         amounts, _ = solve_symmetric(tape, normal, right, [1.0] * count)
-        w, zero = motion.moved(amounts), [tape.zero] * len(motion.w)
-        along = replace(motion, system=system.at(system.inputs.q, {}, system.tree_rates(w), zero), w=w, w_dot=zero)
         # What a change of m adds to the bend makes no difference to the drives.
         half = tape.reciprocal(tape.node(2))
-        bends = [[half * change[self.places[u]] for u in sorted(self.places)] for change in along.following]
-        return motion.per_y(bends)
+        bends = _following(motion.system, motion.loops, motion.moved([half * amount for amount in amounts]))
+        return motion.per_y([[bend[self.places[u]] for u in sorted(self.places)] for bend in bends])
+
+
+def _following(system: System, loops: Loops, w: Sequence[Node]) -> list[list[Node]]:
+    """Changes of dw/dt for changes N_j of the rates w, free joint rates steady."""
+    still = [system.tape.zero] * len(w)
+    moving = system.at(system.inputs.q, {}, system.tree_rates(w), still)
+    columns = Admissible(system, loops).columns
+    directions = [Direction(f"rate{j}", still, column, still) for j, column in enumerate(columns)]
+    rows = closure_rows(Variation(moving, w, still, directions))
+    return [loops.dependent([-x for x in row], [system.tape.zero] * len(loops.free)) for row in rows]
 
 
 def multipliers(loops: Loops, right: Sequence[Node]) -> dict[int, Node]:
