@@ -72,7 +72,8 @@ class Compiled:
             flags = ["-fopenmp"] if threads else []
             compile_c(folder / f"{model.name}.c", folder / "functions.so", flags=flags)
             self.loops, self.code = ctypes.CDLL(str(folder / "loops.so")), ctypes.CDLL(str(folder / "functions.so"))
-        self.loops.time_single.restype = self.loops.time_engine.restype = ctypes.c_double
+        for loop in (self.loops.time_single, self.loops.time_block, self.loops.time_engine):
+            loop.restype = ctypes.c_double
 
     def function(self, name: str, suffix: str = "") -> Any:
         """A function of the generated code."""

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.benchmark import Compiled, batch, difference, pointers, single, states
+from symscrew.benchmark import Compiled, difference, pointers, single, states
 from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
 from symscrew.model import derive
@@ -28,10 +28,12 @@ from ..tables import table
 
 SEED = "three_ups_upu_s_physical"
 STATES = 256
-BATCH = 488  # fits the caches; no multiple of 512: such strides cost a fifth
 BLOCK = 8
 AGREEMENT = 1e-10
-FLAGS = ("-fopenmp-simd", "-fno-tree-slp-vectorize")
+FLAGS = (
+    *("-fopenmp-simd", "-mprefer-vector-width=512", "-fno-tree-slp-vectorize"),
+    *("-ffinite-math-only", "-fno-signed-zeros", "-fno-trapping-math"),  # products with constant zeros vanish
+)
 LEAN_SEED = 348.0  # recorded cycles of the first row
 Measure = Callable[[], float]
 
@@ -53,23 +55,29 @@ class Row:
 
 
 ONE, LANES, EIGHT = "limb by limb", "limbs in lanes", "eight states"
+ARM = (
+    "inverse_dynamics",
+    "mass_matrix",
+    "inverse_dynamics_derivatives",
+    "forward_kinematics",
+    "platform_jacobian",
+)
 ROWS = (
     Row(SEED, "inverse_dynamics_platform", ONE, "lean_seed", LEAN_SEED),
     Row(SEED, "inverse_dynamics_platform", LANES, "lean_seed_lanes", 185.0),
     Row(SEED, "inverse_dynamics_platform", EIGHT, "lean_seed_batch", 54.0),
-    Row(SEED, "joint_reactions", ONE, None, 617.0),
-    Row(SEED, "joint_reactions", LANES, None, 314.0),
-    Row(SEED, "joint_reactions", EIGHT, None, 108.0),
+    Row(SEED, "joint_reactions", ONE, "lean_seed_reactions", 617.0),
+    Row(SEED, "joint_reactions", LANES, "lean_seed_reactions_lanes", 314.0),
+    Row(SEED, "joint_reactions", EIGHT, "lean_seed_reactions_batch", 108.0),
     Row(SEED, "forward_dynamics", ONE, None, 511.0),
     Row(SEED, "inverse_dynamics_independent_derivatives", ONE, None, 1777.0),
     Row("stewart_6ups", "inverse_dynamics_platform", ONE, "lean_stewart"),
     Row("stewart_6ups", "inverse_dynamics_platform", LANES, "lean_stewart"),
-    Row("ur5", "inverse_dynamics", ONE, None, 296.0),
-    Row("ur5", "mass_matrix", ONE, None, 371.0),
-    Row("ur5", "inverse_dynamics_derivatives", ONE, None, 1067.0),
-    Row("panda", "inverse_dynamics", ONE, None, 395.0),
-    Row("panda", "mass_matrix", ONE, None, 687.0),
-    Row("panda", "inverse_dynamics_derivatives", ONE, None, 2765.0),
+    *(
+        Row(arm, function, ONE, None if "derivatives" in function else f"lean_{arm}_{function}", recorded)
+        for arm, figures in (("ur5", (296.0, 371.0, 1067.0)), ("panda", (395.0, 687.0, 2765.0)))
+        for function, recorded in zip(ARM, (*figures, None, None), strict=True)
+    ),
 )
 
 
@@ -140,7 +148,9 @@ def _measures(
     found = []
     for row in rows:
         if row.form == EIGHT:
-            ours, results = batch(compiled, row.function, BATCH, columns=True)
+            ours, results = _timed(
+                compiled, row.function, compiled.function(row.function, "_batch_soa"), BLOCK, whole=True
+            )
         elif row.form == LANES:
             ours, results = single(compiled, row.function, STATES)
         else:
@@ -155,19 +165,25 @@ def _measures(
     return found
 
 
-def _timed(compiled: Compiled, name: str, function: Any, block: int) -> tuple[Measure, list[np.ndarray]]:
-    """ns per state of a function of `block` states side by side, [entry][state], and its results (states, size)."""
+def _timed(
+    compiled: Compiled, name: str, function: Any, block: int, *, whole: bool = False
+) -> tuple[Measure, list[np.ndarray]]:
+    """ns per state of a function of `block` states side by side, [entry][state], and its results (states, size).
+
+    `whole`: the generated function for any number of states.
+    """
     program = compiled.model.programs[name]
     ports = (*program.inputs, *program.outputs)
     given = [_blocks(x, block) for x in states(compiled.model, name, STATES)]
     results = [np.full((STATES // block, port.size * block), np.nan) for port in program.outputs]
     arrays = [*given, *results]
     sizes = (ctypes.c_size_t * 8)(*[port.size * block for port in ports])
-    places, count = pointers(arrays), STATES // block
+    places = (ctypes.c_void_p * 8)(*[array.ctypes.data for array in arrays]) if whole else pointers(arrays)
+    count, loop = STATES // block, compiled.loops.time_block if whole else compiled.loops.time_single
 
     def measure(rounds: int = 20, kept: Sequence[np.ndarray] = arrays) -> float:
         rounds_, count_ = ctypes.c_size_t(rounds), ctypes.c_size_t(count)
-        return compiled.loops.time_single(function, rounds_, count_, sizes, places) / block
+        return loop(function, rounds_, count_, sizes, places) / block
 
     measure(1)
     return measure, [r.reshape(count, -1, block).transpose(0, 2, 1).reshape(STATES, -1) for r in results]

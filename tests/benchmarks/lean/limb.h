@@ -10,6 +10,8 @@ typedef struct {
     REAL across, along;           /* s = along X + across W */
     REAL slope, reciprocal;       /* along / across, 1 / length */
     REAL fX, fY, fZ;              /* force on the tip but for the drive's, local axes */
+    /* for the wrenches of its joints, in leg axes: the tip's force, what each body takes, moments about the base */
+    REAL fx, fy, fz, length, lower_x, lower_y, lower_z, upper_x, upper_y, moment_x, moment_y, mz;
 } NAME(leg);
 
 static inline __attribute__((always_inline)) NAME(leg) NAME(limb)(
@@ -51,8 +53,59 @@ static inline __attribute__((always_inline)) NAME(leg) NAME(limb)(
     leg.along = along;
     leg.slope = slope;
     leg.reciprocal = over_length;
+    leg.fx = fx;
+    leg.fy = fy;
+    leg.fz = fz;
+    leg.length = length;
+    leg.lower_x = M1 * lower_x;
+    leg.lower_y = M1 * lower_y;
+    leg.lower_z = M1 * (E1 * kz + gz);
+    leg.upper_x = M2 * upper_x;
+    leg.upper_y = M2 * upper_y;
+    leg.moment_x = 0.5 * (JX * bx + (JZ - JY) * turn) - arm * upper_y;
+    leg.moment_y = 0.5 * (JY * by + (JX - JZ) * (wz * wx)) + arm * upper_x;
+    leg.mz = mz;
     leg.fX = across * fx + along * fz;
     leg.fY = c * fy - s * fW;
     leg.fZ = s * fy + c * fW;
     return leg;
+}
+
+/* Wrenches (force, moment about O) of a leg's joints in local axes, both bodies having the same inertia: base on lower,
+   lower on upper without the drive, upper on the platform. u: the drive; kx, ky, ny, nz: what the platform's couple adds
+   to the force and the moment on the platform, in leg axes; A: the base point's X. */
+typedef struct {
+    REAL base[6], slider[6], tip[6];
+} NAME(wrenches);
+
+static inline __attribute__((always_inline)) void NAME(local)(
+    const NAME(leg) *leg, REAL x, REAL y, REAL z, REAL *restrict out)
+{
+    const REAL W = leg->across * z - leg->along * x;
+    out[0] = leg->across * x + leg->along * z;
+    out[1] = leg->cosine * y - leg->sine * W;
+    out[2] = leg->sine * y + leg->cosine * W;
+}
+
+static inline __attribute__((always_inline)) NAME(wrenches) NAME(joints)(
+    const NAME(leg) *leg, REAL u, REAL kx, REAL ky, REAL ny, REAL nz, REAL CX, REAL CY, REAL CZ, REAL A)
+{
+    NAME(wrenches) out;
+    const REAL fx = kx - leg->fx, fy = ky - leg->fy, fz = u - leg->fz, Z = leg->mz - nz;
+    const REAL px = leg->upper_x + fx, py = leg->upper_y + fy;
+    NAME(local)(leg, fx, fy, fz, out.tip);
+    NAME(local)(leg, 0.0 * u, -ny, -nz, out.tip + 3);
+    out.tip[3] += CY * out.tip[2] - CZ * out.tip[1];
+    out.tip[4] += CZ * out.tip[0] - CX * out.tip[2];
+    out.tip[5] += CX * out.tip[1] - CY * out.tip[0];
+    NAME(local)(leg, px, py, 0.0 * u, out.slider);
+    NAME(local)(leg, leg->moment_x - leg->length * fy, leg->moment_y + leg->length * fx - ny, 0.5 * leg->mz - nz,
+                out.slider + 3);
+    NAME(local)(leg, px + leg->lower_x, py + leg->lower_y, u + leg->lower_z, out.base);
+    NAME(local)(leg, -leg->slope * Z, 0.0 * u, Z, out.base + 3);
+    out.slider[4] -= A * out.slider[2];
+    out.slider[5] += A * out.slider[1];
+    out.base[4] -= A * out.base[2];
+    out.base[5] += A * out.base[1];
+    return out;
 }

@@ -100,7 +100,7 @@ static inline __attribute__((always_inline)) void motion(
 static inline __attribute__((always_inline)) void drives(
     const double *restrict g, const double *restrict h, double cosine, double sine, double across, double along,
     double slope, double reciprocal, const double *restrict C, const double *restrict y, const double *restrict b,
-    double *restrict u, size_t stride)
+    double *restrict u, size_t stride, double *restrict couple)
 {
     const double pW = cosine * y[2] - sine * y[1];
     const double nz = cosine * y[1] + sine * y[2], ny = -(along * y[0] + across * pW);
@@ -122,16 +122,23 @@ static inline __attribute__((always_inline)) void drives(
     u[stride] = x2 * p + y2 * q;
     u[2 * stride] = x3 * p + y3 * q;
     u[3 * stride] = x4 * p + y4 * q;
+    const double most = h[0] * u[0] + h[1] * u[stride] + h[2] * u[2 * stride] + h[3] * u[3 * stride];
+    const double size = (b[2] - most) * over;
+    couple[0] = size * fx;
+    couple[1] = size * fy;
+    couple[2] = size * ny;
+    couple[3] = size * nz;
 }
 
+/* Drives, and with `reactions` the wrenches of all joints. */
 static inline __attribute__((always_inline)) void state(
     const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u,
-    size_t stride)
+    double *restrict reactions, size_t stride)
 {
     axes at, v, a;
-    double b[3], g[4], h[4], tip[3] = {0.0, 0.0, 0.0};
+    leg_one legs[4];
+    double b[3], g[4], h[4], tips[4][3], couple[4];
     motion(pose, rate, gain, stride, &at, &v, &a, b);
-    leg_one first = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 #define LEG(k, side, axis, X, Y, sign, x_, y_)                                                                     \
     {                                                                                                              \
         const double CX = at.z[X] side at.axis[X], CY = sign(at.z[Y] side at.axis[Y]), CZ = at.z[2] side at.axis[2]; \
@@ -145,32 +152,78 @@ static inline __attribute__((always_inline)) void state(
         b[0] += x_;                                                                                                \
         b[1] += y_;                                                                                                \
         b[2] += mZ;                                                                                                \
-        if (k == 0) {                                                                                              \
-            first = leg;                                                                                           \
-            tip[0] = CX;                                                                                           \
-            tip[1] = CY;                                                                                           \
-            tip[2] = CZ;                                                                                           \
-        }                                                                                                          \
+        legs[k] = leg;                                                                                             \
+        tips[k][0] = CX;                                                                                           \
+        tips[k][1] = CY;                                                                                           \
+        tips[k][2] = CZ;                                                                                           \
     }
     LEG(0, -, x, 0, 1, +, mX, mY)
     LEG(1, -, y, 1, 0, -, -mY, mX)
     LEG(2, +, x, 0, 1, +, mX, mY)
     LEG(3, +, y, 1, 0, -, -mY, mX)
-    drives(g, h, first.cosine, first.sine, first.across, first.along, first.slope, first.reciprocal, tip, at.y, b, u,
-           stride);
+    drives(g, h, legs[0].cosine, legs[0].sine, legs[0].across, legs[0].along, legs[0].slope, legs[0].reciprocal,
+           tips[0], at.y, b, u, stride, couple);
+    if (reactions == NULL) {
+        return;
+    }
+    const double zero[4] = {0.0, 0.0, 0.0, 0.0};
+    double hub[3] = {2.87 * a.z[0], 2.87 * a.z[1], 2.87 * (a.z[2] + G)};
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) {
+        const double *n = k == 0 ? couple : zero;
+        const wrenches_one found = joints_one(
+            &legs[k], u[(size_t)k * stride], n[0], n[1], n[2], n[3], tips[k][0], tips[k][1], tips[k][2],
+            k < 2 ? -R_BASE : R_BASE);
+        double *to = reactions + (size_t)(18 * k) * stride;
+#define PUT(from, place, X, Y, sign)                                                                               \
+    to[(place + X) * stride] = found.from[0];                                                                      \
+    to[(place + Y) * stride] = sign found.from[1];                                                                 \
+    to[(place + 2) * stride] = found.from[2];                                                                      \
+    to[(place + 3 + X) * stride] = found.from[3];                                                                  \
+    to[(place + 3 + Y) * stride] = sign found.from[4];                                                             \
+    to[(place + 5) * stride] = found.from[5];
+        if (k == 0 || k == 2) {
+            PUT(base, 0, 0, 1, +)
+            PUT(slider, 6, 0, 1, +)
+            PUT(tip, 12, 0, 1, +)
+            hub[0] -= found.tip[0];
+            hub[1] -= found.tip[1];
+        } else {
+            PUT(base, 0, 1, 0, -)
+            PUT(slider, 6, 1, 0, -)
+            PUT(tip, 12, 1, 0, -)
+            hub[0] += found.tip[1];
+            hub[1] -= found.tip[0];
+        }
+        hub[2] -= found.tip[2];
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        reactions[(72 + k) * stride] = hub[k];
+        reactions[(75 + k) * stride] = 0.0;
+    }
 }
 
 int lean_seed(const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u)
 {
-    state(pose, rate, gain, u, 1);
+    state(pose, rate, gain, u, NULL, 1);
     return 0;
 }
 
-int lean_seed_lanes(
-    const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u)
+/* Joint coordinates in: what the platform's own ones fix is not read. */
+int lean_seed_reactions(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
+    double *restrict reactions)
+{
+    state(q + 12, v + 12, a + 12, u, reactions, 1);
+    return 0;
+}
+
+static inline __attribute__((always_inline)) void in_lanes(
+    const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u,
+    double *restrict reactions)
 {
     axes at, v, a;
-    double b[3];
+    double b[3], couple[4];
     motion(pose, rate, gain, 1, &at, &v, &a, b);
     const lanes side = {-1.0, -1.0, 1.0, 1.0};
 #define AXIS(m, X, Y) ((lanes){m.x[X], m.y[Y], m.x[X], m.y[Y]})
@@ -180,15 +233,66 @@ int lean_seed_lanes(
     const leg_four leg = limb_four(
         CX - R_BASE * side, CY, CZ, HUB(v, 0, 1) + side * AXIS(v, 0, 1), CROSS(v), HUB(v, 2, 2) + side * AXIS(v, 2, 2),
         HUB(a, 0, 1) + side * AXIS(a, 0, 1), CROSS(a), HUB(a, 2, 2) + side * AXIS(a, 2, 2));
-    const lanes force = R_BASE * side * leg.across;
-    const lanes g = -force * leg.cosine, h = -force * leg.sine;
+    const lanes arm = R_BASE * side * leg.across;
+    const lanes g = -arm * leg.cosine, h = -arm * leg.sine;
     const lanes mX = CY * leg.fZ - CZ * leg.fY, mY = CZ * leg.fX - CX * leg.fZ, mZ = CX * leg.fY - CY * leg.fX;
     b[0] += (mX[0] + mX[2]) - (mY[1] + mY[3]);
     b[1] += (mY[0] + mY[2]) + (mX[1] + mX[3]);
     b[2] += (mZ[0] + mZ[1]) + (mZ[2] + mZ[3]);
     const double gs[4] = {g[0], g[1], g[2], g[3]}, hs[4] = {h[0], h[1], h[2], h[3]}, tip[3] = {CX[0], CY[0], CZ[0]};
     drives(gs, hs, leg.cosine[0], leg.sine[0], leg.across[0], leg.along[0], leg.slope[0], leg.reciprocal[0], tip, at.y,
-           b, u, 1);
+           b, u, 1, couple);
+    if (reactions == NULL) {
+        return;
+    }
+    const lanes force = {u[0], u[1], u[2], u[3]}, kx = {couple[0]}, ky = {couple[1]}, ny = {couple[2]}, nz = {couple[3]};
+    const wrenches_four found = joints_four(&leg, force, kx, ky, ny, nz, CX, CY, CZ, R_BASE * side);
+    double hub[3] = {2.87 * a.z[0], 2.87 * a.z[1], 2.87 * (a.z[2] + G)};
+    const size_t stride = 1;
+#undef PUT
+#define PUT(from, place, X, Y, sign)                                                                               \
+    to[(place + X) * stride] = found.from[0][k];                                                                   \
+    to[(place + Y) * stride] = sign found.from[1][k];                                                              \
+    to[(place + 2) * stride] = found.from[2][k];                                                                   \
+    to[(place + 3 + X) * stride] = found.from[3][k];                                                               \
+    to[(place + 3 + Y) * stride] = sign found.from[4][k];                                                          \
+    to[(place + 5) * stride] = found.from[5][k];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) {
+        double *to = reactions + 18 * k;
+        if (k == 0 || k == 2) {
+            PUT(base, 0, 0, 1, +)
+            PUT(slider, 6, 0, 1, +)
+            PUT(tip, 12, 0, 1, +)
+            hub[0] -= found.tip[0][k];
+            hub[1] -= found.tip[1][k];
+        } else {
+            PUT(base, 0, 1, 0, -)
+            PUT(slider, 6, 1, 0, -)
+            PUT(tip, 12, 1, 0, -)
+            hub[0] += found.tip[1][k];
+            hub[1] -= found.tip[0][k];
+        }
+        hub[2] -= found.tip[2][k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        reactions[72 + k] = hub[k];
+        reactions[75 + k] = 0.0;
+    }
+}
+
+int lean_seed_lanes(
+    const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u)
+{
+    in_lanes(pose, rate, gain, u, NULL);
+    return 0;
+}
+
+int lean_seed_reactions_lanes(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
+    double *restrict reactions)
+{
+    in_lanes(q + 12, v + 12, a + 12, u, reactions);
     return 0;
 }
 
@@ -197,7 +301,18 @@ int lean_seed_batch(
 {
 #pragma omp simd
     for (int k = 0; k < 8; ++k) {
-        state(pose + k, rate + k, gain + k, u + k, 8);
+        state(pose + k, rate + k, gain + k, u + k, NULL, 8);
+    }
+    return 0;
+}
+
+int lean_seed_reactions_batch(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
+    double *restrict reactions)
+{
+#pragma omp simd
+    for (int k = 0; k < 8; ++k) {
+        state(q + 96 + k, v + 96 + k, a + 96 + k, u + k, reactions + k, 8);
     }
     return 0;
 }
