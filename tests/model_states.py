@@ -9,6 +9,7 @@ import numpy as np
 from oracles import mechanisms
 
 from symscrew import catalogue
+from symscrew.builder import MechanismBuilder
 from symscrew.maximal_coordinates import BodyState
 from symscrew.model import Model, derive
 
@@ -19,6 +20,17 @@ ALL = (*catalogue.names(), *HAND_TYPED)
 @cache
 def model(name: str) -> Model:
     return derive(HAND_TYPED[name]() if name in HAND_TYPED else catalogue.load(name))
+
+
+@cache
+def pendulum() -> Model:
+    """A rod of mass 1.5 kg and length 0.5 m, both run-time parameters, about y; u = m g l/2 sin(q) at rest."""
+    builder = MechanismBuilder("pendulum")
+    builder.parameter("length", "0.5", unit="m", description="length of the rod", run_time=True)
+    builder.parameter("mass", "1.5", unit="kg", run_time=True)
+    builder.body("rod", mass="mass", com=[0, 0, "-length/2"], inertia=["mass*length^2/12", "mass*length^2/12", 0])
+    builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    return derive(builder.build())
 
 
 @cache

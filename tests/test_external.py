@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 
 import casadi as ca
 import numpy as np
 import pytest
-from model_states import model
+from model_states import model, pendulum
 
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import compile_c, find_compiler
@@ -38,25 +37,15 @@ def four_bar(tmp_path_factory) -> Path:
     return library(model("four_bar"), tmp_path_factory.mktemp("four_bar"))
 
 
-@cache
-def with_parameters() -> Model:
-    builder = MechanismBuilder("pendulum")
-    builder.parameter("length", "0.5", unit="m", run_time=True)
-    builder.parameter("mass", "1.5", unit="kg", run_time=True)
-    builder.body("rod", mass="mass", com=[0, 0, "-length/2"], inertia=["mass*length^2/12", "mass*length^2/12", 0])
-    builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
-    return derive(builder.build())
-
-
 LARGE = ("panda", "mixed_loop")
-CASES = [pytest.param(name, marks=pytest.mark.slow) if name in LARGE else name for name in (*NAMES, "with_parameters")]
+CASES = [pytest.param(name, marks=pytest.mark.slow) if name in LARGE else name for name in (*NAMES, "pendulum")]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_jacobians_of_programs_are_their_finite_differences(name):
     """Every input, quaternions entry by entry and run-time parameters too; an iteration by its solution."""
-    found = with_parameters() if name == "with_parameters" else model(name)
+    found = pendulum() if name == "pendulum" else model(name)
     derived, jacobians = jacobians_model(found)
     assert set(jacobians) >= {"inverse_dynamics", "forward_dynamics"} & set(found.programs)
     for function, made in jacobians.items():

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
+from model_states import pendulum
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import PRECISIONS
@@ -74,15 +74,6 @@ int main(void)
     return 0;
 }
 """
-
-
-def pendulum() -> Model:
-    builder = MechanismBuilder("pendulum")
-    builder.parameter("length", "0.5", unit="m", description="length of the rod", run_time=True)
-    builder.parameter("mass", "1.5", unit="kg", run_time=True)
-    builder.body("rod", mass="mass", com=[0, 0, "-length/2"], inertia=["mass*length^2/12", "mass*length^2/12", 0])
-    builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
-    return derive(builder.build())
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")

@@ -6,17 +6,19 @@ import json
 import re
 import shutil
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from model_states import model
+from model_states import model, pendulum
 
-from symscrew import embedded
+from symscrew import description, embedded
 from symscrew.cli import main
 from symscrew.embedded import EmbeddedError, measure, missing_tools
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c, print_source
 from symscrew.export.c_precision import PRECISIONS
+from symscrew.model import Model
 from symscrew.verification import check
 
 EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
@@ -26,14 +28,34 @@ def needs(tool: str) -> pytest.MarkDecorator:
     return pytest.mark.skipif(shutil.which(tool) is None, reason=f"{tool} is not installed")
 
 
+# A closed chain with a second path and an iteration, an open one, and one with run-time parameters.
+CASES = [
+    ("four_bar", "m4f", "single"),
+    ("four_bar", "m7", "double"),
+    ("ur5", "m4f", "double"),
+    ("ur5", "m7", "single"),
+    ("pendulum", "m4f", "single"),
+]
+
+
+@pytest.fixture(scope="module")
+def measured() -> dict[tuple[str, str, str], dict]:
+    """What every function of the cases takes: compilers and emulators of two cases at a time."""
+    with ThreadPoolExecutor(2) as pool:
+        found = [pool.submit(measure, named(name), core, precision) for name, core, precision in CASES]
+        return {case: one.result() for case, one in zip(CASES, found, strict=True)}
+
+
+def named(name: str) -> Model:
+    return pendulum() if name == "pendulum" else model(name)
+
+
 @pytest.mark.tools
 @EMULATED
-@pytest.mark.parametrize("core, precision", [("m4f", "single"), ("m4f", "double"), ("m7", "single"), ("m7", "double")])
-@pytest.mark.parametrize("name", ["four_bar", "ur5"])
-def test_every_function_gives_the_same_numbers_there(name: str, core: str, precision: str) -> None:
-    limit = 1e-4 if precision == "single" else 1e-12
-    found = measure(model(name), core, precision)
-    assert set(found["functions"]) == set(model(name).programs)
+@pytest.mark.parametrize("name, core, precision", CASES)
+def test_every_function_gives_the_same_numbers_there(name: str, core: str, precision: str, measured) -> None:
+    limit, found = 1e-4 if precision == "single" else 1e-12, measured[name, core, precision]
+    assert set(found["functions"]) == set(named(name).programs)
     for function, entry in found["functions"].items():
         assert entry["error"] < limit, function
         assert 0 < entry["flash"] < 50_000 and entry["instructions"] > 0 and 0 < entry["stack"] < 20_000, function
@@ -41,16 +63,15 @@ def test_every_function_gives_the_same_numbers_there(name: str, core: str, preci
 
 @pytest.mark.tools
 @EMULATED
-def test_counts_are_repeatable_and_of_the_right_size() -> None:
+def test_counts_are_repeatable_and_of_the_right_size(measured) -> None:
     """Double precision on a core without it costs many times as much; counts do not depend on the run."""
-    chosen = ["inverse_dynamics", "mass_matrix"]
-    found = model("ur5")
-    single, again, double = (measure(found, "m4f", p, chosen)["functions"] for p in ("single", "single", "double"))
-    assert single == again
+    chosen, found = ["inverse_dynamics", "mass_matrix"], model("ur5")
+    single, again = (measure(found, "m4f", "single", chosen)["functions"] for _ in range(2))
+    assert single == again and list(single) == chosen
     for name in chosen:
         operations = found.programs[name].operations["total"]
         assert operations < single[name]["instructions"] < 8 * operations
-        assert double[name]["instructions"] > 5 * single[name]["instructions"]
+        assert measured["ur5", "m4f", "double"]["functions"][name]["instructions"] > 5 * single[name]["instructions"]
 
 
 @pytest.mark.tools
@@ -70,12 +91,13 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
 @pytest.mark.tools
 @EMULATED
 def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    out = tmp_path / "out"
-    arguments = ["generate", "four_bar", "--target", "c", "--precision", "single", "--embedded", "m4f"]
+    out, file = tmp_path / "out", tmp_path / "pendulum.toml"
+    file.write_text(description.dumps(pendulum().mechanism))
+    arguments = ["generate", str(file), "--target", "c", "--precision", "single", "--embedded", "m4f"]
     assert main([*arguments, "--out", str(out)]) == 0
     (record,) = json.loads((out / "ops.json").read_text())["embedded"]
     figures = record["functions"]["inverse_dynamics"]
-    header = re.sub(r"\s*\n \*\s*", " ", (out / "four_bar.h").read_text())
+    header = re.sub(r"\s*\n \*\s*", " ", (out / "pendulum.h").read_text())
     said = f"{figures['flash']} bytes of flash, {figures['stack']} of stack, {figures['instructions']} instructions"
     assert f"Note: Cortex-M4F, arm-none-eabi-gcc {record['compiler'].split()[1]} -O2: {said}" in header
     result = check(out)
@@ -86,7 +108,7 @@ def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, caps
     failed = [line for line in check(out).lines if "FAILED" in line]
     before = figures["instructions"]
     assert any(f"instructions of inverse_dynamics changed from {before} to {before + 1}" in line for line in failed)
-    assert main(["generate", "four_bar", "--target", "numpy", "--embedded", "m7", "--out", str(tmp_path / "no")]) == 2
+    assert main(["generate", str(file), "--target", "numpy", "--embedded", "m7", "--out", str(tmp_path / "no")]) == 2
     assert "--embedded measures C" in capsys.readouterr().err
 
 
@@ -133,25 +155,48 @@ def test_no_heap_no_recursion_bounded_loops(name: str) -> None:
             assert counter and re.search(r"[<>]", condition) and re.search(r"\+\+|--|\+=|\*=", step), head
 
 
+def sources(folder: Path, name: str, precision: str, **options: bool) -> Path:
+    for file, text in print_c(model(name), precision=PRECISIONS[precision], **options).items():
+        (folder / file).write_text(text)
+    return folder / f"{name}.c"
+
+
+def silent(commands: list[list[str]]) -> None:
+    """All commands succeed and say nothing; two at a time."""
+
+    def run(command: list[str]) -> tuple[int, str]:
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    with ThreadPoolExecutor(2) as pool:
+        for command, result in zip(commands, pool.map(run, commands), strict=True):
+            assert result == (0, ""), command
+
+
 @pytest.mark.tools
 @needs("gcc")
-@pytest.mark.parametrize("precision", ["double", "single"])
-def test_the_analyzer_of_gcc_finds_nothing(precision: str, tmp_path: Path) -> None:
-    """State by state, as on a microcontroller: it does not follow loops that fill blocks of eight states."""
-    for file, text in print_c(model("four_bar"), precision=PRECISIONS[precision]).items():
-        (tmp_path / file).write_text(text)
-    flags = ["-std=c99", "-O1", "-fanalyzer", "-Wall", "-Wextra", "-Wvla", "-Werror", "-DFOUR_BAR_STATE_BY_STATE"]
-    command = ["gcc", *flags, "-c", "four_bar.c", "-o", "a.o"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
+    """State by state in double precision, and what a microcontroller is given in single.
+
+    It does not follow loops that fill blocks of eight states.
+    """
+    flags = ["-std=c99", "-O1", "-fanalyzer", "-Wall", "-Wextra", "-Wvla", "-Werror", "-c", "-o", "/dev/null"]
+    (tmp_path / "embedded").mkdir()
+    host = sources(tmp_path, "four_bar", "double")
+    embedded_one = sources(tmp_path / "embedded", "four_bar", "single", batches=False)
+    cross = shutil.which(embedded.COMPILER)
+    compiler = [cross, "-mthumb", *embedded.CORES["m4f"].flags] if cross else ["gcc"]
+    silent([["gcc", *flags, "-DFOUR_BAR_STATE_BY_STATE", str(host)], [*compiler, *flags, str(embedded_one)]])
 
 
 @pytest.mark.tools
 @needs("cppcheck")
-@pytest.mark.parametrize("precision", ["double", "single"])
-def test_cppcheck_finds_nothing(precision: str, tmp_path: Path) -> None:
-    for file, text in print_c(model("four_bar"), precision=PRECISIONS[precision]).items():
-        (tmp_path / file).write_text(text)
+def test_cppcheck_finds_nothing(tmp_path: Path) -> None:
+    """For a microcontroller, and for gcc with vectors and threads: trying all combinations takes minutes."""
     command = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,portability", "--error-exitcode=1"]
-    done = subprocess.run([*command, "four_bar.c"], capture_output=True, text=True, check=False, cwd=tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+    vectors = ["-D__GNUC__=12", "-D__x86_64__=1", "-D__GLIBC__=2", "-D__AVX2__=1", "-D_OPENMP=201511"]
+    commands = []
+    for precision, options in (("double", vectors), ("single", ["-DFOUR_BAR_STATE_BY_STATE"])):
+        (tmp_path / precision).mkdir()
+        commands.append([*command, *options, str(sources(tmp_path / precision, "four_bar", precision))])
+    silent(commands)

@@ -19,7 +19,7 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -107,6 +107,7 @@ def measure(
     missing = missing_tools()
     if missing:
         raise EmbeddedError(f"not found: {'; '.join(missing)}")
+    model = replace(model, programs={name: model.programs[name] for name in chosen})
     real, target = PRECISIONS[precision], CORES[core]
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         folder = Path(temporary)
