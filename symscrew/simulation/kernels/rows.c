@@ -60,6 +60,12 @@ static inline double product(const double *a, const double *b, int width)
 {
     double sum[4] = {0.0, 0.0, 0.0, 0.0};
     int k = 0;
+    if (width < 4) {
+        for (; k < width; ++k) {
+            sum[0] += a[k] * b[k];
+        }
+        return sum[0];
+    }
     for (; k + 4 <= width; k += 4) {
         for (int i = 0; i < 4; ++i) {
             sum[i] += a[k + i] * b[k + i];
