@@ -208,7 +208,7 @@ void *pinocchio_open(const char *path) {
   return made.release();
 }
 
-// Nanoseconds per call, as time_calls of timing_loop.c; states as Pinocchio wants them.
+// Nanoseconds per call, as time_single of loops.c; states as Pinocchio wants them.
 double pinocchio_time(void *opaque, int structured, size_t rounds, size_t count, const double *q, const double *v,
                       const double *a, double *u) {
   Case &made = *static_cast<Case *>(opaque);

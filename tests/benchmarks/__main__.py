@@ -10,7 +10,7 @@ from symscrew.benchmark.pinocchio_build import CPP_FLAGS
 from symscrew.machine import machine
 
 from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, lean, optimisation, simulation
-from .tables import C_FLAGS, table
+from .tables import table
 
 BENCHMARKS = {
     "inverse_dynamics": (inverse_dynamics.run, 25),
@@ -31,7 +31,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="folder for raw numbers, NAME.json each")
     parser.add_argument("--repeats", type=int, help="repeats of every measurement")
     arguments = parser.parse_args()
-    facts = {**machine("pin"), "flags of benchmarks": " ".join(C_FLAGS), "C++ flags": " ".join(CPP_FLAGS)}
+    facts = {**machine("pin"), "C++ flags": " ".join(CPP_FLAGS)}
     print(table(["machine", ""], list(facts.items())))
     for name in BENCHMARKS if arguments.name == "all" else [arguments.name]:
         run, repeats = BENCHMARKS[name]

@@ -1,4 +1,4 @@
-"""Time of the generated derivatives and regressors; of serial arms against Pinocchio, after both have agreed.
+"""Time of generated derivatives, mass matrices and regressors; of serial arms against Pinocchio, which must agree.
 
 Pinocchio is called from Python, less the time of the same call for a tree of one joint: its headers with
 derivatives take gigabytes and many minutes to compile. Closed chains are timed without a peer: version 4.1 has
@@ -8,17 +8,15 @@ central differences on the manifold.
 
 from __future__ import annotations
 
-import tempfile
-import time
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from symscrew import catalogue
 from symscrew.benchmark.pinocchio_build import python_model
+from symscrew.benchmark.pinocchio_closed import less_overhead
 from symscrew.benchmark.pinocchio_tree import PinocchioTree, pinocchio_tree
 from symscrew.compiled import load
 from symscrew.model import Model, derive
@@ -29,7 +27,7 @@ from .states import consistent_states
 from .tables import table
 
 CASES = ("three_ups_upu_s_physical", "ur5", "panda")
-OPEN = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor")
+OPEN = ("mass_matrix", "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor")
 CLOSED = (
     "inverse_dynamics_independent_derivatives",
     "forward_dynamics_independent_derivatives",
@@ -38,15 +36,23 @@ CLOSED = (
     "regressor_independent",
 )
 AGAINST = {
+    "mass_matrix": "crba",
     "inverse_dynamics_derivatives": "computeRNEADerivatives",
     "forward_dynamics_derivatives": "computeABADerivatives",
 }
 # Lean generated C of another derivation, measured by its author (medians in ns; AVX-512 at 3.6 to 4.1 GHz, gcc 12):
 # the seed's drives by (q, v, a) from the platform's pose, serial arms by q and v alone, sines and cosines included.
 LEAN = {
+    ("ur5", "mass_matrix"): 94,
+    ("panda", "mass_matrix"): 174,
     ("three_ups_upu_s_physical", "inverse_dynamics_independent_derivatives"): 470,
     ("ur5", "inverse_dynamics_derivatives"): 270,
     ("panda", "inverse_dynamics_derivatives"): 700,
+}
+RESULTS = {  # of Pinocchio; the last is symmetric
+    "crba": ("M",),
+    "computeRNEADerivatives": ("dtau_dq", "dtau_dv", "M"),
+    "computeABADerivatives": ("ddq_dq", "ddq_dv", "Minv"),
 }
 STATES = 64
 AGREEMENT = 1e-9
@@ -56,9 +62,8 @@ Array = np.ndarray
 def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
     """Markdown and raw numbers."""
     results: dict[str, Any] = {}
-    with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
-        for name in CASES:
-            results[name] = _case(name, Path(folder), repeats)
+    for name in CASES:
+        results[name] = _case(name, repeats)
     rows = []
     for name, found in results.items():
         for variant, times in found["times"].items():
@@ -81,7 +86,7 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
     return text, {"cases": raw}
 
 
-def _case(name: str, folder: Path, repeats: int) -> dict[str, Any]:
+def _case(name: str, repeats: int) -> dict[str, Any]:
     model = derive(catalogue.load(name), derivatives=True, regressor=True)
     needed = {f: p for f, p in model.programs.items() if f in ("assemble", "velocity", "acceleration")}
     q, v, a = consistent_states(model, load(replace(model, programs=needed)), STATES)
@@ -92,11 +97,10 @@ def _case(name: str, folder: Path, repeats: int) -> dict[str, Any]:
     for function in functions:
         inputs = tuple(known[p.name] for p in model.programs[function].inputs)
         alone = replace(model, programs={function: model.programs[function]})  # compiling the others takes minutes
-        measures[function], values = generated(alone, folder, inputs, function)
+        measures[function], values = generated(alone, inputs, function)
         if not model.system.cuts and function in AGAINST:
             variant = f"Pinocchio: {AGAINST[function]}"
-            third = a if AGAINST[function] == "computeRNEADerivatives" else known["u"]
-            measures[variant], other = _pinocchio(pinocchio_tree(model.mechanism), AGAINST[function], (q, v, third))
+            measures[variant], other = _pinocchio(pinocchio_tree(model.mechanism), AGAINST[function], inputs)
             agreement[variant] = float(np.abs(other - values).max() / np.abs(values).max())
             if not agreement[variant] < AGREEMENT:
                 raise RuntimeError(f"{name}: {variant} differs by {agreement[variant]:.1e}; nothing to compare")
@@ -114,32 +118,22 @@ def _inputs(model: Model, q: Array, v: Array, a: Array) -> dict[str, Array]:
     return {"q": q, "v": v, "a": a, "u": u, "y_dot": y_dot, "y_ddot": y_ddot}
 
 
-def _pinocchio(
-    tree: PinocchioTree, algorithm: str, states: tuple[Array, Array, Array]
-) -> tuple[Callable[[], float], Array]:
-    """ns per call less that of a tree of one joint, and three matrices per state, column-major."""
+def _pinocchio(tree: PinocchioTree, algorithm: str, states: tuple[Array, ...]) -> tuple[Callable[[], float], Array]:
+    """ns per call less that of a tree of one joint, and its matrices per state, column-major."""
     import pinocchio
 
     model, least = (python_model(pinocchio, tree, n) for n in (len(tree.elements), 1))
     data, least_data = model.createData(), least.createData()
     call = getattr(pinocchio, algorithm)
-    rows = list(zip(*tree.states(*states), strict=True))
-    first = [tuple(x[:1] for x in row) for row in rows]
+    padded = (*states, *(np.zeros_like(states[0]) for _ in range(3 - len(states))))
+    rows = [row[: len(states)] for row in zip(*tree.states(*padded), strict=True)]
     results = []
     for row in rows:
         call(model, data, *row)
-        inverse = algorithm == "computeRNEADerivatives"
-        by_q, by_v, half = (data.dtau_dq, data.dtau_dv, data.M) if inverse else (data.ddq_dq, data.ddq_dv, data.Minv)
-        third = np.triu(half) + np.triu(half, 1).T  # only one half of the symmetric matrix is filled
-        results.append(np.concatenate([np.ravel(m, order="F") for m in (by_q, by_v, third)]))
+        *others, half = (getattr(data, name) for name in RESULTS[algorithm])
+        whole = np.triu(half) + np.triu(half, 1).T  # only one half of the symmetric matrix is filled
+        results.append(np.concatenate([np.ravel(m, order="F") for m in (*others, whole)]))
 
-    def measure() -> float:
-        start = time.perf_counter()
-        for row in rows:
-            call(model, data, *row)
-        middle = time.perf_counter()
-        for row in first:
-            call(least, least_data, *row)
-        return ((middle - start) - (time.perf_counter() - middle)) * 1e9 / len(rows)
-
+    first = [x[:1] for x in rows[0]]
+    measure = less_overhead(call, [(model, data, *row) for row in rows], lambda: call(least, least_data, *first))
     return measure, np.array(results)

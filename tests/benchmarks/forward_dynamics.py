@@ -52,7 +52,7 @@ def _case(name: str, folder: Path, repeats: int) -> tuple[dict[str, Times], dict
     q, v, a = consistent_states(model, load(model), STATES)
     (u,), status = model("inverse_dynamics", q, v, a)
     assert not status.any()
-    measure, found = generated(model, folder, (q, v, u), "forward_dynamics")
+    measure, found = generated(model, (q, v, u), "forward_dynamics")
     measures: dict[str, Callable[[], float]] = {OURS: measure}
     tree = pinocchio_tree(model.mechanism)
     agreement = {OURS: float(np.abs(found - a).max() / np.abs(a).max())}

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from symscrew import catalogue
+from symscrew.benchmark import Compiled, single
 from symscrew.benchmark.pinocchio_build import PinocchioUnavailableError, build_pinocchio, open_case, python_rnea, timed
 from symscrew.benchmark.pinocchio_tree import pinocchio_tree
 from symscrew.compiled import load
-from symscrew.export.c import print_c
 from symscrew.model import Model, derive
 from symscrew.timing import Times, interleaved
 
 from .states import consistent_states
-from .tables import C_FLAGS, table
+from .tables import table
 
 OURS = "symscrew, from the tree's coordinates"
 CASES = ("three_ups_upu_s_physical", "stewart_6ups", "ur5", "panda")
@@ -75,7 +75,7 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
 def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) -> dict[str, Any]:
     model = derive(catalogue.load(name))
     q, v, a = consistent_states(model, load(model), STATES)
-    measure, u = generated(model, folder, (q, v, a))
+    measure, u = generated(model, (q, v, a))
     measures: dict[str, Callable[[], float]] = {OURS: measure}
     others: dict[str, Array] = {}
     operations = {OURS: model.programs["inverse_dynamics"].operations["total"]}
@@ -83,7 +83,7 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
     if platform in model.programs:
         variant = "symscrew, from the platform's motion"
         inputs = _platform_motion(model, platform, (q, v, a))
-        measures[variant], others[variant] = generated(model, folder, inputs, platform)
+        measures[variant], others[variant] = generated(model, inputs, platform)
         operations[variant] = model.programs[platform].operations["total"]
     tree = pinocchio_tree(model.mechanism)
     states = tree.states(q, v, a)
@@ -124,28 +124,9 @@ def _platform_motion(model: Model, function: str, states: tuple[Array, Array, Ar
 
 
 def generated(
-    model: Model, folder: Path, states: tuple[Array, ...], function: str = "inverse_dynamics"
+    model: Model, given: Sequence[Array], function: str = "inverse_dynamics"
 ) -> tuple[Callable[[], float], Array]:
     """A measurement of ns per call of the generated C, and its results (states, entries of all outputs)."""
-    for file, text in print_c(model).items():
-        (folder / file).write_text(text)
-    loop = Path(__file__).with_name("timing_loop.c")
-    built = folder / f"{model.name}_{function}.so"
-    symbol = f"{model.name}_{function}"
-    sources = [str(folder / f"{model.name}.c"), str(loop)]
-    program = model.programs[function]
-    shared = ["-shared", "-fPIC", f"-DFUNCTION={symbol}", f"-DOUTPUTS={len(program.outputs)}", "-o", str(built)]
-    command = ["gcc", "-std=gnu99", *C_FLAGS, *shared, *sources, "-lm"]
-    subprocess.run(command, check=True)
-    library = ctypes.CDLL(str(built))
-    library.time_calls.restype = ctypes.c_double
-    sizes = np.array([port.size for port in (*program.inputs, *program.outputs)], dtype=np.uintp)
-    u = np.full((len(states[0]), int(sizes[3:].sum())), np.nan)
-    inputs = [np.ascontiguousarray(x) for x in states]
-
-    def measure(rounds: int = 40) -> float:
-        pointers = [ctypes.c_void_p(x.ctypes.data) for x in (sizes, *inputs, u)]
-        return library.time_calls(ctypes.c_size_t(rounds), ctypes.c_size_t(len(u)), *pointers)
-
-    measure(1)
-    return measure, u
+    compiled = Compiled(replace(model, test_inputs={function: tuple(given)}), [function])
+    measure, results = single(compiled, function, len(given[0]))
+    return measure, np.concatenate(results, axis=1)

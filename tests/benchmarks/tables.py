@@ -1,12 +1,10 @@
-"""What the benchmarks share: compiler flags, Markdown tables, exponents of growth."""
+"""What the benchmarks share: Markdown tables, exponents of growth."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
-
-C_FLAGS = ("-O2", "-fno-math-errno", "-march=native")
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
