@@ -150,7 +150,7 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument("--json", action="store_true", help="numbers of the run as JSON")
 
     unit = _command(verbs, "fmu", commands.pack_unit, "a scene as functional mock-up unit (FMI 2.0 or 3.0)")
-    unit.add_argument("scene", metavar="SCENE|NAME", help="a scene file, or a catalogue mechanism under its weight")
+    unit.add_argument("scene", metavar="SCENE|NAME", help="a scene file, or a mechanism under its weight")
     unit.add_argument("--out", metavar="FILE.fmu", required=True, help="the unit, C sources inside")
     unit.add_argument("--fmi", type=int, choices=(2, 3), default=3, help="version of the standard; default: 3")
 

@@ -201,18 +201,27 @@ def _earlier_files(directory: Path) -> set[str]:
         return set()
     if not (directory / "manifest.json").is_file():
         raise OutputError(f"{directory}: holds files that this tool did not write; use an empty directory")
-    listed = read_manifest(directory).get("files", [])
+    try:
+        listed = read_manifest(directory).get("files", [])
+    except OutputError as error:  # which says to generate again: that is what this is
+        reason = str(error).rpartition(";")[0] or str(error)
+        raise OutputError(f"{reason}; remove the directory, or use another one") from error
     return {f for f in listed if isinstance(f, str) and _PLAIN_FILE.fullmatch(f)} | {"manifest.json"}
 
 
 def _write(directory: Path, files: Mapping[str, bytes], *, stale: set[str]) -> None:
     """Write beside `directory`, then move into place; the manifest goes last."""
-    directory.parent.mkdir(parents=True, exist_ok=True)
     staging = directory.parent / f".{directory.name}.{secrets.token_hex(6)}"
-    staging.mkdir()
     try:
+        directory.parent.mkdir(parents=True, exist_ok=True)
+        staging.mkdir()
         for name, content in files.items():
             (staging / name).write_bytes(content)
+    except OSError as error:
+        shutil.rmtree(staging, ignore_errors=True)
+        what = error.strerror or error
+        raise OutputError(f"{directory}: cannot be written ({what}); nothing was, use another place") from error
+    try:
         if directory.exists():
             for name in sorted(files, key=lambda name: (name == "manifest.json", name)):
                 os.replace(staging / name, directory / name)

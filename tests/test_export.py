@@ -358,6 +358,13 @@ def test_files_of_others_are_not_overwritten(model, tmp_path):
     assert (tmp_path / "out/handmade.c").read_text() == "/* by hand */"
 
 
+def test_what_is_no_manifest_any_more_has_a_way_out(model, tmp_path):
+    (tmp_path / "manifest.json").write_text("torn")
+    with pytest.raises(OutputError, match=r"not valid JSON.*; remove the directory, or use another one"):
+        generate(model, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["manifest.json"]
+
+
 def test_a_manifest_cannot_name_files_elsewhere(model, tmp_path):
     generate(model, tmp_path / "out")
     (tmp_path / "precious.txt").write_text("keep")
@@ -383,7 +390,7 @@ def test_nothing_is_half_written(model, tmp_path, monkeypatch):
         return write(path, data)
 
     monkeypatch.setattr(Path, "write_bytes", full_disk)
-    with pytest.raises(OSError, match="no space"):
+    with pytest.raises(OutputError, match=r"out: cannot be written \(no space left\); nothing was, use another place"):
         generate(model, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
 

@@ -10,7 +10,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from model_states import pendulum
 
+from symscrew import description
 from symscrew import scene as scenes
 from symscrew.cli import main
 from symscrew.compiled import find_compiler
@@ -171,8 +173,14 @@ def test_equal_scenes_give_equal_bytes(units: dict[int, Path], tmp_path: Path) -
 
 
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["fmu", "four_bar", "--out", str(tmp_path / "four_bar.fmu"), "--fmi", "2"]) == 0
-    assert validate_fmu(str(tmp_path / "four_bar.fmu")) == []
+    own = tmp_path / "own.toml"
+    own.write_text(description.dumps(pendulum().mechanism))
+    for given, version in (("four_bar", "2"), (str(own), "3")):
+        unit = tmp_path / f"{Path(given).stem}.fmu"
+        assert main(["fmu", given, "--out", str(unit), "--fmi", version]) == 0
+        assert validate_fmu(str(unit)) == []
+        unit.unlink()
+    own.unlink()
     for arguments, said in (
         (["fmu", "four_bar", "--out", str(tmp_path / "four_bar.zip")], ".fmu"),
         (["fmu", "four_ba", "--out", str(tmp_path / "x.fmu")], "four_ba"),
@@ -182,4 +190,4 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
         with pytest.raises(SystemExit) as stopped:
             raise SystemExit(main(arguments))
         assert stopped.value.code == 2 and said in capsys.readouterr().err
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["four_bar.fmu"]
+    assert list(tmp_path.iterdir()) == []

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from pathlib import Path
 
-from symscrew import catalogue, scene
+from symscrew import catalogue, interchange, scene
 from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.fmu.archive import at_rest, build
@@ -28,6 +29,13 @@ def run(options: argparse.Namespace) -> int:
 
 def _scene(name: str) -> Scene:
     """A scene file, or a mechanism at rest under its weight with the drives as inputs."""
-    if name in catalogue.names():
-        return at_rest(catalogue.load(name), (Gravity(),))
+    if name in catalogue.names() or Path(name).suffix in interchange.READ or _describes(Path(name)):
+        return at_rest(catalogue.find(name), (Gravity(),))
     return scene.load(name)
+
+
+def _describes(path: Path) -> bool:
+    """Whether a file has the section of a mechanism, which a scene only names."""
+    if path.suffix != ".toml" or not path.is_file():
+        return False
+    return re.search(r"^\s*\[mechanism\]", path.read_text(encoding="utf-8", errors="replace"), re.MULTILINE) is not None
