@@ -14,11 +14,10 @@ import numpy as np
 import pytest
 from hard import case, precise
 from hard.mechanisms import Z, benchmark_text, catalogue_text, chain, changed, four_bars
-from model_states import model as catalogued
 from model_states import relative
 from runs import error_of, run_of, scene_of
 
-from symscrew import elimination
+from symscrew import catalogue, elimination
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler
 from symscrew.effects import Gravity
@@ -92,9 +91,7 @@ def test_mass_ratios_through_singular_positions(ratio: str) -> None:
 
 def test_nearly_massless_limbs() -> None:
     """Limbs of the seed with 1e-12 of their masses: no digit lost beyond the first four."""
-    found = catalogued("three_ups_upu_s_physical")
-    light = _lighter(found.mechanism, "1e-12")
-    model = derive(light)
+    model = derive(_lighter(catalogue.load("three_ups_upu_s_physical"), "1e-12"))
     assert max(lost(model, *state) for state in states(model, 1)) < 1e-12
 
 
@@ -273,6 +270,12 @@ def tilted_bar(angle: str) -> Mechanism:
     return builder.build()
 
 
+@cache
+def planar_bar() -> Model:
+    assert analyse_mobility(tilted_bar("0")).dof == 1
+    return derive(tilted_bar("0"), DOWN)
+
+
 @pytest.mark.parametrize("angle", ["1e-3", "1e-6", "1e-9", "1e-12"])
 def test_one_axis_nearly_parallel_to_the_others(angle: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Exactly, the loop is rigid for every angle > 0, and mobility says so with the smallest singular value.
@@ -282,10 +285,9 @@ def test_one_axis_nearly_parallel_to_the_others(angle: str, monkeypatch: pytest.
     loop has its one freedom and the accelerations of the planar loop.
     """
     assert "0 dof for every eps > 0" in case(25)["pass_criterion"]
-    tilt, planar = float(angle), derive(tilted_bar("0"), DOWN)
+    tilt, planar = float(angle), planar_bar()
     analysis = analyse_mobility(tilted_bar(angle))
     assert analysis.dof == 0 and analysis.decisions.singular_values[0] == pytest.approx(0.18354 * tilt, rel=1e-3)
-    assert analyse_mobility(tilted_bar("0")).dof == 1
     found = derive(tilted_bar(angle), DOWN)
     _, jacobian = precise.closure(found, planar.system.reference)
     values = [float(x) for x in precise.singular_values(jacobian)]

@@ -14,7 +14,7 @@ import pytest
 from hard import case
 from hard.mechanisms import benchmark_text, catalogue_text, changed
 from model_states import model
-from runs import EXAMPLES
+from runs import EXAMPLES, prepared
 
 from symscrew import validation
 from symscrew.builder import MechanismBuilder
@@ -25,7 +25,7 @@ from symscrew.program import Iteration, Program, evaluate
 from symscrew.scene import Initial
 from symscrew.scene import load as load_scene
 from symscrew.simulation.initial import initial_state
-from symscrew.simulation.run import prepare, simulate
+from symscrew.simulation.run import simulate
 
 Y = [0, 1, 0]
 
@@ -34,7 +34,7 @@ Y = [0, 1, 0]
 def crank() -> Callable[..., dict[str, tuple[float, float]]]:
     """Where the spatial slider-crank begins with given coordinates and rates: label to (value, rate)."""
     scene = load_scene(EXAMPLES / "benchmarks" / "spatial_slider_crank.toml")
-    found, plant = prepare(scene)
+    found, plant = prepared("spatial_slider_crank")
     labels = [c.label for c in found.system.tree.q]
 
     def begin(coordinates: dict, rates: dict, hold: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
@@ -64,7 +64,8 @@ def test_position_off_the_manifold(crank: Callable) -> None:
     assert "move reported" in case(20)["pass_criterion"]
     scene = load_scene(EXAMPLES / "benchmarks" / "spatial_slider_crank.toml")
     begin = Initial({"slide": 0.201, "A": 0.0}, {"A": 6.0, "slide": 0.0}, hold=("A",))
-    run = simulate(dataclasses.replace(scene, initial=begin, duration=1e-3))
+    scene = dataclasses.replace(scene, initial=begin, duration=1e-3)
+    run = simulate(scene, prepared=prepared("spatial_slider_crank"))
     assert run.events == (
         "t = 0 s: slide put from 0.201 to 0.2 to close the loops",
         "t = 0 s: slide (rate) put from 0 to 0.24 to close the loops",

@@ -150,7 +150,7 @@ def test_dzhanibekov_flips() -> None:
     size = np.linalg.norm(momentum, axis=1)
     assert np.abs(size / size[0] - 1).max() < 1e-10
     assert np.abs(run.energy[:, 0] / run.energy[0, 0] - 1).max() < 1e-10
-    gap = np.abs(run.v - jacobi(run.t)).max(axis=1)
+    gap = np.abs(run.v[::5] - jacobi(run.t[::5])).max(axis=1)
     assert gap[-1] < 1e-6 and gap.max() < 5e-6  # in the midst of a flip 1e-7 s of delay show
     assert (np.diff(np.sign(run.v[:, 1])) != 0).sum() == 15
     # L in absolute axes stays where it is: attitude and rates belong together
