@@ -103,8 +103,8 @@ def difference(expected: np.ndarray, got: np.ndarray) -> float:
     return float(np.abs(got - expected).max(initial=0.0) / max(np.abs(expected).max(initial=0.0), 1e-12))
 
 
-def single(compiled: Compiled, name: str, count: int = STATES) -> tuple[Measure, list[np.ndarray]]:
-    """ns per single call, in a loop over states, and its results."""
+def single(compiled: Compiled, name: str, count: int = STATES, *, rounds: int = 20) -> tuple[Measure, list[np.ndarray]]:
+    """ns per single call, in `rounds` loops over states, and its results."""
     program = compiled.model.programs[name]
     ports = (*program.inputs, *program.outputs)
     if len(ports) > MOST_ARRAYS:
@@ -114,10 +114,10 @@ def single(compiled: Compiled, name: str, count: int = STATES) -> tuple[Measure,
     sizes = (ctypes.c_size_t * MOST_ARRAYS)(*[p.size for p in ports])
     places, function = pointers(arrays), compiled.function(name)
 
-    def measure(rounds: int = 20, kept: Sequence[np.ndarray] = arrays) -> float:
+    def measure(kept: Sequence[np.ndarray] = arrays) -> float:
         return compiled.loops.time_single(function, ctypes.c_size_t(rounds), ctypes.c_size_t(count), sizes, places)
 
-    measure(1)
+    measure()
     return measure, results
 
 
@@ -226,14 +226,19 @@ def at_run_time(model: Model) -> Model:
 def throughput(
     model: Model, function: str, *, counts: Sequence[int] = COUNTS, repeats: int = 5
 ) -> list[dict[str, Any]]:
-    """ns per state of batches of 1, 8, 1e3 and 1e6 states in both layouts, on one thread and on all."""
+    """ns per state of batches of 1, 8, 1e3 and 1e6 states in both layouts, on one thread and on all.
+
+    Beside them single calls over the same states in a loop in C.
+    """
     found: list[dict[str, Any]] = []
     libraries = {"one thread": Compiled(model, [function])}
     with contextlib.suppress(CompileError):  # without OpenMP there is one thread
         libraries["threads"] = Compiled(model, [function], threads=True)
     for count in counts:
         entry: dict[str, Any] = {"states": count}
-        measures = {
+        calls = single(libraries["one thread"], function, count, rounds=max(1, 20_000 // count))[0]
+        measures = {"single calls in C": calls}
+        measures |= {
             f"{layout}, {how}": batch(library, function, count, columns=layout == "side by side")[0]
             for how, library in libraries.items()
             for layout in ("one after the other", "side by side")

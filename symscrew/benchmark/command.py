@@ -51,8 +51,8 @@ def run(options: argparse.Namespace) -> int:
             print(f"not compared: {note}")
         if batches:
             variants = [key for key in batches[0] if key != "states"]
-            print(f"\n{functions[0]}, ns per state of one call from Python")
-            cells = [[str(b["states"]), *(f"{b[v]['median']:.3g}" for v in variants)] for b in batches]
+            print(f"\n{functions[0]}, least ns per state; a batch is one call from Python on arrays of NumPy")
+            cells = [[str(b["states"]), *(f"{b[v]['least']:.3g}" for v in variants)] for b in batches]
             print(table(("states", *variants), cells))
     if options.plot:
         print(_plot(rows, Path(options.plot), mechanism.name), file=sys.stderr if options.json else sys.stdout)

@@ -27,7 +27,7 @@ from symscrew.timing import Times, interleaved
 from ..tables import table
 
 SEED = "three_ups_upu_s_physical"
-STATES = 256
+STATES = 64  # which the caches hold
 BLOCK = 8
 AGREEMENT = 1e-10
 FLAGS = (
@@ -181,7 +181,7 @@ def _timed(
     places = (ctypes.c_void_p * 8)(*[array.ctypes.data for array in arrays]) if whole else pointers(arrays)
     count, loop = STATES // block, compiled.loops.time_block if whole else compiled.loops.time_single
 
-    def measure(rounds: int = 20, kept: Sequence[np.ndarray] = arrays) -> float:
+    def measure(rounds: int = 60, kept: Sequence[np.ndarray] = arrays) -> float:
         rounds_, count_ = ctypes.c_size_t(rounds), ctypes.c_size_t(count)
         return loop(function, rounds_, count_, sizes, places) / block
 

@@ -130,10 +130,10 @@ static inline __attribute__((always_inline)) void drives(
     couple[3] = size * nz;
 }
 
-/* Drives, and with `reactions` the wrenches of all joints. */
+/* Drives, and if `all` is wanted the wrenches of all joints. */
 static inline __attribute__((always_inline)) void state(
     const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u,
-    double *restrict reactions, size_t stride)
+    double *restrict reactions, size_t stride, int all)
 {
     axes at, v, a;
     leg_one legs[4];
@@ -163,7 +163,7 @@ static inline __attribute__((always_inline)) void state(
     LEG(3, +, y, 1, 0, -, -mY, mX)
     drives(g, h, legs[0].cosine, legs[0].sine, legs[0].across, legs[0].along, legs[0].slope, legs[0].reciprocal,
            tips[0], at.y, b, u, stride, couple);
-    if (reactions == NULL) {
+    if (!all) {
         return;
     }
     const double zero[4] = {0.0, 0.0, 0.0, 0.0};
@@ -197,6 +197,7 @@ static inline __attribute__((always_inline)) void state(
         }
         hub[2] -= found.tip[2];
     }
+#pragma GCC unroll 3
     for (size_t k = 0; k < 3; ++k) {
         reactions[(72 + k) * stride] = hub[k];
         reactions[(75 + k) * stride] = 0.0;
@@ -205,7 +206,7 @@ static inline __attribute__((always_inline)) void state(
 
 int lean_seed(const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u)
 {
-    state(pose, rate, gain, u, NULL, 1);
+    state(pose, rate, gain, u, u, 1, 0);
     return 0;
 }
 
@@ -214,7 +215,7 @@ int lean_seed_reactions(
     const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
     double *restrict reactions)
 {
-    state(q + 12, v + 12, a + 12, u, reactions, 1);
+    state(q + 12, v + 12, a + 12, u, reactions, 1, 1);
     return 0;
 }
 
@@ -301,7 +302,7 @@ int lean_seed_batch(
 {
 #pragma omp simd
     for (int k = 0; k < 8; ++k) {
-        state(pose + k, rate + k, gain + k, u + k, NULL, 8);
+        state(pose + k, rate + k, gain + k, u + k, u + k, 8, 0);
     }
     return 0;
 }
@@ -312,7 +313,7 @@ int lean_seed_reactions_batch(
 {
 #pragma omp simd
     for (int k = 0; k < 8; ++k) {
-        state(q + 96 + k, v + 96 + k, a + 96 + k, u + k, reactions + k, 8);
+        state(q + 96 + k, v + 96 + k, a + 96 + k, u + k, reactions + k, 8, 1);
     }
     return 0;
 }

@@ -76,7 +76,7 @@ int lean_stewart(
     }
     b[2] += STEWART_MASS * G;
     double rows[6][7];
-#pragma GCC unroll 6
+#pragma GCC unroll 1 /* a loop over the legs is faster than six of them */
     for (int k = 0; k < 6; ++k) {
         const double *L = stewart_leg[k];
         double C[3], d[3], v[3], a[3];
