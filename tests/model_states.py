@@ -19,6 +19,8 @@ ALL = (*catalogue.names(), *HAND_TYPED)
 
 @cache
 def model(name: str) -> Model:
+    if name == "pendulum":
+        return pendulum()
     return derive(HAND_TYPED[name]() if name in HAND_TYPED else catalogue.load(name))
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
-from model_states import model, pendulum
+from model_states import model
 
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import compile_c, find_compiler
@@ -45,7 +45,7 @@ CASES = [pytest.param(name, marks=pytest.mark.slow) if name in LARGE else name f
 @pytest.mark.parametrize("name", CASES)
 def test_jacobians_of_programs_are_their_finite_differences(name):
     """Every input, quaternions entry by entry and run-time parameters too; an iteration by its solution."""
-    found = pendulum() if name == "pendulum" else model(name)
+    found = model(name)
     derived, jacobians = jacobians_model(found)
     assert set(jacobians) >= {"inverse_dynamics", "forward_dynamics"} & set(found.programs)
     for function, made in jacobians.items():

@@ -18,7 +18,6 @@ from symscrew.embedded import EmbeddedError, measure, missing_tools
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c, print_source
 from symscrew.export.c_precision import PRECISIONS
-from symscrew.model import Model
 from symscrew.verification import check
 
 EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
@@ -42,12 +41,8 @@ CASES = [
 def measured() -> dict[tuple[str, str, str], dict]:
     """What every function of the cases takes: compilers and emulators of two cases at a time."""
     with ThreadPoolExecutor(2) as pool:
-        found = [pool.submit(measure, named(name), core, precision) for name, core, precision in CASES]
+        found = [pool.submit(measure, model(name), core, precision) for name, core, precision in CASES]
         return {case: one.result() for case, one in zip(CASES, found, strict=True)}
-
-
-def named(name: str) -> Model:
-    return pendulum() if name == "pendulum" else model(name)
 
 
 @pytest.mark.tools
@@ -55,7 +50,7 @@ def named(name: str) -> Model:
 @pytest.mark.parametrize("name, core, precision", CASES)
 def test_every_function_gives_the_same_numbers_there(name: str, core: str, precision: str, measured) -> None:
     limit, found = 1e-4 if precision == "single" else 1e-12, measured[name, core, precision]
-    assert set(found["functions"]) == set(named(name).programs)
+    assert set(found["functions"]) == set(model(name).programs)
     for function, entry in found["functions"].items():
         assert entry["error"] < limit, function
         assert 0 < entry["flash"] < 50_000 and entry["instructions"] > 0 and 0 < entry["stack"] < 20_000, function
