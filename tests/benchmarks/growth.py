@@ -1,12 +1,19 @@
-"""How operations, code, compile time, memory and runs grow with limbs, serial joints and loops, with exponents."""
+"""How operations, code, compile time, memory and runs grow with limbs, serial joints and loops, with exponents.
+
+Every mechanism has a process of its own, and so has its compiler: peak memory is that of this size alone.
+"""
 
 from __future__ import annotations
 
 import os
+import resource
 import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +22,7 @@ import numpy as np
 from symscrew.accuracy.growth import GRAVITY, four_bars
 from symscrew.compiled import FLAGS, SPILLS, find_compiler
 from symscrew.effects import Gravity
+from symscrew.export.c import print_c
 from symscrew.generation import render
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
@@ -28,7 +36,13 @@ LIMBS = (2, 4, 8, 16)
 JOINTS = (6, 12, 25, 50, 100)
 LOOPS = (2, 5, 10, 20, 40)
 FUNCTIONS = ("body_poses", "body_twists", "inverse_dynamics", "joint_reactions", "forward_dynamics", "mass_matrix")
-COSTS = ("nodes", "C kB", "derive s", "generate s", "compile s", "compile MB")
+FAMILIES = (
+    *("body_poses", "body_twists", "body_twist_rates", "joint_screws", "platform_jacobian", "velocity", "acceleration"),
+    *("close_position", "close_velocity", "inverse_dynamics", "forward_dynamics"),
+)
+"""Kinematics, inverse and forward dynamics: what a user of a large model cannot do without."""
+COSTS = ("nodes", "derive s", "print C s", "print all s", "generate MB", "C kB", "object kB", "compile s", "compile MB")
+FEW = ("families: C kB", "families: object kB", "families: compile s", "families: compile MB")
 RUNS = ("compile run s", "run ms")
 DURATION, TOLERANCE = 10.0, 1e-9
 
@@ -47,7 +61,7 @@ def run(*, repeats: int = 3) -> tuple[str, dict[str, Any]]:
         "n four-bars in a row": ("loops", four_bars, LOOPS),
     }
     for title, (unit, make, sizes) in series.items():
-        rows = [_costs(make(n), repeats, falling=unit == "loops") for n in sizes]
+        rows = [alone(_costs, make(n), repeats, falling=unit == "loops") for n in sizes]
         columns = list(rows[0])
         found = {c: [row[c] for row in rows] for c in columns}
         exponents = {c: exponent(sizes, found[c]) for c in columns}
@@ -60,21 +74,39 @@ def run(*, repeats: int = 3) -> tuple[str, dict[str, Any]]:
     return "\n\n".join(texts), raw
 
 
+def alone(call: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+    """The result of a call in a new process."""
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        return pool.submit(call, *arguments, **named).result()
+
+
 def _costs(mechanism: Mechanism, repeats: int, *, falling: bool) -> dict[str, float]:
-    """What a mechanism costs: operations, and COSTS; with `falling` also RUNS, of a fall through singular positions."""
+    """What a mechanism costs: operations, COSTS, FEW; with `falling` RUNS, of a fall through singular positions."""
     effects = (Gravity((0, f"-{GRAVITY}", 0)),) if falling else (Gravity(),)
     start = time.process_time()
     model = derive(mechanism, effects)
     derived = time.process_time()
-    files = render(model)
+    sources = print_c(model)
     printed = time.process_time()
-    with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
-        for file in (f"{model.name}.h", f"{model.name}.c"):
-            (Path(folder) / file).write_bytes(files[file])
-        seconds, megabytes = compiled(Path(folder) / f"{model.name}.c")
-    values = (len(model.system.tape.nodes), len(files[f"{model.name}.c"]) / 1e3, derived - start, printed - derived)
-    row: dict[str, float] = {**operations(model), **dict(zip(COSTS, (*values, seconds, megabytes), strict=True))}
+    render(model)
+    rendered = time.process_time()
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3
+    few = print_c(replace(model, programs={f: p for f, p in model.programs.items() if f in FAMILIES}))
+    values = (len(model.system.tape.nodes), derived - start, printed - derived, rendered - printed, memory)
+    row: dict[str, float] = {**operations(model), **dict(zip(COSTS, (*values, *_compiled(sources)), strict=True))}
+    row |= dict(zip(FEW, _compiled(few), strict=True))
     return row | dict(zip(RUNS, _fall(model, repeats), strict=True)) if falling else row
+
+
+def _compiled(sources: dict[str, str]) -> tuple[float, float, float, float]:
+    """kB of C and of what is compiled, processor time [s] and largest memory [MB] of the compiler."""
+    with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
+        for name, text in sources.items():
+            (Path(folder) / name).write_text(text, encoding="utf-8")
+        source = Path(folder) / next(name for name in sources if name.endswith(".c"))
+        seconds, megabytes = alone(compiled, source)
+        made = Path(f"{source}.so")
+        return source.stat().st_size / 1e3, made.stat().st_size / 1e3 if made.exists() else 0.0, seconds, megabytes
 
 
 def compiled(source: Path) -> tuple[float, float]:
