@@ -2,21 +2,24 @@
 
 All cranks stay parallel, so the exact motion is that of one pendulum of another inertia: J theta'' = c sin theta with
 J = (N + 1)/3 + N and c = ((N + 1)/2 + N) g. The run passes singular positions, where all cranks are horizontal, about
-ten times in 10 s. Fixed steps of RK4, positions and rates closed by the generated functions after every step.
+ten times in 10 s. Two ways: fixed steps of RK4, positions and rates closed by the generated functions after every step,
+and `symscrew simulate` as it is, which follows the branch through singular positions.
 """
 
 from __future__ import annotations
 
 import ctypes
 import time
+from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 
 import numpy as np
 
+from symscrew.accuracy.forward import beginning
 from symscrew.accuracy.history import read_reference
 from symscrew.accuracy.loops import compiled, one_file, pointer
-from symscrew.accuracy.measuring import Setup, Stopwatch, Study, measured
+from symscrew.accuracy.measuring import Point, Setup, Stopwatch, Study, measured
 from symscrew.accuracy.states import Subject
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler
@@ -24,13 +27,21 @@ from symscrew.console import Progress
 from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.mechanism import Mechanism
-from symscrew.model import Model, derive
+from symscrew.model import Model
+from symscrew.scene import Initial, Scene
+from symscrew.scene.scene import Integrator
+from symscrew.simulation import native
+from symscrew.simulation.programs import Plant
+from symscrew.simulation.run import prepare
 
+Array = np.ndarray
 SIZES = (1, 2, 5, 10, 20, 40)
 DURATION, OUTPUTS, STEP = 10.0, 50, 0.005
 GRAVITY = 9.81
 FUNCTIONS = ("forward_dynamics", "close_position", "close_velocity")
 FLAGS = ("-O1",)  # the longest of these functions take minutes at -O2
+TOLERANCE = 1e-7
+FIXED, SIMULATED = "generated functions in fixed steps", "symscrew simulate"
 
 
 def four_bars(count: int) -> Mechanism:
@@ -56,7 +67,7 @@ def four_bars(count: int) -> Mechanism:
 def study(
     subject: Subject, progress: Progress, *, repeats: int, seconds: float, path: Path | None = None, full: bool = False
 ) -> Study:
-    """Time per simulated second, operations, and seconds to derive and compile, for N = 1 ... 40."""
+    """Time per simulated second, operations, and seconds to derive and compile, for N = 1 ... 40, with exponents."""
     if not subject.model.name.startswith("n_four_bar"):
         raise DescriptionError(
             "--study growth: expected the scene of the N four-bar (examples/benchmarks/n_four_bar.toml)"
@@ -68,23 +79,15 @@ def study(
     for count in SIZES:
         own = Stopwatch()
         with progress.step(f"growth: derive and compile N = {count}"):
-            model = own("derive", derive, four_bars(count), (Gravity((0, "-9.81", 0)),))
+            scene = falling(count)
+            model, plant = own("derive", prepare, scene)
             setups.append(_setup(model, count, own))
+            setups.append(_simulated(scene, plant, setups[-1], own))
         for name, spent in own.seconds.items():
             watch.seconds[name] = watch.seconds.get(name, 0.0) + spent
         operations = [model.programs[name].operations["total"] for name in FUNCTIONS]
         rows.append([count, *operations, own.seconds["derive"], own.seconds["compile"]])
     points = measured(setups, repeats=repeats, seconds=seconds, progress=progress, text="growth")
-    header = ["N", *(f"operations {name}" for name in FUNCTIONS), "derive [s]", "compile [s]", "run, 1 s [ms]", "error"]
-    columns = np.array(rows, dtype=float)
-    times = np.array([1e3 * p.cost.median if p.cost else np.nan for p in points])
-    table = [
-        [*(f"{x:g}" for x in row[:4]), *(f"{x:.2f}" for x in row[4:]), f"{t:.3g}", p.failure or f"{p.error:.1e}"]
-        for row, t, p in zip(columns, times, points, strict=True)
-    ]  # fmt: skip
-    sizes, upper = np.array(SIZES, dtype=float), slice(len(SIZES) // 2, None)
-    exponents = [_exponent(sizes[upper], column[upper]) for column in (*columns[:, 1:].T, times)]
-    table.append(["exponent", *(f"{x:.2f}" for x in exponents), ""])
     return Study(
         "growth",
         "Cost over the number of loops: N four-bars in a row",
@@ -93,17 +96,65 @@ def study(
         "time per simulated second",
         "ms",
         "the pendulum of the same motion by DOP853 at 1e-13; its difference to a run at 1e-12",
-        max(float(s.facts["reference error"]) for s in setups),
+        max(float(s.facts["reference error"]) for s in setups if "reference error" in s.facts),
         watch.seconds,
         (),
         (
-            f"{DURATION:g} s through the singular positions, RK4 with steps of {STEP:g} s, closed after every step by "
-            f"generated functions. Compiled with {' '.join(FLAGS)}.",
+            f"{DURATION:g} s through the singular positions. {FIXED}: RK4 with steps of {STEP:g} s, closed after every "
+            f"step. {SIMULATED}: DOP853, tolerance {TOLERANCE:g}, its whole call. Compiled with {' '.join(FLAGS)}.",
             *_peers(path),
             "Exponents: slopes of log cost over log N over the larger half of the sizes; 1 is linear.",
         ),
-        {"Growth with N": (header, table)},
+        {"Growth with N": _table(rows, points)},
     )
+
+
+def _table(rows: Sequence[Sequence[float]], points: Sequence[Point]) -> tuple[list[str], list[list[str]]]:
+    """A row per N, and the exponents; `rows`: N, operations, seconds to derive and to compile."""
+    header = ["N", *(f"operations {name}" for name in FUNCTIONS), "derive [s]", "compile [s]"]
+    columns = np.array(rows, dtype=float)
+    sizes, upper = columns[:, 0], slice(len(rows) // 2, None)
+    table = [[*(f"{x:g}" for x in row[:4]), *(f"{x:.2f}" for x in row[4:])] for row in columns]
+    last = ["exponent", *(f"{_exponent(sizes[upper], column[upper]):.2f}" for column in columns[:, 1:].T)]
+    for series in (FIXED, SIMULATED):
+        own = [p for p in points if p.facts["series"] == series]
+        times = np.array([1e3 * p.cost.median if p.cost else np.nan for p in own])
+        header += [f"{series}, 1 s [ms]", "error"]
+        for row, spent, p in zip(table, times, own, strict=True):
+            row += [f"{spent:.3g}", p.failure or f"{p.error:.1e}"]
+        last += [f"{_exponent(sizes[upper], times[upper]):.2f}", ""]
+    return header, [*table, last]
+
+
+def falling(count: int) -> Scene:
+    """The scene of the benchmark with N = `count`: cranks upright, their tips at 1 m/s."""
+    start, tight = Initial(rates={"A0": -1.0}), Integrator(tolerance=TOLERANCE)
+    mechanism, down = four_bars(count), (Gravity((0, f"-{GRAVITY}", 0)),)
+    return Scene(mechanism.name, mechanism, down, DURATION, OUTPUTS / DURATION, start, integrator=tight)
+
+
+def _simulated(scene: Scene, plant: Plant, fixed: Setup, watch: Stopwatch) -> Setup:
+    """`symscrew simulate` of the same fall: its whole call, and the error of the same angle."""
+    library = watch("compile", native.Library, plant, flags=(*native.FLAGS, *FLAGS))
+    start = beginning(scene, plant.model, plant)
+    crank = [c.label for c in plant.system.tree.q].index("A0")
+    exact, _ = _exact(int(fixed.facts["N"]))
+    found: list[Array] = []
+
+    def run() -> float:
+        begin = time.thread_time()
+        history = native.run(library, scene, start)
+        taken = time.thread_time() - begin
+        if not history.ok:
+            raise ArithmeticError(history.status)
+        found[:] = [history.q]
+        return taken
+
+    def error() -> float:
+        return float(np.abs(-found[0][:, crank] - exact).max())
+
+    facts = {"N": fixed.facts["N"], "operations": fixed.facts["operations"], "series": SIMULATED}
+    return Setup(fixed.curve.replace(FIXED, SIMULATED), fixed.setting, run, error, DURATION, facts)
 
 
 def _peers(path: Path | None) -> list[str]:
@@ -168,8 +219,14 @@ def _setup(model: Model, count: int, watch: Stopwatch) -> Setup:
         return taken
 
     facts = {"N": count, "operations": model.programs["forward_dynamics"].operations["total"], "reference error": own}
+    facts |= {"series": FIXED}
     return Setup(
-        f"N = {count}", f"{size} joints", run, lambda: float(np.abs(-outputs[:, crank] - exact).max()), DURATION, facts
+        f"{FIXED}, N = {count}",
+        f"{size} joints",
+        run,
+        lambda: float(np.abs(-outputs[:, crank] - exact).max()),
+        DURATION,
+        facts,
     )
 
 

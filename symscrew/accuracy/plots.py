@@ -93,23 +93,29 @@ def _columns(study: Study, count: int) -> int:
 
 
 def _growth_figure(study: Study) -> Figure:
-    """Time per simulated second over the number of loops, beside a line of slope 1; operations over the same."""
-    found = [p for p in study.points if p.cost is not None]
-    n = np.array([float(p.facts["N"]) for p in found])
-    times = np.array([UNITS[study.cost_unit] * p.cost.median for p in found if p.cost is not None])
-    operations = np.array([float(p.facts["operations"]) for p in found])
+    """Time per simulated second over the number of loops, beside lines of slope 1; operations over the same."""
+    series: dict[str, list[Point]] = {}
+    for point in study.points:
+        if point.cost is not None:
+            series.setdefault(str(point.facts["series"]), []).append(point)
+    dashes = {"color": "#808080", "linewidth": 0.8, "linestyle": (0, (5, 2))}
     with style():
         made = Figure(figsize=(6.4, 2.8), layout="constrained")
         FigureCanvasAgg(made)
         axes = made.subplots(1, 2, squeeze=False)[0]
-        curves = ((times, f"{study.cost_label}  [{study.cost_unit}]"), (operations, "operations of forward dynamics"))
-        for axis, (values, label) in zip(axes, curves, strict=True):
-            axis.plot(n, values[-1] * n / n[-1], color="#808080", linewidth=0.8, linestyle=(0, (5, 2)), label="linear")
-            axis.plot(n, values, label="measured" if values is times else "counted", **_look(0, found))
+        for k, (name, found) in enumerate(series.items()):
+            n = np.array([float(p.facts["N"]) for p in found])
+            times = np.array([UNITS[study.cost_unit] * p.cost.median for p in found if p.cost is not None])
+            operations = np.array([float(p.facts["operations"]) for p in found])
+            for axis, values, text in ((axes[0], times, name), (axes[1], operations, "counted"))[: 2 - k]:
+                axis.plot(n, values[-1] * n / n[-1], label=None if k else "linear", **dashes)  # type: ignore[arg-type]
+                axis.plot(n, values, label=text, **_look(k, found))
+        labels = (f"{study.cost_label}  [{study.cost_unit}]", "operations of forward dynamics")
+        for axis, label in zip(axes, labels, strict=True):
             axis.set_xlabel("number of loops $N$")
             axis.set_ylabel(label)
             _finish(axis)
-            axis.legend(loc="upper left")
+            axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), fontsize=6.8)
     return made
 
 
