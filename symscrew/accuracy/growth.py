@@ -218,16 +218,12 @@ def _setup(model: Model, count: int, watch: Stopwatch) -> Setup:
             raise ArithmeticError(f"status {status}")
         return taken
 
-    facts = {"N": count, "operations": model.programs["forward_dynamics"].operations["total"], "reference error": own}
-    facts |= {"series": FIXED}
-    return Setup(
-        f"{FIXED}, N = {count}",
-        f"{size} joints",
-        run,
-        lambda: float(np.abs(-outputs[:, crank] - exact).max()),
-        DURATION,
-        facts,
-    )
+    def error() -> float:
+        return float(np.abs(-outputs[:, crank] - exact).max())
+
+    operations = model.programs["forward_dynamics"].operations["total"]
+    facts: dict[str, object] = {"N": count, "operations": operations, "reference error": own, "series": FIXED}
+    return Setup(f"{FIXED}, N = {count}", f"{size} joints", run, error, DURATION, facts)
 
 
 def _drives(model: Model) -> str:
