@@ -86,7 +86,7 @@ def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, t
     header = (tmp_path / "pendulum.h").read_text()
     assert f"{real.real} length; /* [m] length of the rod; default 0.5{real.suffix} */" in header
     (tmp_path / "main.c").write_text(PENDULUM.replace("REAL", real.real))
-    command = [str(find_compiler()), *STRICT, "-O1", "main.c", "pendulum.c", "-o", "main", "-lm"]
+    command = [str(find_compiler()), *STRICT, "-O0", "main.c", "pendulum.c", "-o", "main", "-lm"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout.split()
@@ -105,7 +105,7 @@ def test_the_readme_shows_the_type(tmp_path: Path) -> None:
     assert declared in c and declared in cpp
     (tmp_path / "main.c").write_text(c)
     (tmp_path / "main.cpp").write_text(cpp.replace(declared, declared + "    p_.by_name.mass *= 2;\n"))
-    subprocess.run([str(find_compiler()), "-std=c99", "-O1", "-c", "pendulum.c"], cwd=tmp_path, check=True)
+    subprocess.run([str(find_compiler()), "-std=c99", "-O0", "-c", "pendulum.c"], cwd=tmp_path, check=True)
     printed = []
     for command in (["cc", "-std=c99", "-Wall", "-Werror", "main.c"], ["c++", "-std=c++17", "-Wall", "main.cpp"]):
         subprocess.run([*command, "pendulum.o", "-o", "main", "-lm"], cwd=tmp_path, check=True)
