@@ -1,5 +1,7 @@
 """Time for accuracy of whole runs: the compiled loop on the benchmark problems, solver call only.
 
+Then the same for N four-bars in a row, through their singular positions, with the exponent of the time over N.
+
 Beside it, in the same process: the same generated functions and DOP853 without anything that keeps the loops closed.
 The other engines' times are those recorded in tests/data/dynamics/peers.json, on their own machine.
 """
@@ -14,10 +16,13 @@ from pathlib import Path
 
 import numpy as np
 
+from symscrew.effects import Gravity
+from symscrew.scene import Initial, Integrator, Scene
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.programs import Plant
 from symscrew.simulation.run import _observed, prepare
+from tests.hard.mechanisms import four_bars, swung
 from tests.runs import error_of, scene_of
 
 from .tables import table
@@ -26,6 +31,7 @@ GOALS = {
     "andrews": (1e-10, 3.0), "bricard": (1e-10, 5.0), "spatial_slider_crank": (1e-10, 10.0),
     "flyball_governor": (1e-8, 20.0), "n_four_bar": (1e-6, None), "delta": (1e-10, None), "heavy_top": (1e-8, None),
 }  # fmt: skip
+LOOPS = (1, 2, 5, 10, 20, 40)
 TOLERANCES = [10.0**-k for k in range(2, 13)]
 PEERS = Path(__file__).parents[1] / "data" / "dynamics" / "peers.json"
 
@@ -42,7 +48,7 @@ def _bare(plant: Plant) -> Plant:
 
 
 def _fastest(name: str, library: native.Library, start, model, plant: Plant, goal: float, repeats: int):  # type: ignore[no-untyped-def]
-    """The loosest tolerance that reaches the goal: its error and the median time [ms]."""
+    """The loosest tolerance that reaches the goal: its error, median and least processor time [ms]."""
     for tolerance in TOLERANCES:
         scene = scene_of(name, tolerance=tolerance)
         history = native.run(library, scene, start)
@@ -52,9 +58,9 @@ def _fastest(name: str, library: native.Library, start, model, plant: Plant, goa
         if error <= goal:
             times = []
             for _ in range(repeats):
-                begin = time.perf_counter()
+                begin = time.thread_time()
                 native.run(library, scene, start)
-                times.append(1e3 * (time.perf_counter() - begin))
+                times.append(1e3 * (time.thread_time() - begin))
             return tolerance, error, statistics.median(times), min(times)
     return None
 
@@ -81,7 +87,34 @@ def run(repeats: int = 25) -> tuple[str, dict]:
         ])  # fmt: skip
     header = ["problem", "error wanted", "ms, median (least)", "error", "ms without projection", "ratio", "goal [ms]",
               "best engine [ms]"]  # fmt: skip
-    return table(header, rows), raw
+    chain, raw["n four-bars"] = _chain(repeats)
+    return f"{table(header, rows)}\n\nN four-bars in a row, 10 s (exponent from N = 5 on)\n\n{chain}", raw
+
+
+def _chain(repeats: int) -> tuple[str, dict]:
+    """Time over the number of loops at equal accuracy, with what was done in it and the crossings found (all: 10)."""
+    names = ("evaluations", "crossings", "error", "ms")
+    found: dict[str, list[float]] = {name: [] for name in names}
+    for count in LOOPS:
+        start = Initial(rates={"A0": -1.0})
+        gravity, method = (Gravity((0, "-9.81", 0)),), Integrator("dop853", tolerance=1e-6)
+        scene = Scene(f"row{count}", four_bars(count), gravity, 10.0, 20.0, start, integrator=method)
+        model, plant = prepare(scene)
+        library, state = native.Library(plant), _start(scene, model, plant)
+        times = []
+        for _ in range(repeats):
+            begin = time.thread_time()
+            history = native.run(library, scene, state)
+            times.append(1e3 * (time.thread_time() - begin))
+        angle = -history.q[:, [c.label for c in model.system.tree.q].index("A0")]
+        moment = ((count + 1) / 2 + count) * 9.81
+        error = float(np.abs(angle - swung((count + 1) / 3 + count, moment, 1.0, history.t)).max())
+        row = (history.counters["evaluations"], len(history.crossings), error, min(times))
+        for name, value in zip(names, row, strict=True):
+            found[name].append(value)
+    rows = [[n, *(f"{found[name][k]:.3g}" for name in names)] for k, n in enumerate(LOOPS)]
+    growth = np.polyfit(np.log(LOOPS[2:]), np.log(found["ms"][2:]), 1)[0]
+    return table(["N", *names], [*rows, ["exponent", "", "", "", f"{growth:.2f}"]]), {"N": LOOPS, **found}
 
 
 def _peer(points: dict, goal: float) -> tuple[str, str, float] | None:
