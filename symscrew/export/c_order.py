@@ -15,7 +15,7 @@ from collections.abc import Sequence
 
 from symscrew.program import Instruction
 
-AHEAD = 60  # instructions
+AHEAD = 90  # instructions
 LATENCY = {"reciprocal": 24.0, "div": 24.0, "sqrt": 31.0}  # cycles in vectors of 512 bits, beside 4
 ISSUED = 0.55  # cycles from one to the next
 
