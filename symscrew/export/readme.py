@@ -194,7 +194,8 @@ def _external(model: Model, name: str, program: Program | Iteration) -> list[str
     ]
     sources = f"{model.name}.c {model.name}_jacobians.c {model.name}_external.c"
     command = f"`cc -std=c99 -O2 -fno-math-errno -shared -fPIC {sources} -lm -o {library}`"
-    return ["### CasADi external functions", "", command, "", "```python", *main, "```"]
+    hessian = 'First derivatives only: give IPOPT the option `hessian_approximation="limited-memory"`.'
+    return ["### CasADi external functions", "", command, "", hessian, "", "```python", *main, "```"]
 
 
 def _javascript(model: Model, name: str, program: Program | Iteration) -> list[str]:
