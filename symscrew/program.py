@@ -125,7 +125,9 @@ class Program:
         seen = set(found)
         for instruction in reversed(self.instructions):
             if instruction.target in seen:
-                seen.update(a for a in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(a, int))
+                for arg in instruction.args[: PASSING.get(instruction.op, 0)]:
+                    if isinstance(arg, int):
+                        seen.add(arg)
         return (*found, *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
     @cached_property

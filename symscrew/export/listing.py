@@ -28,7 +28,9 @@ def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
     for instruction in reversed(program.instructions):
         if instruction.target in needed:
             live.append(instruction)
-            needed.update(arg for arg in instruction.args if isinstance(arg, int))
+            for arg in instruction.args:
+                if isinstance(arg, int):
+                    needed.add(arg)
     return live[::-1], needed
 
 
