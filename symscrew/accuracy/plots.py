@@ -24,6 +24,7 @@ FLOOR = 1e-17  # errors that are zero are drawn here
 NONE = 1e-12  # errors below come from rounding: the same model
 MOST_CURVES = 8
 PEERS = {"generatedC": "bare generated C", "exudyn": "Exudyn", "mujoco": "MuJoCo"}
+PUBLISHED = "published"  # single points of several authors: no line
 SVG = {"svg.hashsalt": "symscrew", "svg.fonttype": "path"}
 
 
@@ -70,7 +71,9 @@ def work_precision(study: Study) -> Figure:
                     found = [p for p in points if "h" in p.facts and p.error is not None]
                     _draw(axes[-1], [(float(p.facts["h"]), 0.0, 0.0, p) for p in found], _look(k, points), text)
             axis.set_xlabel(f"{study.cost_label}  [{study.cost_unit}]")
-        axes[0].set_ylabel(study.error_label)
+        axes[0].set_ylabel(
+            study.error_label.replace(" of ", "\nof ", 1) if len(study.error_label) > 42 else study.error_label
+        )
         if stepped:
             axes[-1].set_xlabel("step $h$  [s]")
         for axis in axes:
@@ -142,7 +145,7 @@ def _of_panel(study: Study, panel: str) -> dict[str, list[Point]]:
 
 def _peer(name: str) -> str:
     engine, _, rest = name.partition(" ")
-    return f"{PEERS.get(engine, engine)}: {rest}"
+    return f"{PEERS.get(engine, engine)}: {rest}" if rest else engine
 
 
 def _envelope(points: Sequence[Point]) -> list[Point]:
@@ -202,7 +205,7 @@ def _look(k: int, points: Sequence[Point]) -> dict[str, Any]:
         "color": COLOURS[k % len(COLOURS)],
         "marker": MARKERS[k % len(MARKERS)],
         "markersize": 3.8,
-        "linestyle": (0, (1.2, 1.2)) if peer else "-",
+        "linestyle": "none" if points[0].curve == PUBLISHED else (0, (1.2, 1.2)) if peer else "-",
         "linewidth": 0.9,
         "markerfacecolor": "white" if peer or (k // len(COLOURS)) % 2 else COLOURS[k % len(COLOURS)],
         "markeredgewidth": 0.8,
