@@ -21,7 +21,6 @@ from symscrew.effects.dry_friction import DryFriction
 from symscrew.effects.end_stop import EndStop
 from symscrew.effects.position_servo import PositionServo
 from symscrew.mechanism import Mechanism
-from symscrew.model import derive
 from symscrew.scene import Initial, Scene
 from symscrew.scene.scene import Integrator
 from symscrew.simulation import contacts
@@ -70,8 +69,8 @@ def test_stick_slip_of_a_block_pulled_by_a_spring() -> None:
     still = (run.t > sticks[0] + 1e-6) & (run.t < slips[1] - 1e-6)
     assert np.abs(run.v[still]).max() < 1e-12 and np.ptp(run.q[still]) < 1e-12  # it sticks, it does not creep
     same = DryFriction("x", coulomb="0.2*9.81", mode="event")
-    other = moved(block(), (same,), 20.0, rate=20.0, drives={"x": "10*(0.1*t - q_x)"})
-    assert len(times(other, "slips")) != 4 or abs(times(other, "slips")[0] - 3.924) > 1
+    other = moved(block(), (same,), 8.0, rate=20.0, drives={"x": "10*(0.1*t - q_x)"})
+    assert len(times(other, "slips")) == 1 and abs(times(other, "slips")[0] - 1.962) < 1e-6
 
 
 # -- Coulomb friction at zero speed ---------------------------------------------------------------------------
@@ -239,4 +238,4 @@ def test_servo_that_saturates() -> None:
     if find_compiler():
         assert np.abs(again.q - run.q).max() < 1e-8
     assert abs(run.q[-1, 0] - 1) < 2e-2
-    assert derive(block(), (servo,)).programs["forward_dynamics"].inputs[-1].name == "servo_x"
+    assert run.model.programs["forward_dynamics"].inputs[-1].name == "servo_x"

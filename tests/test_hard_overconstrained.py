@@ -6,6 +6,7 @@ What every guard prevents stands in the test's docstring, as seen when it was ta
 from __future__ import annotations
 
 import dataclasses
+from functools import cache
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from hard import case, precise
 from hard.mechanisms import benchmark_text, chain, changed, coupling
 from model_states import body_states, relative
 from model_states import model as catalogued
-from runs import POINTS, error_of, run_of, scene_of
+from runs import POINTS, error_of, prepared, run_of, scene_of
 
 from symscrew import elimination
 from symscrew.builder import MechanismBuilder
@@ -21,7 +22,7 @@ from symscrew.compiled import find_compiler
 from symscrew.effects import Gravity
 from symscrew.effects.dry_friction import DryFriction
 from symscrew.mechanism import Mechanism
-from symscrew.model import derive
+from symscrew.model import Model, derive
 from symscrew.newton_euler import newton_euler
 from symscrew.scene import Initial, Scene
 from symscrew.scene.scene import Integrator
@@ -108,7 +109,7 @@ def test_a_redundant_row_taken_as_a_pivot_is_what_the_samples_prevent(monkeypatc
 
     As seen: five pivots instead of four, no independent coordinate left, so that nothing can move any more.
     """
-    assert len(derive(bricard("square"), DOWN).programs["velocity"].inputs[1].labels) == 1
+    assert len(prepared("bricard")[0].programs["velocity"].inputs[1].labels) == 1
     monkeypatch.setattr(elimination, "NEGLIGIBLE", 0.0)
     found = derive(bricard("square"), DOWN)
     assert found.programs["forward_dynamics"].regular == 5
@@ -171,10 +172,15 @@ def test_accelerations_are_unique_and_right(name: str) -> None:
     assert relative(a[1:3], np.array(expected)) < 1e-11
 
 
+@cache
+def bent() -> Model:
+    return derive(coupling("pi/3"), ())
+
+
 @pytest.mark.parametrize("phi", [-2.5, 0.0, 0.4, 1.3, np.pi / 2, 3.0])
 def test_spherical_four_bar(phi: float) -> None:
     """A universal joint as four axes through a point, bent by 60 degrees, against its closed form."""
-    found = derive(coupling("pi/3"), ())
+    found = bent()
     rate, torque, names = 4.0, 0.9, [c.label for c in found.system.tree.q]
     q = found.system.reference
     for part in np.linspace(0, phi, 5)[1:]:
