@@ -17,11 +17,13 @@ import numpy as np
 import pytest
 
 from symscrew.agreement import relative_difference
+from symscrew.builder import MechanismBuilder
 from symscrew.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
 from symscrew.generation import generate, render
 from symscrew.manifest import OutputError, effect_from_json, effect_to_json
+from symscrew.model import derive
 from symscrew.program import COUNTED, Instruction
 from symscrew.verification import STRICT
 
@@ -213,6 +215,16 @@ def test_ports_without_entries(tmp_path):
         str(tmp_path / "hollow.o"),
     ]
     subprocess.run(command, check=True)
+
+
+def test_a_constant_is_no_slot_of_the_same_number():
+    """The middle entry of a rotation about y is 1; slot 1 is the cosine of the only coordinate, slot 0."""
+    builder = MechanismBuilder("hinge")
+    builder.body("flap", mass=1, com=[1, 0, 0])
+    builder.joint("pin", "R", parent="base", child="flap", point=[0, 0, 0], axes=[[0, 1, 0]])
+    text = c.print_c(derive(builder.build()))["hinge.c"]
+    lane = text[text.index("hinge_body_poses_lane(") :]
+    assert re.search(r"poses\[4 \* stride\] = 1\.0;", lane[: lane.index("\n}")])
 
 
 def test_constants_read_back_exactly():
