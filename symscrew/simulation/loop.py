@@ -113,5 +113,5 @@ def loop_source(scene: Scene, made: Plant, *, standalone: bool = False) -> str:
         constants(made), f"#define METHOD {method}", f"#define LOOP_STEP {scene.name}_step", "#define NEEDS_CARE 1004",
         "#define COUNT_EVALUATION (void)0", table_code(list(scene.tables.values())) or NO_TABLES, adapters(made),
     ]  # fmt: skip
-    parts = ("rows.c", "manifold.c", "branch.c", "anchor.c", "steps.c", "loop.c")
+    parts = ("rows.c", "manifold.c", "chart.c", "branch.c", "anchor.c", "steps.c", "loop.c")
     return "\n".join([*head, *(kernel_text(part) for part in parts)])
