@@ -4,8 +4,8 @@ Where there is no hand-written function, the figure in cycles is that of an earl
 (`RECORDED`: AVX-512 at 3.95 GHz, gcc 12). Such a row compares both with the hand-written drives of the seed:
 (ours / lean seed, here) over (recorded / recorded lean seed), so that clock and load of this machine cancel.
 Hand-written functions check nothing; ours return a status for pivots and for numbers that are not finite. The lean
-joint reactions read the platform's coordinates only, which fix all others by roots; ours believe the angles of all joints
-and take their sines, which is most of what they lose eight at a time.
+joint reactions read the platform's coordinates only, which fix all others by roots; ours take the sines of the angles
+of all joints as they come, which is most of what they lose eight at a time.
 """
 
 from __future__ import annotations
