@@ -23,6 +23,11 @@
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
+/* Of itself GCC takes half of a vector of 512 bits. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
+#pragma GCC target("prefer-vector-width=512")
+#endif
+
 const char *four_bar_status_text(int status)
 {
     switch (status) {
@@ -83,6 +88,20 @@ static inline void four_bar_sincos(int count, const double *angle, double *sine,
 #define FOUR_BAR_INLINE
 #endif
 
+/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
+static inline void four_bar_prefetch(size_t size, size_t stride, const double *array)
+{
+#if defined(__GNUC__)
+    for (size_t k = 0; k < size; ++k) {
+        __builtin_prefetch(array + k * stride);
+    }
+#else
+    (void)size;
+    (void)stride;
+    (void)array;
+#endif
+}
+
 /* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one
    fills the lanes that are left. */
 static inline void four_bar_gather(
@@ -100,12 +119,8 @@ static inline void four_bar_gather(
     }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
-        if (some == 8) {
-            memcpy(block + k * 8, entry, 8 * sizeof(*entry));
-        } else {
-            for (size_t lane = 0; lane < 8; ++lane) {
-                block[k * 8 + lane] = entry[lane < some ? lane : some - 1];
-            }
+        for (size_t lane = 0; lane < 8; ++lane) {
+            block[k * 8 + lane] = entry[lane < some ? lane : some - 1];
         }
     }
 }
@@ -125,15 +140,35 @@ static inline void four_bar_scatter(
     }
     for (size_t k = 0; k < size; ++k) {
         double *entry = array + k * stride + first;
-        if (some == 8) {
-            memcpy(entry, block + k * 8, 8 * sizeof(*entry));
-        } else {
-            for (size_t lane = 0; lane < some; ++lane) {
-                entry[lane] = block[k * 8 + lane];
-            }
+        for (size_t lane = 0; lane < some; ++lane) {
+            entry[lane] = block[k * 8 + lane];
         }
     }
 }
+
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX512F__) && !defined(FOUR_BAR_SCALAR)
+typedef double four_bar_lanes8 __attribute__((vector_size(64)));
+four_bar_lanes8 _ZGVeN8v_sin(four_bar_lanes8);
+four_bar_lanes8 _ZGVeN8v_cos(four_bar_lanes8);
+static inline void four_bar_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 8) {
+        four_bar_lanes8 all, s, c;
+        memcpy(&all, angle + k, sizeof(all));
+        s = _ZGVeN8v_sin(all);
+        c = _ZGVeN8v_cos(all);
+        memcpy(sine + k, &s, sizeof(s));
+        memcpy(cosine + k, &c, sizeof(c));
+    }
+}
+#else
+static inline void four_bar_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 4) {
+        four_bar_sincos(4, angle + k, sine + k, cosine + k);
+    }
+}
+#endif
 
 /* Makes the columns of a (rows x columns) orthogonal by rotations from the right, collected in v. */
 static void four_bar_orthogonalise(int rows, int columns, double *a, double *v)
@@ -343,22 +378,25 @@ static void four_bar_internal_load(int n, int m, const double *jacobian, int fou
 
 static inline FOUR_BAR_INLINE void four_bar_body_poses_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x6 = 0.9272952180016122 + x1;
     const double x26 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x6;
-    angle[2 * stride] = x26;
+    angle[pitch] = x6;
+    angle[2 * pitch] = x26;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict poses,
     const double *restrict sine,
@@ -366,14 +404,15 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x4 = sine[0];
-    const double x3 = cosine[0];
-    const double x9 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x27 = sine[2 * stride];
-    const double x29 = cosine[2 * stride];
     const double x5 = -x4;
+    poses[2 * stride] = x5;
+    double total = x5;
+    const double x7 = cosine[pitch];
     const double x8 = x4 * x7;
+    const double x3 = cosine[0];
+    const double x9 = sine[pitch];
     const double x10 = x3 * x9;
     const double x11 = x8 + x10;
     const double x12 = 0.8 * x11;
@@ -382,62 +421,75 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     const double x15 = x13 - x14;
     const double x16 = 0.6 * x15;
     const double x17 = x12 - x16;
+    poses[12 * stride] = x17;
+    poses[20 * stride] = x17;
+    total = total + x17;
     const double x18 = 0.6 * x11;
     const double x19 = 0.8 * x15;
     const double x20 = x18 + x19;
+    poses[18 * stride] = x20;
+    total = total + x20;
     const double x21 = -x20;
+    poses[14 * stride] = x21;
+    total = total + x21;
     const double x22 = x4 - x20;
     const double x23 = 0.15 * x22;
+    poses[21 * stride] = x23;
+    total = total + x23;
     const double x24 = x3 - x17;
     const double x25 = 0.15 * x24;
+    poses[23 * stride] = x25;
+    total = total + x25;
+    const double x27 = sine[2 * pitch];
     const double x28 = 0.47058823529411764 * x27;
+    const double x29 = cosine[2 * pitch];
     const double x30 = 0.8823529411764706 * x29;
     const double x31 = x28 + x30;
+    poses[24 * stride] = x31;
+    poses[32 * stride] = x31;
+    total = total + x31;
     const double x32 = 0.8823529411764706 * x27;
     const double x33 = 0.47058823529411764 * x29;
     const double x34 = x32 - x33;
+    poses[26 * stride] = x34;
+    total = total + x34;
     const double x35 = -x34;
+    poses[30 * stride] = x35;
+    total = total + x35;
     const double x36 = 0.64 * x31;
     const double x37 = 0.64 - x36;
+    poses[33 * stride] = x37;
+    total = total + x37;
     const double x38 = 0.64 * x34;
     const double x39 = -x38;
+    poses[35 * stride] = x39;
+    total = total + x39;
     poses[0] = x3;
-    poses[stride] = 0.0;
-    poses[2 * stride] = x5;
-    poses[3 * stride] = 0.0;
-    poses[4 * stride] = 1.0;
-    poses[5 * stride] = 0.0;
-    poses[6 * stride] = x4;
-    poses[7 * stride] = 0.0;
     poses[8 * stride] = x3;
+    total = total + x3;
+    poses[stride] = 0.0;
+    poses[3 * stride] = 0.0;
+    poses[5 * stride] = 0.0;
+    poses[7 * stride] = 0.0;
     poses[9 * stride] = 0.0;
     poses[10 * stride] = 0.0;
     poses[11 * stride] = 0.0;
-    poses[12 * stride] = x17;
     poses[13 * stride] = 0.0;
-    poses[14 * stride] = x21;
     poses[15 * stride] = 0.0;
-    poses[16 * stride] = 1.0;
     poses[17 * stride] = 0.0;
-    poses[18 * stride] = x20;
     poses[19 * stride] = 0.0;
-    poses[20 * stride] = x17;
-    poses[21 * stride] = x23;
     poses[22 * stride] = 0.0;
-    poses[23 * stride] = x25;
-    poses[24 * stride] = x31;
     poses[25 * stride] = 0.0;
-    poses[26 * stride] = x34;
     poses[27 * stride] = 0.0;
-    poses[28 * stride] = 1.0;
     poses[29 * stride] = 0.0;
-    poses[30 * stride] = x35;
     poses[31 * stride] = 0.0;
-    poses[32 * stride] = x31;
-    poses[33 * stride] = x37;
     poses[34 * stride] = 0.0;
-    poses[35 * stride] = x39;
-    return (((x3 + x5) + (x4 + x17)) + ((x21 + x20) + (x23 + x25))) + (((x31 + x34) + (x35 + x37)) + x39);
+    poses[4 * stride] = 1.0;
+    poses[16 * stride] = 1.0;
+    poses[28 * stride] = 1.0;
+    poses[6 * stride] = x4;
+    total = total + x4;
+    return total;
 }
 
 int four_bar_body_poses(
@@ -445,10 +497,10 @@ int four_bar_body_poses(
     double *restrict poses)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_body_poses_angles(1, q, angle);
+    four_bar_body_poses_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_body_poses_lane(1, q, poses, sine, cosine);
+    const double total = four_bar_body_poses_lane(1, 1, q, poses, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(poses, 36);
@@ -458,25 +510,21 @@ int four_bar_body_poses(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_body_poses_block(
+    size_t stride,
     const double *restrict q,
     double *restrict poses,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_body_poses_angles(8, q + lane, angle + lane);
+        four_bar_body_poses_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_body_poses_lane(8, q + lane, poses + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -513,20 +561,29 @@ static int four_bar_body_poses_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double poses_block[288];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_body_poses_block(q_block, poses_block, outcome);
-        four_bar_scatter(36, first, some, stride, poses_block, poses);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(36, stride, poses + first + 8);
+            }
+            four_bar_body_poses_block(stride, q + first, poses + first, total);
+        } else {
+            double q_block[24];
+            double poses_block[288];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_body_poses_block(8, q_block, poses_block, total);
+            four_bar_scatter(36, first, some, stride, poses_block, poses);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_body_poses_one(first + lane, stride, q, poses);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_body_poses_one(first + lane, stride, q, poses);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -583,11 +640,13 @@ int four_bar_body_poses_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_body_twists_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     angle[0] = x0;
@@ -595,6 +654,7 @@ static inline FOUR_BAR_INLINE void four_bar_body_twists_angles(
 
 static inline FOUR_BAR_INLINE double four_bar_body_twists_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict twists,
@@ -602,39 +662,48 @@ static inline FOUR_BAR_INLINE double four_bar_body_twists_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
+    (void)pitch;
     const double x3 = v[0];
     const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x11 = sine[0];
-    const double x7 = cosine[0];
     const double x6 = x3 + x4;
+    twists[7 * stride] = x6;
+    double total = x6;
+    const double x7 = cosine[0];
     const double x8 = 0.15 * x7;
     const double x9 = x4 * x8;
     const double x10 = -x9;
+    twists[9 * stride] = x10;
+    total = total + x10;
+    const double x11 = sine[0];
     const double x12 = 0.15 * x11;
     const double x13 = x4 * x12;
+    twists[11 * stride] = x13;
+    total = total + x13;
+    const double x5 = v[2 * stride];
     const double x14 = 0.64 * x5;
+    twists[17 * stride] = x14;
+    total = total + x14;
     twists[0] = 0.0;
-    twists[stride] = x3;
     twists[2 * stride] = 0.0;
     twists[3 * stride] = 0.0;
     twists[4 * stride] = 0.0;
     twists[5 * stride] = 0.0;
     twists[6 * stride] = 0.0;
-    twists[7 * stride] = x6;
     twists[8 * stride] = 0.0;
-    twists[9 * stride] = x10;
     twists[10 * stride] = 0.0;
-    twists[11 * stride] = x13;
     twists[12 * stride] = 0.0;
-    twists[13 * stride] = x5;
     twists[14 * stride] = 0.0;
     twists[15 * stride] = 0.0;
     twists[16 * stride] = 0.0;
-    twists[17 * stride] = x14;
-    return ((x3 + x6) + (x10 + x13)) + ((x5 + x14) + (x1 + x2));
+    twists[stride] = x3;
+    total = total + x3;
+    twists[13 * stride] = x5;
+    total = total + x5;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_body_twists(
@@ -643,12 +712,12 @@ int four_bar_body_twists(
     double *restrict twists)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_body_twists_angles(1, q, v, angle);
+    four_bar_body_twists_angles(1, 1, q, v, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_body_twists_lane(1, q, v, twists, sine, cosine);
+    const double total = four_bar_body_twists_lane(1, 1, q, v, twists, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(twists, 18);
@@ -658,27 +727,23 @@ int four_bar_body_twists(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_body_twists_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict twists,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_body_twists_angles(8, q + lane, v + lane, angle + lane);
+        four_bar_body_twists_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 8; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_body_twists_lane(8, q + lane, v + lane, twists + lane, sine + lane, cosine +
-            lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane,
+            cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -721,22 +786,32 @@ static int four_bar_body_twists_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double twists_block[144];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_body_twists_block(q_block, v_block, twists_block, outcome);
-        four_bar_scatter(18, first, some, stride, twists_block, twists);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(18, stride, twists + first + 8);
+            }
+            four_bar_body_twists_block(stride, q + first, v + first, twists + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double twists_block[144];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_body_twists_block(8, q_block, v_block, twists_block, total);
+            four_bar_scatter(18, first, some, stride, twists_block, twists);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_body_twists_one(first + lane, stride, q, v, twists);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_body_twists_one(first + lane, stride, q, v, twists);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -796,12 +871,14 @@ int four_bar_body_twists_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_body_twist_rates_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -810,6 +887,7 @@ static inline FOUR_BAR_INLINE void four_bar_body_twist_rates_angles(
 
 static inline FOUR_BAR_INLINE double four_bar_body_twist_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -818,47 +896,57 @@ static inline FOUR_BAR_INLINE double four_bar_body_twist_rates_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
+    (void)pitch;
     const double x6 = a[0];
     const double x7 = a[stride];
-    const double x8 = a[2 * stride];
-    const double x10 = sine[0];
-    const double x14 = cosine[0];
     const double x9 = x6 + x7;
+    twist_rates[7 * stride] = x9;
+    double total = x9;
+    const double x10 = sine[0];
     const double x11 = 0.15 * x10;
+    const double x3 = v[0];
     const double x12 = x3 * x11;
+    const double x4 = v[stride];
     const double x13 = x4 * x12;
+    const double x14 = cosine[0];
     const double x15 = 0.15 * x14;
     const double x16 = x7 * x15;
     const double x17 = x13 - x16;
+    twist_rates[9 * stride] = x17;
+    total = total + x17;
     const double x18 = x7 * x11;
     const double x19 = x3 * x15;
     const double x20 = x4 * x19;
     const double x21 = x18 + x20;
+    twist_rates[11 * stride] = x21;
+    total = total + x21;
+    const double x8 = a[2 * stride];
     const double x22 = 0.64 * x8;
+    twist_rates[17 * stride] = x22;
+    total = total + x22;
     twist_rates[0] = 0.0;
-    twist_rates[stride] = x6;
     twist_rates[2 * stride] = 0.0;
     twist_rates[3 * stride] = 0.0;
     twist_rates[4 * stride] = 0.0;
     twist_rates[5 * stride] = 0.0;
     twist_rates[6 * stride] = 0.0;
-    twist_rates[7 * stride] = x9;
     twist_rates[8 * stride] = 0.0;
-    twist_rates[9 * stride] = x17;
     twist_rates[10 * stride] = 0.0;
-    twist_rates[11 * stride] = x21;
     twist_rates[12 * stride] = 0.0;
-    twist_rates[13 * stride] = x8;
     twist_rates[14 * stride] = 0.0;
     twist_rates[15 * stride] = 0.0;
     twist_rates[16 * stride] = 0.0;
-    twist_rates[17 * stride] = x22;
-    return (((x6 + x9) + (x17 + x21)) + ((x8 + x22) + (x1 + x2))) + x5;
+    twist_rates[stride] = x6;
+    total = total + x6;
+    twist_rates[13 * stride] = x8;
+    total = total + x8;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x5 = v[2 * stride];
+    total = total + x5;
+    return total;
 }
 
 int four_bar_body_twist_rates(
@@ -868,12 +956,12 @@ int four_bar_body_twist_rates(
     double *restrict twist_rates)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_body_twist_rates_angles(1, q, v, a, angle);
+    four_bar_body_twist_rates_angles(1, 1, q, v, a, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_body_twist_rates_lane(1, q, v, a, twist_rates, sine, cosine);
+    const double total = four_bar_body_twist_rates_lane(1, 1, q, v, a, twist_rates, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(twist_rates, 18);
@@ -883,28 +971,24 @@ int four_bar_body_twist_rates(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_body_twist_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict twist_rates,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_body_twist_rates_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        four_bar_body_twist_rates_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 8; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_body_twist_rates_lane(8, q + lane, v + lane, a + lane, twist_rates + lane, sine
-            + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates +
+            lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -954,24 +1038,36 @@ static int four_bar_body_twist_rates_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double a_block[24];
-        double twist_rates_block[144];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(3, first, some, stride, a, a_block);
-        four_bar_body_twist_rates_block(q_block, v_block, a_block, twist_rates_block, outcome);
-        four_bar_scatter(18, first, some, stride, twist_rates_block, twist_rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+                four_bar_prefetch(18, stride, twist_rates + first + 8);
+            }
+            four_bar_body_twist_rates_block(stride, q + first, v + first, a + first, twist_rates + first,
+                total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double a_block[24];
+            double twist_rates_block[144];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(3, first, some, stride, a, a_block);
+            four_bar_body_twist_rates_block(8, q_block, v_block, a_block, twist_rates_block, total);
+            four_bar_scatter(18, first, some, stride, twist_rates_block, twist_rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_body_twist_rates_one(first + lane, stride, q, v, a, twist_rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_body_twist_rates_one(first + lane, stride, q, v, a, twist_rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1035,46 +1131,53 @@ int four_bar_body_twist_rates_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_forward_kinematics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x5 = 0.9272952180016122 + x1;
     angle[0] = x0;
-    angle[stride] = x5;
+    angle[pitch] = x5;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_kinematics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict positions,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x2 = q[2 * stride];
+    (void)pitch;
     const double x3 = sine[0];
-    const double x8 = cosine[0];
-    const double x9 = sine[stride];
-    const double x6 = cosine[stride];
     const double x4 = 0.15 * x3;
+    const double x6 = cosine[pitch];
     const double x7 = x3 * x6;
+    const double x8 = cosine[0];
+    const double x9 = sine[pitch];
     const double x10 = x8 * x9;
     const double x11 = x7 + x10;
     const double x12 = 0.25 * x11;
     const double x13 = x4 + x12;
+    positions[0] = x13;
+    double total = x13;
     const double x14 = 0.15 * x8;
     const double x15 = x3 * x9;
     const double x16 = x8 * x6;
     const double x17 = x15 - x16;
     const double x18 = 0.25 * x17;
     const double x19 = x14 - x18;
-    positions[0] = x13;
-    positions[stride] = 0.0;
     positions[2 * stride] = x19;
-    return (x13 + x19) + x2;
+    total = total + x19;
+    positions[stride] = 0.0;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_forward_kinematics(
@@ -1082,11 +1185,11 @@ int four_bar_forward_kinematics(
     double *restrict positions)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_kinematics_angles(1, q, angle);
+    four_bar_forward_kinematics_angles(1, 1, q, angle);
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_forward_kinematics_lane(1, q, positions, sine, cosine);
+    const double total = four_bar_forward_kinematics_lane(1, 1, q, positions, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(positions, 3);
@@ -1096,26 +1199,22 @@ int four_bar_forward_kinematics(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_forward_kinematics_block(
+    size_t stride,
     const double *restrict q,
     double *restrict positions,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_forward_kinematics_angles(8, q + lane, angle + lane);
+        four_bar_forward_kinematics_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 16; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_kinematics_lane(8, q + lane, positions + lane, sine + lane, cosine +
-            lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane,
+            cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -1152,20 +1251,29 @@ static int four_bar_forward_kinematics_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double positions_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_forward_kinematics_block(q_block, positions_block, outcome);
-        four_bar_scatter(3, first, some, stride, positions_block, positions);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, positions + first + 8);
+            }
+            four_bar_forward_kinematics_block(stride, q + first, positions + first, total);
+        } else {
+            double q_block[24];
+            double positions_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_forward_kinematics_block(8, q_block, positions_block, total);
+            four_bar_scatter(3, first, some, stride, positions_block, positions);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_forward_kinematics_one(first + lane, stride, q, positions);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_forward_kinematics_one(first + lane, stride, q, positions);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1223,23 +1331,26 @@ int four_bar_forward_kinematics_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_point_motion_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x11 = 0.9272952180016122 + x1;
     angle[0] = x0;
-    angle[stride] = x11;
+    angle[pitch] = x11;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -1250,46 +1361,54 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x2 = q[2 * stride];
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = a[0];
-    const double x7 = a[stride];
-    const double x8 = a[2 * stride];
+    (void)pitch;
     const double x9 = sine[0];
-    const double x14 = cosine[0];
-    const double x15 = sine[stride];
-    const double x12 = cosine[stride];
     const double x10 = 0.15 * x9;
+    const double x12 = cosine[pitch];
     const double x13 = x9 * x12;
+    const double x14 = cosine[0];
+    const double x15 = sine[pitch];
     const double x16 = x14 * x15;
     const double x17 = x13 + x16;
     const double x18 = 0.25 * x17;
     const double x19 = x10 + x18;
+    positions[0] = x19;
+    double total = x19;
     const double x20 = 0.15 * x14;
     const double x21 = x9 * x15;
     const double x22 = x14 * x12;
     const double x23 = x21 - x22;
     const double x24 = 0.25 * x23;
     const double x25 = x20 - x24;
+    positions[2 * stride] = x25;
+    total = total + x25;
+    const double x4 = v[stride];
     const double x26 = x4 * x20;
+    const double x3 = v[0];
     const double x27 = x3 + x4;
     const double x28 = x27 * x25;
     const double x29 = x26 - x28;
     const double x30 = -x29;
+    velocities[0] = x30;
+    total = total + x30;
     const double x31 = x4 * x10;
     const double x32 = x27 * x19;
     const double x33 = x31 - x32;
+    velocities[2 * stride] = x33;
+    total = total + x33;
     const double x34 = x27 * x33;
+    const double x7 = a[stride];
     const double x35 = x7 * x20;
     const double x36 = x3 * x10;
     const double x37 = x4 * x36;
     const double x38 = x35 - x37;
+    const double x6 = a[0];
     const double x39 = x6 + x7;
     const double x40 = x39 * x25;
     const double x41 = x38 - x40;
     const double x42 = x34 - x41;
+    accelerations[0] = x42;
+    total = total + x42;
     const double x43 = x7 * x10;
     const double x44 = x3 * x20;
     const double x45 = x4 * x44;
@@ -1298,16 +1417,18 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x48 = x46 - x47;
     const double x49 = x27 * x29;
     const double x50 = x48 + x49;
-    positions[0] = x19;
-    positions[stride] = 0.0;
-    positions[2 * stride] = x25;
-    velocities[0] = x30;
-    velocities[stride] = 0.0;
-    velocities[2 * stride] = x33;
-    accelerations[0] = x42;
-    accelerations[stride] = 0.0;
     accelerations[2 * stride] = x50;
-    return (((x19 + x25) + (x30 + x33)) + ((x42 + x50) + (x2 + x5))) + x8;
+    total = total + x50;
+    positions[stride] = 0.0;
+    velocities[stride] = 0.0;
+    accelerations[stride] = 0.0;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x5 = v[2 * stride];
+    total = total + x5;
+    const double x8 = a[2 * stride];
+    total = total + x8;
+    return total;
 }
 
 int four_bar_point_motion(
@@ -1319,11 +1440,11 @@ int four_bar_point_motion(
     double *restrict accelerations)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_point_motion_angles(1, q, v, a, angle);
+    four_bar_point_motion_angles(1, 1, q, v, a, angle);
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_point_motion_lane(1, q, v, a, positions, velocities, accelerations, sine,
+    const double total = four_bar_point_motion_lane(1, 1, q, v, a, positions, velocities, accelerations, sine,
         cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -1336,30 +1457,26 @@ int four_bar_point_motion(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_point_motion_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict positions,
     double *restrict velocities,
     double *restrict accelerations,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_point_motion_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        four_bar_point_motion_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 16; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_point_motion_lane(8, q + lane, v + lane, a + lane, positions + lane, velocities
-            + lane, accelerations + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
+            velocities + lane, accelerations + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -1422,30 +1539,44 @@ static int four_bar_point_motion_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double a_block[24];
-        double positions_block[24];
-        double velocities_block[24];
-        double accelerations_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(3, first, some, stride, a, a_block);
-        four_bar_point_motion_block(q_block, v_block, a_block, positions_block, velocities_block,
-            accelerations_block, outcome);
-        four_bar_scatter(3, first, some, stride, positions_block, positions);
-        four_bar_scatter(3, first, some, stride, velocities_block, velocities);
-        four_bar_scatter(3, first, some, stride, accelerations_block, accelerations);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+                four_bar_prefetch(3, stride, positions + first + 8);
+                four_bar_prefetch(3, stride, velocities + first + 8);
+                four_bar_prefetch(3, stride, accelerations + first + 8);
+            }
+            four_bar_point_motion_block(stride, q + first, v + first, a + first, positions + first, velocities
+                + first, accelerations + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double a_block[24];
+            double positions_block[24];
+            double velocities_block[24];
+            double accelerations_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(3, first, some, stride, a, a_block);
+            four_bar_point_motion_block(8, q_block, v_block, a_block, positions_block, velocities_block,
+                accelerations_block, total);
+            four_bar_scatter(3, first, some, stride, positions_block, positions);
+            four_bar_scatter(3, first, some, stride, velocities_block, velocities);
+            four_bar_scatter(3, first, some, stride, accelerations_block, accelerations);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_point_motion_one(first + lane, stride, q, v, a, positions,
-                    velocities, accelerations);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_point_motion_one(first + lane, stride, q, v, a, positions, velocities,
+                    accelerations);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1517,68 +1648,77 @@ int four_bar_point_motion_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_joint_screws_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x8 = 0.9272952180016122 + x1;
     angle[0] = x0;
-    angle[stride] = x8;
+    angle[pitch] = x8;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_screws_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict screws,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x2 = q[2 * stride];
-    const double x6 = sine[0];
+    (void)pitch;
     const double x3 = cosine[0];
-    const double x9 = sine[stride];
-    const double x11 = cosine[stride];
     const double x4 = 0.15 * x3;
     const double x5 = -x4;
+    screws[9 * stride] = x5;
+    double total = x5;
+    const double x6 = sine[0];
     const double x7 = 0.15 * x6;
+    screws[11 * stride] = x7;
+    total = total + x7;
+    const double x9 = sine[pitch];
     const double x10 = x6 * x9;
+    const double x11 = cosine[pitch];
     const double x12 = x3 * x11;
     const double x13 = x10 - x12;
     const double x14 = 0.5 * x13;
     const double x15 = x14 - x4;
+    screws[15 * stride] = x15;
+    total = total + x15;
     const double x16 = x6 * x11;
     const double x17 = x3 * x9;
     const double x18 = x16 + x17;
     const double x19 = 0.5 * x18;
     const double x20 = x7 + x19;
+    screws[17 * stride] = x20;
+    total = total + x20;
     screws[0] = 0.0;
-    screws[stride] = 1.0;
     screws[2 * stride] = 0.0;
     screws[3 * stride] = 0.0;
     screws[4 * stride] = 0.0;
     screws[5 * stride] = 0.0;
     screws[6 * stride] = 0.0;
-    screws[7 * stride] = 1.0;
     screws[8 * stride] = 0.0;
-    screws[9 * stride] = x5;
     screws[10 * stride] = 0.0;
-    screws[11 * stride] = x7;
     screws[12 * stride] = 0.0;
-    screws[13 * stride] = 1.0;
     screws[14 * stride] = 0.0;
-    screws[15 * stride] = x15;
     screws[16 * stride] = 0.0;
-    screws[17 * stride] = x20;
     screws[18 * stride] = 0.0;
-    screws[19 * stride] = 1.0;
     screws[20 * stride] = 0.0;
     screws[21 * stride] = 0.0;
     screws[22 * stride] = 0.0;
+    screws[stride] = 1.0;
+    screws[7 * stride] = 1.0;
+    screws[13 * stride] = 1.0;
+    screws[19 * stride] = 1.0;
     screws[23 * stride] = 0.64;
-    return ((x5 + x7) + (x15 + x20)) + x2;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_joint_screws(
@@ -1586,11 +1726,11 @@ int four_bar_joint_screws(
     double *restrict screws)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_joint_screws_angles(1, q, angle);
+    four_bar_joint_screws_angles(1, 1, q, angle);
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_joint_screws_lane(1, q, screws, sine, cosine);
+    const double total = four_bar_joint_screws_lane(1, 1, q, screws, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(screws, 24);
@@ -1600,25 +1740,22 @@ int four_bar_joint_screws(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_joint_screws_block(
+    size_t stride,
     const double *restrict q,
     double *restrict screws,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_joint_screws_angles(8, q + lane, angle + lane);
+        four_bar_joint_screws_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 16; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_screws_lane(8, q + lane, screws + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -1655,20 +1792,29 @@ static int four_bar_joint_screws_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double screws_block[192];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_joint_screws_block(q_block, screws_block, outcome);
-        four_bar_scatter(24, first, some, stride, screws_block, screws);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(24, stride, screws + first + 8);
+            }
+            four_bar_joint_screws_block(stride, q + first, screws + first, total);
+        } else {
+            double q_block[24];
+            double screws_block[192];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_joint_screws_block(8, q_block, screws_block, total);
+            four_bar_scatter(24, first, some, stride, screws_block, screws);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_joint_screws_one(first + lane, stride, q, screws);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_joint_screws_one(first + lane, stride, q, screws);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1725,55 +1871,64 @@ int four_bar_joint_screws_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_joint_points_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x7 = 0.9272952180016122 + x1;
     angle[0] = x0;
-    angle[stride] = x7;
+    angle[pitch] = x7;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_points_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict points,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x2 = q[2 * stride];
+    (void)pitch;
     const double x3 = sine[0];
-    const double x5 = cosine[0];
-    const double x10 = sine[stride];
-    const double x8 = cosine[stride];
     const double x4 = 0.15 * x3;
+    points[3 * stride] = x4;
+    double total = x4;
+    const double x5 = cosine[0];
     const double x6 = 0.15 * x5;
+    points[5 * stride] = x6;
+    total = total + x6;
+    const double x8 = cosine[pitch];
     const double x9 = x3 * x8;
+    const double x10 = sine[pitch];
     const double x11 = x5 * x10;
     const double x12 = x9 + x11;
     const double x13 = 0.5 * x12;
     const double x14 = x4 + x13;
+    points[6 * stride] = x14;
+    total = total + x14;
     const double x15 = x3 * x10;
     const double x16 = x5 * x8;
     const double x17 = x15 - x16;
     const double x18 = 0.5 * x17;
     const double x19 = x6 - x18;
+    points[8 * stride] = x19;
+    total = total + x19;
     points[0] = 0.0;
     points[stride] = 0.0;
     points[2 * stride] = 0.0;
-    points[3 * stride] = x4;
     points[4 * stride] = 0.0;
-    points[5 * stride] = x6;
-    points[6 * stride] = x14;
     points[7 * stride] = 0.0;
-    points[8 * stride] = x19;
-    points[9 * stride] = 0.64;
     points[10 * stride] = 0.0;
     points[11 * stride] = 0.0;
-    return ((x4 + x6) + (x14 + x19)) + x2;
+    points[9 * stride] = 0.64;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_joint_points(
@@ -1781,11 +1936,11 @@ int four_bar_joint_points(
     double *restrict points)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_joint_points_angles(1, q, angle);
+    four_bar_joint_points_angles(1, 1, q, angle);
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_joint_points_lane(1, q, points, sine, cosine);
+    const double total = four_bar_joint_points_lane(1, 1, q, points, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(points, 12);
@@ -1795,25 +1950,22 @@ int four_bar_joint_points(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_joint_points_block(
+    size_t stride,
     const double *restrict q,
     double *restrict points,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_joint_points_angles(8, q + lane, angle + lane);
+        four_bar_joint_points_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 16; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_points_lane(8, q + lane, points + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -1850,20 +2002,29 @@ static int four_bar_joint_points_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double points_block[96];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_joint_points_block(q_block, points_block, outcome);
-        four_bar_scatter(12, first, some, stride, points_block, points);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(12, stride, points + first + 8);
+            }
+            four_bar_joint_points_block(stride, q + first, points + first, total);
+        } else {
+            double q_block[24];
+            double points_block[96];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_joint_points_block(8, q_block, points_block, total);
+            four_bar_scatter(12, first, some, stride, points_block, points);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_joint_points_one(first + lane, stride, q, points);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_joint_points_one(first + lane, stride, q, points);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1920,13 +2081,12 @@ int four_bar_joint_points_batch_soa(
 
 static inline FOUR_BAR_INLINE double four_bar_platform_jacobian_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict jacobian)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
+    (void)pitch;
     jacobian[0] = 0.0;
     jacobian[stride] = 0.0;
     jacobian[2 * stride] = 0.0;
@@ -1940,19 +2100,25 @@ static inline FOUR_BAR_INLINE double four_bar_platform_jacobian_lane(
     jacobian[10 * stride] = 0.0;
     jacobian[11 * stride] = 0.0;
     jacobian[12 * stride] = 0.0;
-    jacobian[13 * stride] = 1.0;
     jacobian[14 * stride] = 0.0;
     jacobian[15 * stride] = 0.0;
     jacobian[16 * stride] = 0.0;
+    jacobian[13 * stride] = 1.0;
     jacobian[17 * stride] = 0.64;
-    return (x0 + x1) + x2;
+    const double x0 = q[0];
+    double total = x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_platform_jacobian(
     const double *restrict q,
     double *restrict jacobian)
 {
-    const double total = four_bar_platform_jacobian_lane(1, q, jacobian);
+    const double total = four_bar_platform_jacobian_lane(1, 1, q, jacobian);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(jacobian, 18);
@@ -1962,17 +2128,15 @@ int four_bar_platform_jacobian(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_platform_jacobian_block(
+    size_t stride,
     const double *restrict q,
     double *restrict jacobian,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_platform_jacobian_lane(8, q + lane, jacobian + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2009,20 +2173,29 @@ static int four_bar_platform_jacobian_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double jacobian_block[144];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_platform_jacobian_block(q_block, jacobian_block, outcome);
-        four_bar_scatter(18, first, some, stride, jacobian_block, jacobian);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(18, stride, jacobian + first + 8);
+            }
+            four_bar_platform_jacobian_block(stride, q + first, jacobian + first, total);
+        } else {
+            double q_block[24];
+            double jacobian_block[144];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_platform_jacobian_block(8, q_block, jacobian_block, total);
+            four_bar_scatter(18, first, some, stride, jacobian_block, jacobian);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_platform_jacobian_one(first + lane, stride, q, jacobian);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_platform_jacobian_one(first + lane, stride, q, jacobian);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2080,50 +2253,51 @@ int four_bar_platform_jacobian_batch_soa(
 
 static inline void four_bar_joint_displacements_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = 0.9272952180016122 + x1;
     const double x6 = 0.4899573262537283 - x2;
     angle[0] = x3;
-    angle[stride] = x6;
-    angle[2 * stride] = x0;
+    angle[pitch] = x6;
+    angle[2 * pitch] = x0;
 }
 
 static inline double four_bar_joint_displacements_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict displacements,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x4 = sine[0];
-    const double x20 = cosine[0];
-    const double x9 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x13 = sine[2 * stride];
-    const double x5 = cosine[2 * stride];
+    (void)pitch;
+    const double x7 = cosine[pitch];
     const double x8 = 0.15294117647058825 * x7;
+    const double x9 = sine[pitch];
     const double x10 = 0.9882352941176471 * x9;
     const double x11 = x8 + x10;
+    const double x5 = cosine[2 * pitch];
     const double x12 = x5 * x11;
     const double x14 = 0.15294117647058825 * x9;
     const double x15 = 0.9882352941176471 * x7;
     const double x16 = x14 - x15;
+    const double x13 = sine[2 * pitch];
     const double x17 = x13 * x16;
     const double x18 = x12 - x17;
+    const double x4 = sine[0];
     const double x19 = x4 * x18;
     const double x21 = x13 * x11;
     const double x22 = x5 * x16;
     const double x23 = x21 + x22;
+    const double x20 = cosine[0];
     const double x24 = x20 * x23;
     const double x25 = x19 + x24;
     const double x26 = -x25;
@@ -2131,11 +2305,18 @@ static inline double four_bar_joint_displacements_lane(
     const double x28 = x4 * x23;
     const double x29 = x27 - x28;
     const double x30 = atan2(x26, x29);
-    displacements[0] = x0;
-    displacements[stride] = x1;
     displacements[2 * stride] = x30;
+    double total = x30;
+    const double x0 = q[0];
+    displacements[0] = x0;
+    total = total + x0;
+    const double x1 = q[stride];
+    displacements[stride] = x1;
+    total = total + x1;
+    const double x2 = q[2 * stride];
     displacements[3 * stride] = x2;
-    return (x0 + x1) + (x30 + x2);
+    total = total + x2;
+    return total;
 }
 
 int four_bar_joint_displacements(
@@ -2143,10 +2324,10 @@ int four_bar_joint_displacements(
     double *restrict displacements)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_joint_displacements_angles(1, q, angle);
+    four_bar_joint_displacements_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_joint_displacements_lane(1, q, displacements, sine, cosine);
+    const double total = four_bar_joint_displacements_lane(1, 1, q, displacements, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(displacements, 4);
@@ -2237,24 +2418,33 @@ int four_bar_joint_displacements_batch_soa(
 
 static inline FOUR_BAR_INLINE double four_bar_joint_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
+    (void)pitch;
     const double x3 = v[0];
     const double x4 = v[stride];
-    const double x5 = v[2 * stride];
     const double x6 = x3 + x4;
+    const double x5 = v[2 * stride];
     const double x7 = x5 - x6;
-    rates[0] = x3;
-    rates[stride] = x4;
     rates[2 * stride] = x7;
+    double total = x7;
+    rates[0] = x3;
+    total = total + x3;
+    rates[stride] = x4;
+    total = total + x4;
     rates[3 * stride] = x5;
-    return ((x3 + x4) + (x7 + x5)) + ((x0 + x1) + x2);
+    total = total + x5;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_joint_rates(
@@ -2262,7 +2452,7 @@ int four_bar_joint_rates(
     const double *restrict v,
     double *restrict rates)
 {
-    const double total = four_bar_joint_rates_lane(1, q, v, rates);
+    const double total = four_bar_joint_rates_lane(1, 1, q, v, rates);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(rates, 4);
@@ -2272,18 +2462,16 @@ int four_bar_joint_rates(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_joint_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_rates_lane(8, q + lane, v + lane, rates + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2326,22 +2514,32 @@ static int four_bar_joint_rates_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double rates_block[32];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_joint_rates_block(q_block, v_block, rates_block, outcome);
-        four_bar_scatter(4, first, some, stride, rates_block, rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(4, stride, rates + first + 8);
+            }
+            four_bar_joint_rates_block(stride, q + first, v + first, rates + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double rates_block[32];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_joint_rates_block(8, q_block, v_block, rates_block, total);
+            four_bar_scatter(4, first, some, stride, rates_block, rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_joint_rates_one(first + lane, stride, q, v, rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_joint_rates_one(first + lane, stride, q, v, rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2401,19 +2599,27 @@ int four_bar_joint_rates_batch_soa(
 
 static inline FOUR_BAR_INLINE double four_bar_drive_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
+    (void)pitch;
     const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
     rates[0] = x3;
-    return ((x3 + x0) + (x1 + x2)) + (x4 + x5);
+    double total = x3;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x4 = v[stride];
+    total = total + x4;
+    const double x5 = v[2 * stride];
+    total = total + x5;
+    return total;
 }
 
 int four_bar_drive_rates(
@@ -2421,7 +2627,7 @@ int four_bar_drive_rates(
     const double *restrict v,
     double *restrict rates)
 {
-    const double total = four_bar_drive_rates_lane(1, q, v, rates);
+    const double total = four_bar_drive_rates_lane(1, 1, q, v, rates);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(rates, 1);
@@ -2431,18 +2637,16 @@ int four_bar_drive_rates(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_drive_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_drive_rates_lane(8, q + lane, v + lane, rates + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2485,22 +2689,32 @@ static int four_bar_drive_rates_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double rates_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_drive_rates_block(q_block, v_block, rates_block, outcome);
-        four_bar_scatter(1, first, some, stride, rates_block, rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(1, stride, rates + first + 8);
+            }
+            four_bar_drive_rates_block(stride, q + first, v + first, rates + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double rates_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_drive_rates_block(8, q_block, v_block, rates_block, total);
+            four_bar_scatter(1, first, some, stride, rates_block, rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_drive_rates_one(first + lane, stride, q, v, rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_drive_rates_one(first + lane, stride, q, v, rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2560,22 +2774,25 @@ int four_bar_drive_rates_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_closure_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x4 = 0.9272952180016122 + x1;
     const double x14 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x4;
-    angle[2 * stride] = x14;
+    angle[pitch] = x4;
+    angle[2 * pitch] = x14;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_closure_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict residual_,
     const double *restrict sine,
@@ -2583,18 +2800,18 @@ static inline FOUR_BAR_INLINE double four_bar_closure_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x3 = sine[0];
-    const double x7 = cosine[0];
-    const double x8 = sine[stride];
-    const double x5 = cosine[stride];
-    const double x15 = sine[2 * stride];
-    const double x26 = cosine[2 * stride];
+    const double x5 = cosine[pitch];
     const double x6 = x3 * x5;
+    const double x7 = cosine[0];
+    const double x8 = sine[pitch];
     const double x9 = x7 * x8;
     const double x10 = x6 + x9;
     const double x11 = 0.15 * x3;
     const double x12 = 0.5 * x10;
     const double x13 = x11 + x12;
+    const double x15 = sine[2 * pitch];
     const double x16 = 0.51 * x15;
     const double x17 = 0.64 - x16;
     const double x18 = x13 - x17;
@@ -2605,20 +2822,23 @@ static inline FOUR_BAR_INLINE double four_bar_closure_lane(
     const double x23 = 0.15 * x7;
     const double x24 = 0.5 * x22;
     const double x25 = x23 - x24;
+    const double x26 = cosine[2 * pitch];
     const double x27 = 0.51 * x26;
     const double x28 = x25 - x27;
     const double x29 = x22 * x28;
     const double x30 = x19 - x29;
+    residual_[0] = x30;
+    double total = x30;
     const double x31 = x22 * x18;
     const double x32 = x10 * x28;
     const double x33 = x31 + x32;
     const double x34 = -x33;
-    residual_[0] = x30;
     residual_[stride] = x34;
+    total = total + x34;
     residual_[2 * stride] = 0.0;
     residual_[3 * stride] = 0.0;
     residual_[4 * stride] = 0.0;
-    return x30 + x34;
+    return total;
 }
 
 int four_bar_closure(
@@ -2626,10 +2846,10 @@ int four_bar_closure(
     double *restrict residual_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_closure_angles(1, q, angle);
+    four_bar_closure_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_closure_lane(1, q, residual_, sine, cosine);
+    const double total = four_bar_closure_lane(1, 1, q, residual_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(residual_, 5);
@@ -2639,25 +2859,21 @@ int four_bar_closure(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_closure_block(
+    size_t stride,
     const double *restrict q,
     double *restrict residual_,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_closure_angles(8, q + lane, angle + lane);
+        four_bar_closure_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_closure_lane(8, q + lane, residual_ + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2694,20 +2910,29 @@ static int four_bar_closure_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double residual__block[40];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_closure_block(q_block, residual__block, outcome);
-        four_bar_scatter(5, first, some, stride, residual__block, residual_);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(5, stride, residual_ + first + 8);
+            }
+            four_bar_closure_block(stride, q + first, residual_ + first, total);
+        } else {
+            double q_block[24];
+            double residual__block[40];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_closure_block(8, q_block, residual__block, total);
+            four_bar_scatter(5, first, some, stride, residual__block, residual_);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_closure_one(first + lane, stride, q, residual_);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_closure_one(first + lane, stride, q, residual_);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2764,22 +2989,25 @@ int four_bar_closure_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_closure_jacobian_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = 0.9272952180016122 + x1;
     const double x14 = 0.4899573262537283 - x2;
     angle[0] = x3;
-    angle[stride] = x0;
-    angle[2 * stride] = x14;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x14;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_closure_jacobian_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict jacobian,
     const double *restrict sine,
@@ -2787,45 +3015,50 @@ static inline FOUR_BAR_INLINE double four_bar_closure_jacobian_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x4 = sine[0];
-    const double x6 = cosine[0];
-    const double x9 = sine[stride];
-    const double x11 = cosine[stride];
-    const double x15 = sine[2 * stride];
-    const double x21 = cosine[2 * stride];
     const double x5 = 0.15 * x4;
+    jacobian[0] = x5;
+    double total = x5;
+    const double x6 = cosine[0];
     const double x7 = 0.15 * x6;
     const double x8 = 0.5 + x7;
+    jacobian[stride] = x8;
+    total = total + x8;
+    const double x9 = sine[pitch];
     const double x10 = x9 * x4;
+    const double x11 = cosine[pitch];
     const double x12 = x11 * x6;
     const double x13 = x10 - x12;
+    const double x15 = sine[2 * pitch];
     const double x16 = 0.51 * x15;
     const double x17 = x13 * x16;
     const double x18 = x9 * x6;
     const double x19 = x11 * x4;
     const double x20 = x18 + x19;
+    const double x21 = cosine[2 * pitch];
     const double x22 = 0.51 * x21;
     const double x23 = x20 * x22;
     const double x24 = x17 - x23;
+    jacobian[10 * stride] = x24;
+    total = total + x24;
     const double x25 = x13 * x22;
     const double x26 = x20 * x16;
     const double x27 = x25 + x26;
-    jacobian[0] = x5;
-    jacobian[stride] = x8;
+    jacobian[11 * stride] = x27;
+    total = total + x27;
     jacobian[2 * stride] = 0.0;
     jacobian[3 * stride] = 0.0;
     jacobian[4 * stride] = 0.0;
     jacobian[5 * stride] = 0.0;
-    jacobian[6 * stride] = 0.5;
     jacobian[7 * stride] = 0.0;
     jacobian[8 * stride] = 0.0;
     jacobian[9 * stride] = 0.0;
-    jacobian[10 * stride] = x24;
-    jacobian[11 * stride] = x27;
     jacobian[12 * stride] = 0.0;
     jacobian[13 * stride] = 0.0;
     jacobian[14 * stride] = 0.0;
-    return (x5 + x8) + (x24 + x27);
+    jacobian[6 * stride] = 0.5;
+    return total;
 }
 
 int four_bar_closure_jacobian(
@@ -2833,10 +3066,10 @@ int four_bar_closure_jacobian(
     double *restrict jacobian)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_closure_jacobian_angles(1, q, angle);
+    four_bar_closure_jacobian_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_closure_jacobian_lane(1, q, jacobian, sine, cosine);
+    const double total = four_bar_closure_jacobian_lane(1, 1, q, jacobian, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(jacobian, 15);
@@ -2846,26 +3079,22 @@ int four_bar_closure_jacobian(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_closure_jacobian_block(
+    size_t stride,
     const double *restrict q,
     double *restrict jacobian,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_closure_jacobian_angles(8, q + lane, angle + lane);
+        four_bar_closure_jacobian_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_closure_jacobian_lane(8, q + lane, jacobian + lane, sine + lane, cosine +
-            lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine
+            + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2902,20 +3131,29 @@ static int four_bar_closure_jacobian_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double jacobian_block[120];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_closure_jacobian_block(q_block, jacobian_block, outcome);
-        four_bar_scatter(15, first, some, stride, jacobian_block, jacobian);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(15, stride, jacobian + first + 8);
+            }
+            four_bar_closure_jacobian_block(stride, q + first, jacobian + first, total);
+        } else {
+            double q_block[24];
+            double jacobian_block[120];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_closure_jacobian_block(8, q_block, jacobian_block, total);
+            four_bar_scatter(15, first, some, stride, jacobian_block, jacobian);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_closure_jacobian_one(first + lane, stride, q, jacobian);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_closure_jacobian_one(first + lane, stride, q, jacobian);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2973,11 +3211,13 @@ int four_bar_closure_jacobian_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_closure_bias_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -2985,12 +3225,13 @@ static inline FOUR_BAR_INLINE void four_bar_closure_bias_angles(
     const double x6 = 0.9272952180016122 + x1;
     const double x9 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x9;
-    angle[2 * stride] = x6;
+    angle[pitch] = x9;
+    angle[2 * pitch] = x6;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
@@ -2999,47 +3240,50 @@ static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
+    (void)pitch;
     const double x5 = v[2 * stride];
-    const double x15 = sine[0];
-    const double x8 = cosine[0];
-    const double x16 = sine[stride];
-    const double x10 = cosine[stride];
-    const double x21 = sine[2 * stride];
-    const double x7 = cosine[2 * stride];
     const double x11 = x5 * x5;
     const double x12 = 0.51 * x11;
+    const double x10 = cosine[pitch];
     const double x13 = x10 * x12;
+    const double x8 = cosine[0];
     const double x14 = x8 * x13;
+    const double x16 = sine[pitch];
     const double x17 = x16 * x12;
+    const double x15 = sine[0];
     const double x18 = x15 * x17;
     const double x19 = x14 - x18;
+    const double x7 = cosine[2 * pitch];
     const double x20 = x7 * x19;
     const double x22 = x15 * x13;
     const double x23 = x8 * x17;
     const double x24 = x22 + x23;
+    const double x21 = sine[2 * pitch];
     const double x25 = x21 * x24;
     const double x26 = x20 - x25;
+    const double x3 = v[0];
     const double x27 = x3 * x3;
     const double x28 = 0.15 * x27;
     const double x29 = x7 * x28;
+    const double x4 = v[stride];
     const double x30 = x3 + x4;
     const double x31 = x30 * x30;
     const double x32 = 0.5 * x31;
     const double x33 = x29 + x32;
     const double x34 = x26 - x33;
+    bias[0] = x34;
+    double total = x34;
     const double x35 = x21 * x28;
     const double x36 = x21 * x19;
     const double x37 = x7 * x24;
     const double x38 = x36 + x37;
     const double x39 = x35 - x38;
-    bias[0] = x34;
     bias[stride] = x39;
+    total = total + x39;
     bias[2 * stride] = 0.0;
     bias[3 * stride] = 0.0;
     bias[4 * stride] = 0.0;
-    return x34 + x39;
+    return total;
 }
 
 int four_bar_closure_bias(
@@ -3048,10 +3292,10 @@ int four_bar_closure_bias(
     double *restrict bias)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_closure_bias_angles(1, q, v, angle);
+    four_bar_closure_bias_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_closure_bias_lane(1, q, v, bias, sine, cosine);
+    const double total = four_bar_closure_bias_lane(1, 1, q, v, bias, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(bias, 5);
@@ -3061,27 +3305,23 @@ int four_bar_closure_bias(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_closure_bias_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_closure_bias_angles(8, q + lane, v + lane, angle + lane);
+        four_bar_closure_bias_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_closure_bias_lane(8, q + lane, v + lane, bias + lane, sine + lane, cosine +
-            lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
+            cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -3124,22 +3364,32 @@ static int four_bar_closure_bias_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double bias_block[40];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_closure_bias_block(q_block, v_block, bias_block, outcome);
-        four_bar_scatter(5, first, some, stride, bias_block, bias);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(5, stride, bias + first + 8);
+            }
+            four_bar_closure_bias_block(stride, q + first, v + first, bias + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double bias_block[40];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_closure_bias_block(8, q_block, v_block, bias_block, total);
+            four_bar_scatter(5, first, some, stride, bias_block, bias);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_closure_bias_one(first + lane, stride, q, v, bias);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_closure_bias_one(first + lane, stride, q, v, bias);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3199,11 +3449,13 @@ int four_bar_closure_bias_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_velocity_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)y_dot;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -3211,12 +3463,13 @@ static inline FOUR_BAR_INLINE void four_bar_velocity_angles(
     const double x4 = 0.9272952180016122 + x1;
     const double x15 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x4;
-    angle[2 * stride] = x15;
+    angle[pitch] = x4;
+    angle[2 * pitch] = x15;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     double *restrict v,
@@ -3226,24 +3479,25 @@ static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = y_dot[0];
-    const double x9 = sine[0];
-    const double x12 = cosine[0];
-    const double x10 = sine[stride];
-    const double x5 = cosine[stride];
-    const double x22 = sine[2 * stride];
-    const double x16 = cosine[2 * stride];
+    (void)pitch;
+    const double x5 = cosine[pitch];
     const double x6 = 0.15 * x5;
     const double x7 = 0.5 + x6;
+    const double x3 = y_dot[0];
     const double x8 = x7 * x3;
+    const double x9 = sine[0];
+    const double x10 = sine[pitch];
     const double x11 = x9 * x10;
+    const double x12 = cosine[0];
     const double x13 = x12 * x5;
     const double x14 = x11 - x13;
+    const double x16 = cosine[2 * pitch];
     const double x17 = 0.51 * x16;
     const double x18 = x14 * x17;
     const double x19 = x9 * x5;
     const double x20 = x12 * x10;
     const double x21 = x19 + x20;
+    const double x22 = sine[2 * pitch];
     const double x23 = 0.51 * x22;
     const double x24 = x21 * x23;
     const double x25 = x18 + x24;
@@ -3252,16 +3506,20 @@ static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
     const double x28 = x21 * x17;
     const double x29 = x14 * x23;
     const double x30 = x28 - x29;
+    pivot[0] = x30;
+    double total = x30;
     const double x31 = x27 / x30;
+    v[2 * stride] = x31;
+    total = total + x31;
     const double x32 = x25 * x31;
     const double x33 = x8 + x32;
     const double x34 = 2.0 * x33;
     const double x35 = -x34;
-    pivot[0] = x30;
-    v[0] = x3;
     v[stride] = x35;
-    v[2 * stride] = x31;
-    return (x3 + x35) + (x31 + x30);
+    total = total + x35;
+    v[0] = x3;
+    total = total + x3;
+    return total;
 }
 
 int four_bar_velocity(
@@ -3270,11 +3528,11 @@ int four_bar_velocity(
     double *restrict v)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_velocity_angles(1, q, y_dot, angle);
+    four_bar_velocity_angles(1, 1, q, y_dot, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_velocity_lane(1, q, y_dot, v, sine, cosine, pivot);
+    const double total = four_bar_velocity_lane(1, 1, q, y_dot, v, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(v, 3);
@@ -3284,28 +3542,25 @@ int four_bar_velocity(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_velocity_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict y_dot,
     double *restrict v,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_velocity_angles(8, q + lane, y_dot + lane, angle + lane);
+        four_bar_velocity_angles(stride, 8, q + lane, y_dot + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[8];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_velocity_lane(8, q + lane, y_dot + lane, v + lane, sine + lane, cosine + lane,
-            pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane, cosine +
+            lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -3348,22 +3603,32 @@ static int four_bar_velocity_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double y_dot_block[8];
-        double v_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(1, first, some, stride, y_dot, y_dot_block);
-        four_bar_velocity_block(q_block, y_dot_block, v_block, outcome);
-        four_bar_scatter(3, first, some, stride, v_block, v);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(1, stride, y_dot + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+            }
+            four_bar_velocity_block(stride, q + first, y_dot + first, v + first, total);
+        } else {
+            double q_block[24];
+            double y_dot_block[8];
+            double v_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(1, first, some, stride, y_dot, y_dot_block);
+            four_bar_velocity_block(8, q_block, y_dot_block, v_block, total);
+            four_bar_scatter(3, first, some, stride, v_block, v);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_velocity_one(first + lane, stride, q, y_dot, v);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_velocity_one(first + lane, stride, q, y_dot, v);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3423,22 +3688,25 @@ int four_bar_velocity_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_null_space_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = 0.9272952180016122 + x1;
     const double x13 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x3;
-    angle[2 * stride] = x13;
+    angle[pitch] = x3;
+    angle[2 * pitch] = x13;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict null_space,
     const double *restrict sine,
@@ -3447,22 +3715,23 @@ static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
 {
     (void)q;
     (void)stride;
-    const double x7 = sine[0];
-    const double x10 = cosine[0];
-    const double x8 = sine[stride];
-    const double x4 = cosine[stride];
-    const double x20 = sine[2 * stride];
-    const double x14 = cosine[2 * stride];
+    (void)pitch;
+    const double x4 = cosine[pitch];
     const double x5 = 0.15 * x4;
     const double x6 = 0.5 + x5;
+    const double x7 = sine[0];
+    const double x8 = sine[pitch];
     const double x9 = x7 * x8;
+    const double x10 = cosine[0];
     const double x11 = x10 * x4;
     const double x12 = x9 - x11;
+    const double x14 = cosine[2 * pitch];
     const double x15 = 0.51 * x14;
     const double x16 = x12 * x15;
     const double x17 = x7 * x4;
     const double x18 = x10 * x8;
     const double x19 = x17 + x18;
+    const double x20 = sine[2 * pitch];
     const double x21 = 0.51 * x20;
     const double x22 = x19 * x21;
     const double x23 = x16 + x22;
@@ -3470,16 +3739,19 @@ static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
     const double x25 = x19 * x15;
     const double x26 = x12 * x21;
     const double x27 = x25 - x26;
+    pivot[0] = x27;
+    double total = x27;
     const double x28 = x24 / x27;
+    null_space[2 * stride] = x28;
+    total = total + x28;
     const double x29 = x23 * x28;
     const double x30 = x6 + x29;
     const double x31 = 2.0 * x30;
     const double x32 = -x31;
-    pivot[0] = x27;
-    null_space[0] = 1.0;
     null_space[stride] = x32;
-    null_space[2 * stride] = x28;
-    return (x32 + x28) + x27;
+    total = total + x32;
+    null_space[0] = 1.0;
+    return total;
 }
 
 int four_bar_null_space(
@@ -3487,11 +3759,11 @@ int four_bar_null_space(
     double *restrict null_space)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_null_space_angles(1, q, angle);
+    four_bar_null_space_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_null_space_lane(1, q, null_space, sine, cosine, pivot);
+    const double total = four_bar_null_space_lane(1, 1, q, null_space, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(null_space, 3);
@@ -3501,27 +3773,24 @@ int four_bar_null_space(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_null_space_block(
+    size_t stride,
     const double *restrict q,
     double *restrict null_space,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_null_space_angles(8, q + lane, angle + lane);
+        four_bar_null_space_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[8];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_null_space_lane(8, q + lane, null_space + lane, sine + lane, cosine + lane,
-            pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine +
+            lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -3558,20 +3827,29 @@ static int four_bar_null_space_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double null_space_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_null_space_block(q_block, null_space_block, outcome);
-        four_bar_scatter(3, first, some, stride, null_space_block, null_space);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, null_space + first + 8);
+            }
+            four_bar_null_space_block(stride, q + first, null_space + first, total);
+        } else {
+            double q_block[24];
+            double null_space_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_null_space_block(8, q_block, null_space_block, total);
+            four_bar_scatter(3, first, some, stride, null_space_block, null_space);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_null_space_one(first + lane, stride, q, null_space);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_null_space_one(first + lane, stride, q, null_space);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3628,12 +3906,14 @@ int four_bar_null_space_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_acceleration_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict y_ddot,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)y_ddot;
     const double x0 = q[0];
@@ -3642,12 +3922,13 @@ static inline FOUR_BAR_INLINE void four_bar_acceleration_angles(
     const double x7 = 0.9272952180016122 + x1;
     const double x13 = 0.4899573262537283 - x2;
     angle[0] = x7;
-    angle[stride] = x0;
-    angle[2 * stride] = x13;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x13;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict y_ddot,
@@ -3658,30 +3939,29 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = y_ddot[0];
-    const double x8 = sine[0];
-    const double x25 = cosine[0];
-    const double x19 = sine[stride];
-    const double x12 = cosine[stride];
-    const double x20 = sine[2 * stride];
-    const double x14 = cosine[2 * stride];
     const double x9 = x3 * x3;
     const double x10 = 0.15 * x9;
+    const double x8 = sine[0];
     const double x11 = x8 * x10;
+    const double x5 = v[2 * stride];
     const double x15 = x5 * x5;
     const double x16 = 0.51 * x15;
+    const double x14 = cosine[2 * pitch];
     const double x17 = x14 * x16;
+    const double x12 = cosine[pitch];
     const double x18 = x12 * x17;
+    const double x20 = sine[2 * pitch];
     const double x21 = x20 * x16;
+    const double x19 = sine[pitch];
     const double x22 = x19 * x21;
     const double x23 = x18 - x22;
     const double x24 = x8 * x23;
     const double x26 = x19 * x17;
     const double x27 = x12 * x21;
     const double x28 = x26 + x27;
+    const double x25 = cosine[0];
     const double x29 = x25 * x28;
     const double x30 = x24 + x29;
     const double x31 = x11 - x30;
@@ -3700,6 +3980,7 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     const double x44 = x8 * x28;
     const double x45 = x43 - x44;
     const double x46 = x25 * x10;
+    const double x4 = v[stride];
     const double x47 = x3 + x4;
     const double x48 = x47 * x47;
     const double x49 = 0.5 * x48;
@@ -3708,12 +3989,15 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     const double x52 = x39 * x35;
     const double x53 = x34 * x40;
     const double x54 = x52 - x53;
+    pivot[0] = x54;
+    double total = x54;
     const double x55 = 1.0 / x54;
     const double x56 = x51 * x55;
     const double x57 = x42 * x56;
     const double x58 = x31 + x57;
     const double x59 = 0.15 * x25;
     const double x60 = 0.5 + x59;
+    const double x6 = y_ddot[0];
     const double x61 = x60 * x6;
     const double x62 = 0.15 * x8;
     const double x63 = x62 * x6;
@@ -3723,12 +4007,14 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     const double x67 = x58 + x66;
     const double x68 = 2.0 * x67;
     const double x69 = -x68;
-    const double x70 = x56 + x64;
-    pivot[0] = x54;
-    a[0] = x6;
     a[stride] = x69;
+    total = total + x69;
+    const double x70 = x56 + x64;
     a[2 * stride] = x70;
-    return (x6 + x69) + (x70 + x54);
+    total = total + x70;
+    a[0] = x6;
+    total = total + x6;
+    return total;
 }
 
 int four_bar_acceleration(
@@ -3738,11 +4024,11 @@ int four_bar_acceleration(
     double *restrict a)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_acceleration_angles(1, q, v, y_ddot, angle);
+    four_bar_acceleration_angles(1, 1, q, v, y_ddot, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_acceleration_lane(1, q, v, y_ddot, a, sine, cosine, pivot);
+    const double total = four_bar_acceleration_lane(1, 1, q, v, y_ddot, a, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(a, 3);
@@ -3752,29 +4038,26 @@ int four_bar_acceleration(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_acceleration_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict y_ddot,
     double *restrict a,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_acceleration_angles(8, q + lane, v + lane, y_ddot + lane, angle + lane);
+        four_bar_acceleration_angles(stride, 8, q + lane, v + lane, y_ddot + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[8];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_acceleration_lane(8, q + lane, v + lane, y_ddot + lane, a + lane, sine + lane,
-            cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane, sine +
+            lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -3823,24 +4106,35 @@ static int four_bar_acceleration_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double y_ddot_block[8];
-        double a_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(1, first, some, stride, y_ddot, y_ddot_block);
-        four_bar_acceleration_block(q_block, v_block, y_ddot_block, a_block, outcome);
-        four_bar_scatter(3, first, some, stride, a_block, a);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(1, stride, y_ddot + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+            }
+            four_bar_acceleration_block(stride, q + first, v + first, y_ddot + first, a + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double y_ddot_block[8];
+            double a_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(1, first, some, stride, y_ddot, y_ddot_block);
+            four_bar_acceleration_block(8, q_block, v_block, y_ddot_block, a_block, total);
+            four_bar_scatter(3, first, some, stride, a_block, a);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_acceleration_one(first + lane, stride, q, v, y_ddot, a);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_acceleration_one(first + lane, stride, q, v, y_ddot, a);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3904,11 +4198,13 @@ int four_bar_acceleration_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_momentum_screws_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -3916,12 +4212,13 @@ static inline FOUR_BAR_INLINE void four_bar_momentum_screws_angles(
     const double x23 = 0.9272952180016122 + x1;
     const double x65 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x23;
-    angle[2 * stride] = x65;
+    angle[pitch] = x23;
+    angle[2 * pitch] = x65;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict momenta,
@@ -3931,31 +4228,35 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x10 = sine[0];
+    (void)pitch;
     const double x6 = cosine[0];
-    const double x26 = sine[stride];
-    const double x24 = cosine[stride];
-    const double x66 = sine[2 * stride];
-    const double x68 = cosine[2 * stride];
     const double x7 = 0.075 * x6;
+    const double x3 = v[0];
     const double x8 = x3 * x7;
     const double x9 = 0.5 * x8;
+    momenta[0] = x9;
+    double total = x9;
+    const double x10 = sine[0];
     const double x11 = 0.075 * x10;
     const double x12 = x3 * x11;
     const double x13 = 0.5 * x12;
     const double x14 = -x13;
+    momenta[2 * stride] = x14;
+    total = total + x14;
     const double x15 = x7 * x9;
     const double x16 = x11 * x13;
     const double x17 = x15 + x16;
     const double x18 = 0.0009375 * x3;
     const double x19 = x17 + x18;
+    momenta[4 * stride] = x19;
+    total = total + x19;
     const double x20 = 0.15 * x6;
+    const double x4 = v[stride];
     const double x21 = x4 * x20;
     const double x22 = x3 + x4;
+    const double x24 = cosine[pitch];
     const double x25 = x10 * x24;
+    const double x26 = sine[pitch];
     const double x27 = x6 * x26;
     const double x28 = x25 + x27;
     const double x29 = 0.8 * x28;
@@ -3977,6 +4278,8 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x45 = x21 - x44;
     const double x46 = 1.2 * x45;
     const double x47 = -x46;
+    momenta[6 * stride] = x47;
+    total = total + x47;
     const double x48 = 0.15 * x10;
     const double x49 = x4 * x48;
     const double x50 = 0.15 * x39;
@@ -3988,13 +4291,19 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x56 = x22 * x55;
     const double x57 = x49 - x56;
     const double x58 = 1.2 * x57;
+    momenta[8 * stride] = x58;
+    total = total + x58;
     const double x59 = x43 * x46;
     const double x60 = x55 * x58;
     const double x61 = x59 + x60;
     const double x62 = 0.025 * x22;
     const double x63 = x61 - x62;
     const double x64 = -x63;
+    momenta[10 * stride] = x64;
+    total = total + x64;
+    const double x66 = sine[2 * pitch];
     const double x67 = 0.8823529411764706 * x66;
+    const double x68 = cosine[2 * pitch];
     const double x69 = 0.47058823529411764 * x68;
     const double x70 = x67 - x69;
     const double x71 = 0.64 * x70;
@@ -4005,9 +4314,12 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x76 = 0.225 * x75;
     const double x77 = x72 + x76;
     const double x78 = x71 - x77;
+    const double x5 = v[2 * stride];
     const double x79 = x5 * x78;
     const double x80 = 1.2 * x79;
     const double x81 = -x80;
+    momenta[12 * stride] = x81;
+    total = total + x81;
     const double x82 = 0.64 * x75;
     const double x83 = 0.64 - x82;
     const double x84 = 0.52 * x75;
@@ -4017,42 +4329,40 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x88 = 0.64 - x87;
     const double x89 = x5 * x88;
     const double x90 = 1.2 * x89;
+    momenta[14 * stride] = x90;
+    total = total + x90;
     const double x91 = 0.02601 * x5;
     const double x92 = x78 * x80;
     const double x93 = x87 * x90;
     const double x94 = x92 - x93;
     const double x95 = x91 + x94;
+    momenta[16 * stride] = x95;
+    total = total + x95;
     const double x96 = x9 - x46;
     const double x97 = x96 - x80;
+    total_[0] = x97;
+    total = total + x97;
     const double x98 = x13 - x58;
     const double x99 = x90 - x98;
+    total_[2 * stride] = x99;
+    total = total + x99;
     const double x100 = x19 - x63;
     const double x101 = x100 + x95;
-    momenta[0] = x9;
-    momenta[stride] = 0.0;
-    momenta[2 * stride] = x14;
-    momenta[3 * stride] = 0.0;
-    momenta[4 * stride] = x19;
-    momenta[5 * stride] = 0.0;
-    momenta[6 * stride] = x47;
-    momenta[7 * stride] = 0.0;
-    momenta[8 * stride] = x58;
-    momenta[9 * stride] = 0.0;
-    momenta[10 * stride] = x64;
-    momenta[11 * stride] = 0.0;
-    momenta[12 * stride] = x81;
-    momenta[13 * stride] = 0.0;
-    momenta[14 * stride] = x90;
-    momenta[15 * stride] = 0.0;
-    momenta[16 * stride] = x95;
-    momenta[17 * stride] = 0.0;
-    total_[0] = x97;
-    total_[stride] = 0.0;
-    total_[2 * stride] = x99;
-    total_[3 * stride] = 0.0;
     total_[4 * stride] = x101;
+    total = total + x101;
+    momenta[stride] = 0.0;
+    momenta[3 * stride] = 0.0;
+    momenta[5 * stride] = 0.0;
+    momenta[7 * stride] = 0.0;
+    momenta[9 * stride] = 0.0;
+    momenta[11 * stride] = 0.0;
+    momenta[13 * stride] = 0.0;
+    momenta[15 * stride] = 0.0;
+    momenta[17 * stride] = 0.0;
+    total_[stride] = 0.0;
+    total_[3 * stride] = 0.0;
     total_[5 * stride] = 0.0;
-    return (((x9 + x14) + (x19 + x47)) + ((x58 + x64) + (x81 + x90))) + ((x95 + x97) + (x99 + x101));
+    return total;
 }
 
 int four_bar_momentum_screws(
@@ -4062,10 +4372,10 @@ int four_bar_momentum_screws(
     double *restrict total_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_momentum_screws_angles(1, q, v, angle);
+    four_bar_momentum_screws_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_momentum_screws_lane(1, q, v, momenta, total_, sine, cosine);
+    const double total = four_bar_momentum_screws_lane(1, 1, q, v, momenta, total_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(momenta, 18);
@@ -4076,28 +4386,24 @@ int four_bar_momentum_screws(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_momentum_screws_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict momenta,
     double *restrict total_,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_momentum_screws_angles(8, q + lane, v + lane, angle + lane);
+        four_bar_momentum_screws_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_momentum_screws_lane(8, q + lane, v + lane, momenta + lane, total_ + lane, sine
-            + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ +
+            lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -4147,24 +4453,36 @@ static int four_bar_momentum_screws_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double momenta_block[144];
-        double total__block[48];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_momentum_screws_block(q_block, v_block, momenta_block, total__block, outcome);
-        four_bar_scatter(18, first, some, stride, momenta_block, momenta);
-        four_bar_scatter(6, first, some, stride, total__block, total_);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(18, stride, momenta + first + 8);
+                four_bar_prefetch(6, stride, total_ + first + 8);
+            }
+            four_bar_momentum_screws_block(stride, q + first, v + first, momenta + first, total_ + first,
+                total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double momenta_block[144];
+            double total__block[48];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_momentum_screws_block(8, q_block, v_block, momenta_block, total__block, total);
+            four_bar_scatter(18, first, some, stride, momenta_block, momenta);
+            four_bar_scatter(6, first, some, stride, total__block, total_);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_momentum_screws_one(first + lane, stride, q, v, momenta, total_);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_momentum_screws_one(first + lane, stride, q, v, momenta, total_);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4228,12 +4546,14 @@ int four_bar_momentum_screws_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_momentum_rates_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -4242,12 +4562,13 @@ static inline FOUR_BAR_INLINE void four_bar_momentum_rates_angles(
     const double x34 = 0.9272952180016122 + x1;
     const double x99 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x34;
-    angle[2 * stride] = x99;
+    angle[pitch] = x34;
+    angle[2 * pitch] = x99;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -4257,26 +4578,21 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = a[0];
-    const double x7 = a[stride];
-    const double x8 = a[2 * stride];
-    const double x13 = sine[0];
+    (void)pitch;
     const double x9 = cosine[0];
-    const double x37 = sine[stride];
-    const double x35 = cosine[stride];
-    const double x100 = sine[2 * stride];
-    const double x102 = cosine[2 * stride];
     const double x10 = 0.075 * x9;
+    const double x6 = a[0];
     const double x11 = x6 * x10;
     const double x12 = 0.5 * x11;
+    const double x13 = sine[0];
     const double x14 = 0.075 * x13;
+    const double x3 = v[0];
     const double x15 = x3 * x14;
     const double x16 = 0.5 * x15;
     const double x17 = x3 * x16;
     const double x18 = x12 - x17;
+    momentum_rates[0] = x18;
+    double total = x18;
     const double x19 = x3 * x10;
     const double x20 = 0.5 * x19;
     const double x21 = x3 * x20;
@@ -4284,15 +4600,22 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x23 = 0.5 * x22;
     const double x24 = x21 + x23;
     const double x25 = -x24;
+    momentum_rates[2 * stride] = x25;
+    total = total + x25;
     const double x26 = x10 * x12;
     const double x27 = x14 * x23;
     const double x28 = x26 + x27;
     const double x29 = 0.0009375 * x6;
     const double x30 = x28 + x29;
+    momentum_rates[4 * stride] = x30;
+    total = total + x30;
+    const double x4 = v[stride];
     const double x31 = x3 + x4;
     const double x32 = 0.15 * x13;
     const double x33 = x4 * x32;
+    const double x35 = cosine[pitch];
     const double x36 = x13 * x35;
+    const double x37 = sine[pitch];
     const double x38 = x9 * x37;
     const double x39 = x36 + x38;
     const double x40 = 0.6 * x39;
@@ -4315,6 +4638,7 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x57 = 1.2 * x56;
     const double x58 = x31 * x57;
     const double x59 = 0.15 * x9;
+    const double x7 = a[stride];
     const double x60 = x7 * x59;
     const double x61 = x3 * x32;
     const double x62 = x4 * x61;
@@ -4330,6 +4654,8 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x72 = x63 - x71;
     const double x73 = 1.2 * x72;
     const double x74 = x58 - x73;
+    momentum_rates[6 * stride] = x74;
+    total = total + x74;
     const double x75 = x4 * x59;
     const double x76 = x31 * x70;
     const double x77 = x75 - x76;
@@ -4343,6 +4669,8 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x85 = x83 - x84;
     const double x86 = 1.2 * x85;
     const double x87 = x79 + x86;
+    momentum_rates[8 * stride] = x87;
+    total = total + x87;
     const double x88 = x33 * x78;
     const double x89 = x75 * x57;
     const double x90 = x88 - x89;
@@ -4353,8 +4681,13 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x95 = x93 - x94;
     const double x96 = x90 + x95;
     const double x97 = -x96;
+    momentum_rates[10 * stride] = x97;
+    total = total + x97;
+    const double x5 = v[2 * stride];
     const double x98 = 0.64 * x5;
+    const double x100 = sine[2 * pitch];
     const double x101 = 0.47058823529411764 * x100;
+    const double x102 = cosine[2 * pitch];
     const double x103 = 0.8823529411764706 * x102;
     const double x104 = x101 + x103;
     const double x105 = 0.64 * x104;
@@ -4375,9 +4708,12 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x120 = 0.225 * x104;
     const double x121 = x119 + x120;
     const double x122 = x118 - x121;
+    const double x8 = a[2 * stride];
     const double x123 = x8 * x122;
     const double x124 = 1.2 * x123;
     const double x125 = x117 - x124;
+    momentum_rates[12 * stride] = x125;
+    total = total + x125;
     const double x126 = x5 * x122;
     const double x127 = 1.2 * x126;
     const double x128 = x5 * x127;
@@ -4385,6 +4721,8 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x130 = x8 * x129;
     const double x131 = 1.2 * x130;
     const double x132 = x128 + x131;
+    momentum_rates[14 * stride] = x132;
+    total = total + x132;
     const double x133 = 0.02601 * x8;
     const double x134 = x122 * x124;
     const double x135 = x113 * x131;
@@ -4392,25 +4730,18 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x137 = x133 + x136;
     const double x138 = x98 * x127;
     const double x139 = x137 - x138;
-    momentum_rates[0] = x18;
-    momentum_rates[stride] = 0.0;
-    momentum_rates[2 * stride] = x25;
-    momentum_rates[3 * stride] = 0.0;
-    momentum_rates[4 * stride] = x30;
-    momentum_rates[5 * stride] = 0.0;
-    momentum_rates[6 * stride] = x74;
-    momentum_rates[7 * stride] = 0.0;
-    momentum_rates[8 * stride] = x87;
-    momentum_rates[9 * stride] = 0.0;
-    momentum_rates[10 * stride] = x97;
-    momentum_rates[11 * stride] = 0.0;
-    momentum_rates[12 * stride] = x125;
-    momentum_rates[13 * stride] = 0.0;
-    momentum_rates[14 * stride] = x132;
-    momentum_rates[15 * stride] = 0.0;
     momentum_rates[16 * stride] = x139;
+    total = total + x139;
+    momentum_rates[stride] = 0.0;
+    momentum_rates[3 * stride] = 0.0;
+    momentum_rates[5 * stride] = 0.0;
+    momentum_rates[7 * stride] = 0.0;
+    momentum_rates[9 * stride] = 0.0;
+    momentum_rates[11 * stride] = 0.0;
+    momentum_rates[13 * stride] = 0.0;
+    momentum_rates[15 * stride] = 0.0;
     momentum_rates[17 * stride] = 0.0;
-    return (((x18 + x25) + (x30 + x74)) + ((x87 + x97) + (x125 + x132))) + x139;
+    return total;
 }
 
 int four_bar_momentum_rates(
@@ -4420,10 +4751,10 @@ int four_bar_momentum_rates(
     double *restrict momentum_rates)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_momentum_rates_angles(1, q, v, a, angle);
+    four_bar_momentum_rates_angles(1, 1, q, v, a, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_momentum_rates_lane(1, q, v, a, momentum_rates, sine, cosine);
+    const double total = four_bar_momentum_rates_lane(1, 1, q, v, a, momentum_rates, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(momentum_rates, 18);
@@ -4433,28 +4764,24 @@ int four_bar_momentum_rates(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_momentum_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict momentum_rates,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_momentum_rates_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        four_bar_momentum_rates_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_momentum_rates_lane(8, q + lane, v + lane, a + lane, momentum_rates + lane,
-            sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates +
+            lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -4504,24 +4831,36 @@ static int four_bar_momentum_rates_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double a_block[24];
-        double momentum_rates_block[144];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(3, first, some, stride, a, a_block);
-        four_bar_momentum_rates_block(q_block, v_block, a_block, momentum_rates_block, outcome);
-        four_bar_scatter(18, first, some, stride, momentum_rates_block, momentum_rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+                four_bar_prefetch(18, stride, momentum_rates + first + 8);
+            }
+            four_bar_momentum_rates_block(stride, q + first, v + first, a + first, momentum_rates + first,
+                total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double a_block[24];
+            double momentum_rates_block[144];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(3, first, some, stride, a, a_block);
+            four_bar_momentum_rates_block(8, q_block, v_block, a_block, momentum_rates_block, total);
+            four_bar_scatter(18, first, some, stride, momentum_rates_block, momentum_rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_momentum_rates_one(first + lane, stride, q, v, a, momentum_rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_momentum_rates_one(first + lane, stride, q, v, a, momentum_rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4586,11 +4925,13 @@ int four_bar_momentum_rates_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_energy_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -4598,12 +4939,13 @@ static inline FOUR_BAR_INLINE void four_bar_energy_angles(
     const double x11 = 0.9272952180016122 + x1;
     const double x25 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x11;
-    angle[2 * stride] = x25;
+    angle[pitch] = x11;
+    angle[2 * pitch] = x25;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_energy_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict energy,
@@ -4612,21 +4954,18 @@ static inline FOUR_BAR_INLINE double four_bar_energy_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x30 = sine[0];
-    const double x23 = cosine[0];
-    const double x31 = sine[stride];
-    const double x12 = cosine[stride];
-    const double x26 = cosine[2 * stride];
     const double x6 = x3 * x3;
     const double x7 = 0.03075 * x6;
+    const double x5 = v[2 * stride];
     const double x8 = x5 * x5;
     const double x9 = 0.10404 * x8;
     const double x10 = x7 + x9;
     const double x13 = 0.15 * x3;
+    const double x12 = cosine[pitch];
     const double x14 = x12 * x13;
+    const double x4 = v[stride];
     const double x15 = x3 + x4;
     const double x16 = 0.6 * x15;
     const double x17 = x14 * x16;
@@ -4635,10 +4974,16 @@ static inline FOUR_BAR_INLINE double four_bar_energy_lane(
     const double x20 = 0.1 * x19;
     const double x21 = x18 + x20;
     const double x22 = 0.5 * x21;
+    energy[0] = x22;
+    double total = x22;
+    const double x23 = cosine[0];
     const double x24 = 0.367875 * x23;
+    const double x26 = cosine[2 * pitch];
     const double x27 = 3.00186 * x26;
     const double x28 = x24 + x27;
     const double x29 = 0.18 * x23;
+    const double x30 = sine[0];
+    const double x31 = sine[pitch];
     const double x32 = x30 * x31;
     const double x33 = x23 * x12;
     const double x34 = x32 - x33;
@@ -4646,9 +4991,9 @@ static inline FOUR_BAR_INLINE double four_bar_energy_lane(
     const double x36 = x29 - x35;
     const double x37 = 9.81 * x36;
     const double x38 = x28 + x37;
-    energy[0] = x22;
     energy[stride] = x38;
-    return x22 + x38;
+    total = total + x38;
+    return total;
 }
 
 int four_bar_energy(
@@ -4657,10 +5002,10 @@ int four_bar_energy(
     double *restrict energy)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_energy_angles(1, q, v, angle);
+    four_bar_energy_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_energy_lane(1, q, v, energy, sine, cosine);
+    const double total = four_bar_energy_lane(1, 1, q, v, energy, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(energy, 2);
@@ -4670,26 +5015,23 @@ int four_bar_energy(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_energy_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict energy,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_energy_angles(8, q + lane, v + lane, angle + lane);
+        four_bar_energy_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_energy_lane(8, q + lane, v + lane, energy + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -4732,22 +5074,32 @@ static int four_bar_energy_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double energy_block[16];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_energy_block(q_block, v_block, energy_block, outcome);
-        four_bar_scatter(2, first, some, stride, energy_block, energy);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(2, stride, energy + first + 8);
+            }
+            four_bar_energy_block(stride, q + first, v + first, energy + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double energy_block[16];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_energy_block(8, q_block, v_block, energy_block, total);
+            four_bar_scatter(2, first, some, stride, energy_block, energy);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_energy_one(first + lane, stride, q, v, energy);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_energy_one(first + lane, stride, q, v, energy);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4807,10 +5159,12 @@ int four_bar_energy_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_mass_matrix_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x1 = q[stride];
     const double x3 = 0.9272952180016122 + x1;
     angle[0] = x3;
@@ -4818,18 +5172,18 @@ static inline FOUR_BAR_INLINE void four_bar_mass_matrix_angles(
 
 static inline FOUR_BAR_INLINE double four_bar_mass_matrix_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict mass_matrix,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x2 = q[2 * stride];
+    (void)pitch;
     const double x4 = sine[0];
-    const double x7 = cosine[0];
     const double x5 = 0.1 * x4;
     const double x6 = x4 * x5;
+    const double x7 = cosine[0];
     const double x8 = 0.045 * x7;
     const double x9 = 0.1 * x7;
     const double x10 = x7 * x9;
@@ -4837,17 +5191,23 @@ static inline FOUR_BAR_INLINE double four_bar_mass_matrix_lane(
     const double x12 = x8 + x11;
     const double x13 = 0.03075 + x12;
     const double x14 = x6 + x13;
-    const double x15 = 0.1 + x8;
     mass_matrix[0] = x14;
+    double total = x14;
+    const double x15 = 0.1 + x8;
     mass_matrix[stride] = x15;
-    mass_matrix[2 * stride] = 0.0;
     mass_matrix[3 * stride] = x15;
-    mass_matrix[4 * stride] = 0.1;
+    total = total + x15;
+    mass_matrix[2 * stride] = 0.0;
     mass_matrix[5 * stride] = 0.0;
     mass_matrix[6 * stride] = 0.0;
     mass_matrix[7 * stride] = 0.0;
+    mass_matrix[4 * stride] = 0.1;
     mass_matrix[8 * stride] = 0.10404;
-    return (x14 + x15) + (x0 + x2);
+    const double x0 = q[0];
+    total = total + x0;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_mass_matrix(
@@ -4855,12 +5215,12 @@ int four_bar_mass_matrix(
     double *restrict mass_matrix)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_mass_matrix_angles(1, q, angle);
+    four_bar_mass_matrix_angles(1, 1, q, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_mass_matrix_lane(1, q, mass_matrix, sine, cosine);
+    const double total = four_bar_mass_matrix_lane(1, 1, q, mass_matrix, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(mass_matrix, 9);
@@ -4870,25 +5230,22 @@ int four_bar_mass_matrix(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_mass_matrix_block(
+    size_t stride,
     const double *restrict q,
     double *restrict mass_matrix,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_mass_matrix_angles(8, q + lane, angle + lane);
+        four_bar_mass_matrix_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 8; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_mass_matrix_lane(8, q + lane, mass_matrix + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -4925,20 +5282,29 @@ static int four_bar_mass_matrix_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double mass_matrix_block[72];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_mass_matrix_block(q_block, mass_matrix_block, outcome);
-        four_bar_scatter(9, first, some, stride, mass_matrix_block, mass_matrix);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(9, stride, mass_matrix + first + 8);
+            }
+            four_bar_mass_matrix_block(stride, q + first, mass_matrix + first, total);
+        } else {
+            double q_block[24];
+            double mass_matrix_block[72];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_mass_matrix_block(8, q_block, mass_matrix_block, total);
+            four_bar_scatter(9, first, some, stride, mass_matrix_block, mass_matrix);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_mass_matrix_one(first + lane, stride, q, mass_matrix);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_mass_matrix_one(first + lane, stride, q, mass_matrix);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4995,11 +5361,13 @@ int four_bar_mass_matrix_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_bias_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -5007,12 +5375,13 @@ static inline FOUR_BAR_INLINE void four_bar_bias_angles(
     const double x6 = 0.9272952180016122 + x1;
     const double x28 = 0.4899573262537283 - x2;
     angle[0] = x6;
-    angle[stride] = x0;
-    angle[2 * stride] = x28;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x28;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_bias_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
@@ -5021,23 +5390,24 @@ static inline FOUR_BAR_INLINE double four_bar_bias_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x7 = sine[0];
-    const double x14 = cosine[0];
-    const double x15 = sine[stride];
-    const double x10 = cosine[stride];
-    const double x29 = sine[2 * stride];
     const double x8 = x3 * x3;
     const double x9 = 0.15 * x8;
+    const double x10 = cosine[pitch];
     const double x11 = 9.81 * x10;
     const double x12 = x9 - x11;
+    const double x7 = sine[0];
     const double x13 = x7 * x12;
+    const double x15 = sine[pitch];
     const double x16 = 9.81 * x15;
+    const double x14 = cosine[0];
     const double x17 = x14 * x16;
     const double x18 = x13 - x17;
     const double x19 = 0.3 * x18;
+    bias[stride] = x19;
+    double total = x19;
+    const double x4 = v[stride];
     const double x20 = x3 + x4;
     const double x21 = x20 * x20;
     const double x22 = 0.3 * x21;
@@ -5046,11 +5416,15 @@ static inline FOUR_BAR_INLINE double four_bar_bias_lane(
     const double x25 = x19 - x24;
     const double x26 = 2.133675 * x15;
     const double x27 = x25 - x26;
-    const double x30 = 3.00186 * x29;
     bias[0] = x27;
-    bias[stride] = x19;
+    total = total + x27;
+    const double x29 = sine[2 * pitch];
+    const double x30 = 3.00186 * x29;
     bias[2 * stride] = x30;
-    return (x27 + x19) + (x30 + x5);
+    total = total + x30;
+    const double x5 = v[2 * stride];
+    total = total + x5;
+    return total;
 }
 
 int four_bar_bias(
@@ -5059,10 +5433,10 @@ int four_bar_bias(
     double *restrict bias)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_bias_angles(1, q, v, angle);
+    four_bar_bias_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_bias_lane(1, q, v, bias, sine, cosine);
+    const double total = four_bar_bias_lane(1, 1, q, v, bias, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(bias, 3);
@@ -5072,26 +5446,23 @@ int four_bar_bias(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_bias_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_bias_angles(8, q + lane, v + lane, angle + lane);
+        four_bar_bias_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_bias_lane(8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -5134,22 +5505,32 @@ static int four_bar_bias_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double bias_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_bias_block(q_block, v_block, bias_block, outcome);
-        four_bar_scatter(3, first, some, stride, bias_block, bias);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, bias + first + 8);
+            }
+            four_bar_bias_block(stride, q + first, v + first, bias + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double bias_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_bias_block(8, q_block, v_block, bias_block, total);
+            four_bar_scatter(3, first, some, stride, bias_block, bias);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_bias_one(first + lane, stride, q, v, bias);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_bias_one(first + lane, stride, q, v, bias);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -5209,12 +5590,14 @@ int four_bar_bias_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -5223,12 +5606,13 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_angles(
     const double x9 = 0.4899573262537283 - x2;
     const double x17 = 0.9272952180016122 + x1;
     angle[0] = x9;
-    angle[stride] = x0;
-    angle[2 * stride] = x17;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x17;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -5239,38 +5623,38 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = a[0];
-    const double x7 = a[stride];
-    const double x8 = a[2 * stride];
+    (void)pitch;
     const double x10 = sine[0];
-    const double x14 = cosine[0];
-    const double x16 = sine[stride];
-    const double x23 = cosine[stride];
-    const double x18 = sine[2 * stride];
-    const double x27 = cosine[2 * stride];
     const double x11 = 3.00186 * x10;
+    const double x8 = a[2 * stride];
     const double x12 = 0.10404 * x8;
     const double x13 = x11 + x12;
+    const double x14 = cosine[0];
     const double x15 = 0.51 * x14;
+    const double x6 = a[0];
+    const double x7 = a[stride];
     const double x19 = x6 + x7;
     const double x20 = 0.1 * x19;
+    const double x3 = v[0];
     const double x21 = x3 * x3;
     const double x22 = 0.15 * x21;
+    const double x23 = cosine[pitch];
     const double x24 = 9.81 * x23;
     const double x25 = x22 - x24;
+    const double x18 = sine[2 * pitch];
     const double x26 = x18 * x25;
+    const double x16 = sine[pitch];
     const double x28 = 9.81 * x16;
     const double x29 = 0.15 * x6;
     const double x30 = x28 - x29;
+    const double x27 = cosine[2 * pitch];
     const double x31 = x27 * x30;
     const double x32 = x26 - x31;
     const double x33 = 0.3 * x32;
     const double x34 = x20 + x33;
     const double x35 = 2.0 * x34;
     const double x36 = x18 * x35;
+    const double x4 = v[stride];
     const double x37 = x3 + x4;
     const double x38 = x37 * x37;
     const double x39 = 0.3 * x38;
@@ -5286,6 +5670,8 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     const double x49 = x47 - x48;
     const double x50 = x46 + x49;
     const double x51 = 0.15 * x18;
+    pivot[0] = x51;
+    double total = x51;
     const double x52 = 1.0 / x51;
     const double x53 = x50 * x52;
     const double x54 = x27 * x53;
@@ -5314,11 +5700,14 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     const double x77 = x75 - x76;
     const double x78 = x62 * x77;
     const double x79 = x74 + x78;
+    pivot[pitch] = x79;
+    total = total + x79;
     const double x80 = x68 / x79;
-    pivot[0] = x51;
-    pivot[stride] = x79;
     u[0] = x80;
-    return (x80 + x51) + (x79 + x5);
+    total = total + x80;
+    const double x5 = v[2 * stride];
+    total = total + x5;
+    return total;
 }
 
 int four_bar_inverse_dynamics(
@@ -5328,11 +5717,11 @@ int four_bar_inverse_dynamics(
     double *restrict u)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_inverse_dynamics_angles(1, q, v, a, angle);
+    four_bar_inverse_dynamics_angles(1, 1, q, v, a, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_inverse_dynamics_lane(1, q, v, a, u, sine, cosine, pivot);
+    const double total = four_bar_inverse_dynamics_lane(1, 1, q, v, a, u, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 1.2634000000000003e-10 || fabs(pivot[1]) <= 4.813897755635771e-09 ?
         1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -5343,30 +5732,27 @@ int four_bar_inverse_dynamics(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_inverse_dynamics_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict u,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_inverse_dynamics_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        four_bar_inverse_dynamics_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[16];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_dynamics_lane(8, q + lane, v + lane, a + lane, u + lane, sine + lane,
-            cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 1.2634000000000003e-10 || fabs(pivot[1 * 8 + lane]) <=
-            4.813897755635771e-09 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
+            lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -5415,24 +5801,35 @@ static int four_bar_inverse_dynamics_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double a_block[24];
-        double u_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(3, first, some, stride, a, a_block);
-        four_bar_inverse_dynamics_block(q_block, v_block, a_block, u_block, outcome);
-        four_bar_scatter(1, first, some, stride, u_block, u);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+            }
+            four_bar_inverse_dynamics_block(stride, q + first, v + first, a + first, u + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double a_block[24];
+            double u_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(3, first, some, stride, a, a_block);
+            four_bar_inverse_dynamics_block(8, q_block, v_block, a_block, u_block, total);
+            four_bar_scatter(1, first, some, stride, u_block, u);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_inverse_dynamics_one(first + lane, stride, q, v, a, u);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_inverse_dynamics_one(first + lane, stride, q, v, a, u);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -5495,12 +5892,14 @@ int four_bar_inverse_dynamics_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_independent_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)y_dot;
     (void)y_ddot;
     const double x0 = q[0];
@@ -5509,12 +5908,13 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_independent_angles(
     const double x5 = 0.4899573262537283 - x2;
     const double x9 = 0.9272952180016122 + x1;
     angle[0] = x5;
-    angle[stride] = x0;
-    angle[2 * stride] = x9;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x9;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
@@ -5525,18 +5925,17 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = y_dot[0];
-    const double x4 = y_ddot[0];
+    (void)pitch;
     const double x6 = sine[0];
-    const double x16 = cosine[0];
-    const double x8 = sine[stride];
-    const double x12 = cosine[stride];
-    const double x13 = sine[2 * stride];
-    const double x10 = cosine[2 * stride];
     const double x7 = 3.00186 * x6;
+    const double x8 = sine[pitch];
+    const double x10 = cosine[2 * pitch];
     const double x11 = x8 * x10;
+    const double x12 = cosine[pitch];
+    const double x13 = sine[2 * pitch];
     const double x14 = x12 * x13;
     const double x15 = x11 + x14;
+    const double x16 = cosine[0];
     const double x17 = 0.51 * x16;
     const double x18 = x15 * x17;
     const double x19 = x8 * x13;
@@ -5545,10 +5944,16 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x22 = 0.51 * x6;
     const double x23 = x21 * x22;
     const double x24 = x18 - x23;
+    pivot[0] = x24;
+    double total = x24;
     const double x25 = 1.0 / x24;
     const double x26 = 0.15 * x13;
+    pivot[pitch] = x26;
+    total = total + x26;
+    const double x4 = y_ddot[0];
     const double x27 = x26 * x4;
     const double x28 = x25 * x27;
+    const double x3 = y_dot[0];
     const double x29 = x26 * x3;
     const double x30 = x29 * x25;
     const double x31 = x30 * x30;
@@ -5650,12 +6055,12 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x127 = x125 - x126;
     const double x128 = x22 * x127;
     const double x129 = x124 + x128;
+    pivot[2 * pitch] = x129;
+    total = total + x129;
     const double x130 = x118 / x129;
-    pivot[0] = x24;
-    pivot[stride] = x26;
-    pivot[2 * stride] = x129;
     u[0] = x130;
-    return (x130 + x24) + (x26 + x129);
+    total = total + x130;
+    return total;
 }
 
 int four_bar_inverse_dynamics_independent(
@@ -5665,11 +6070,11 @@ int four_bar_inverse_dynamics_independent(
     double *restrict u)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_inverse_dynamics_independent_angles(1, q, y_dot, y_ddot, angle);
+    four_bar_inverse_dynamics_independent_angles(1, 1, q, y_dot, y_ddot, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[3] = {0.0};
-    const double total = four_bar_inverse_dynamics_independent_lane(1, q, y_dot, y_ddot, u, sine, cosine,
+    const double total = four_bar_inverse_dynamics_independent_lane(1, 1, q, y_dot, y_ddot, u, sine, cosine,
         pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 1.2634000000000003e-10 ||
         fabs(pivot[2]) <= 4.813897755635771e-09 ? 1 : !isfinite(total) ? 2 : 0;
@@ -5681,31 +6086,29 @@ int four_bar_inverse_dynamics_independent(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_inverse_dynamics_independent_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
     double *restrict u,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_inverse_dynamics_independent_angles(8, q + lane, y_dot + lane, y_ddot + lane, angle + lane);
+        four_bar_inverse_dynamics_independent_angles(stride, 8, q + lane, y_dot + lane, y_ddot + lane, angle +
+            lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[24];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_dynamics_independent_lane(8, q + lane, y_dot + lane, y_ddot + lane, u +
-            lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 || fabs(pivot[1 * 8 + lane]) <=
-            1.2634000000000003e-10 || fabs(pivot[2 * 8 + lane]) <= 4.813897755635771e-09 ? 1 :
-            !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot +
+            lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[16 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -5755,25 +6158,38 @@ static int four_bar_inverse_dynamics_independent_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double y_dot_block[8];
-        double y_ddot_block[8];
-        double u_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(1, first, some, stride, y_dot, y_dot_block);
-        four_bar_gather(1, first, some, stride, y_ddot, y_ddot_block);
-        four_bar_inverse_dynamics_independent_block(q_block, y_dot_block, y_ddot_block, u_block, outcome);
-        four_bar_scatter(1, first, some, stride, u_block, u);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(1, stride, y_dot + first + 8);
+                four_bar_prefetch(1, stride, y_ddot + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+            }
+            four_bar_inverse_dynamics_independent_block(stride, q + first, y_dot + first, y_ddot + first, u +
+                first, total);
+        } else {
+            double q_block[24];
+            double y_dot_block[8];
+            double y_ddot_block[8];
+            double u_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(1, first, some, stride, y_dot, y_dot_block);
+            four_bar_gather(1, first, some, stride, y_ddot, y_ddot_block);
+            four_bar_inverse_dynamics_independent_block(8, q_block, y_dot_block, y_ddot_block, u_block,
+                total);
+            four_bar_scatter(1, first, some, stride, u_block, u);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_inverse_dynamics_independent_one(first + lane, stride, q, y_dot,
-                    y_ddot, u);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_inverse_dynamics_independent_one(first + lane, stride, q, y_dot, y_ddot,
+                    u);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -5839,12 +6255,14 @@ int four_bar_inverse_dynamics_independent_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_joint_reactions_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -5853,12 +6271,13 @@ static inline FOUR_BAR_INLINE void four_bar_joint_reactions_angles(
     const double x9 = 0.4899573262537283 - x2;
     const double x17 = 0.9272952180016122 + x1;
     angle[0] = x9;
-    angle[stride] = x0;
-    angle[2 * stride] = x17;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x17;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -5870,38 +6289,38 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = a[0];
-    const double x7 = a[stride];
-    const double x8 = a[2 * stride];
+    (void)pitch;
     const double x10 = sine[0];
-    const double x14 = cosine[0];
-    const double x16 = sine[stride];
-    const double x23 = cosine[stride];
-    const double x18 = sine[2 * stride];
-    const double x27 = cosine[2 * stride];
     const double x11 = 3.00186 * x10;
+    const double x8 = a[2 * stride];
     const double x12 = 0.10404 * x8;
     const double x13 = x11 + x12;
+    const double x14 = cosine[0];
     const double x15 = 0.51 * x14;
+    const double x6 = a[0];
+    const double x7 = a[stride];
     const double x19 = x6 + x7;
     const double x20 = 0.1 * x19;
+    const double x3 = v[0];
     const double x21 = x3 * x3;
     const double x22 = 0.15 * x21;
+    const double x23 = cosine[pitch];
     const double x24 = 9.81 * x23;
     const double x25 = x22 - x24;
+    const double x18 = sine[2 * pitch];
     const double x26 = x18 * x25;
+    const double x16 = sine[pitch];
     const double x28 = 9.81 * x16;
     const double x29 = 0.15 * x6;
     const double x30 = x28 - x29;
+    const double x27 = cosine[2 * pitch];
     const double x31 = x27 * x30;
     const double x32 = x26 - x31;
     const double x33 = 0.3 * x32;
     const double x34 = x20 + x33;
     const double x35 = 2.0 * x34;
     const double x36 = x18 * x35;
+    const double x4 = v[stride];
     const double x37 = x3 + x4;
     const double x38 = x37 * x37;
     const double x39 = 0.3 * x38;
@@ -5917,6 +6336,8 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x49 = x47 - x48;
     const double x50 = x46 + x49;
     const double x51 = 0.15 * x18;
+    pivot[0] = x51;
+    double total = x51;
     const double x52 = 1.0 / x51;
     const double x53 = x50 * x52;
     const double x54 = x27 * x53;
@@ -5945,7 +6366,11 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x77 = x75 - x76;
     const double x78 = x62 * x77;
     const double x79 = x74 + x78;
+    pivot[pitch] = x79;
+    total = total + x79;
     const double x80 = x68 / x79;
+    u[0] = x80;
+    total = total + x80;
     const double x81 = x52 * x80;
     const double x82 = x53 + x81;
     const double x83 = x27 * x25;
@@ -5974,20 +6399,30 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x106 = x102 - x105;
     const double x107 = x23 * x106;
     const double x108 = x99 + x107;
+    reactions[0] = x108;
+    total = total + x108;
     const double x109 = x23 * x98;
     const double x110 = x16 * x106;
     const double x111 = x109 - x110;
+    reactions[2 * stride] = x111;
+    total = total + x111;
     const double x112 = x16 * x94;
     const double x113 = x23 * x102;
     const double x114 = x112 + x113;
+    reactions[6 * stride] = x114;
+    total = total + x114;
     const double x115 = x23 * x94;
     const double x116 = x16 * x102;
     const double x117 = x115 - x116;
+    reactions[8 * stride] = x117;
+    total = total + x117;
     const double x118 = 0.15 * x23;
     const double x119 = x118 * x114;
     const double x120 = 0.15 * x16;
     const double x121 = x120 * x117;
     const double x122 = x119 - x121;
+    reactions[10 * stride] = x122;
+    total = total + x122;
     const double x123 = x16 * x27;
     const double x124 = x23 * x18;
     const double x125 = x123 + x124;
@@ -5997,10 +6432,14 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x129 = x127 - x128;
     const double x130 = x129 * x35;
     const double x131 = x126 + x130;
+    reactions[12 * stride] = x131;
+    total = total + x131;
     const double x132 = x129 * x82;
     const double x133 = x125 * x35;
     const double x134 = x132 - x133;
     const double x135 = -x134;
+    reactions[14 * stride] = x135;
+    total = total + x135;
     const double x136 = 0.5 * x129;
     const double x137 = x118 - x136;
     const double x138 = x137 * x131;
@@ -6008,6 +6447,9 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x140 = x120 + x139;
     const double x141 = x140 * x134;
     const double x142 = x138 + x141;
+    reactions[16 * stride] = x142;
+    total = total + x142;
+    const double x5 = v[2 * stride];
     const double x143 = x5 * x5;
     const double x144 = 0.306 * x143;
     const double x145 = 11.772 * x14;
@@ -6026,6 +6468,8 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x158 = x23 * x157;
     const double x159 = x155 - x158;
     const double x160 = x152 - x159;
+    reactions[18 * stride] = x160;
+    total = total + x160;
     const double x161 = x14 * x146;
     const double x162 = x10 * x150;
     const double x163 = x161 - x162;
@@ -6034,7 +6478,11 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x166 = x164 + x165;
     const double x167 = x163 + x166;
     const double x168 = -x167;
+    reactions[20 * stride] = x168;
+    total = total + x168;
     const double x169 = 0.64 * x167;
+    reactions[22 * stride] = x169;
+    total = total + x169;
     const double x170 = 1.6573358657425363 * x18;
     const double x171 = x170 * x170;
     const double x172 = 2.0 + x171;
@@ -6064,6 +6512,8 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x196 = 3.3146717314850727 * x195;
     const double x197 = x196 * x196;
     const double x198 = x192 + x197;
+    pivot[2 * pitch] = x198;
+    total = total + x198;
     const double x199 = 3.3146717314850727 * x125;
     const double x200 = x199 * x199;
     const double x201 = 3.3146717314850727 * x129;
@@ -6093,6 +6543,8 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x225 = x223 * x224;
     const double x226 = x223 * x225;
     const double x227 = x212 - x226;
+    pivot[3 * pitch] = x227;
+    total = total + x227;
     const double x228 = 10.987048687506249 + x207;
     const double x229 = x204 + x228;
     const double x230 = x200 + x229;
@@ -6117,38 +6569,22 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x249 = x247 * x248;
     const double x250 = x246 + x249;
     const double x251 = x233 - x250;
-    pivot[0] = x51;
-    pivot[stride] = x79;
-    pivot[2 * stride] = x198;
-    pivot[3 * stride] = x227;
-    pivot[4 * stride] = x251;
-    u[0] = x80;
-    reactions[0] = x108;
+    pivot[4 * pitch] = x251;
+    total = total + x251;
     reactions[stride] = 0.0;
-    reactions[2 * stride] = x111;
     reactions[3 * stride] = 0.0;
     reactions[4 * stride] = 0.0;
     reactions[5 * stride] = 0.0;
-    reactions[6 * stride] = x114;
     reactions[7 * stride] = 0.0;
-    reactions[8 * stride] = x117;
     reactions[9 * stride] = 0.0;
-    reactions[10 * stride] = x122;
     reactions[11 * stride] = 0.0;
-    reactions[12 * stride] = x131;
     reactions[13 * stride] = 0.0;
-    reactions[14 * stride] = x135;
     reactions[15 * stride] = 0.0;
-    reactions[16 * stride] = x142;
     reactions[17 * stride] = 0.0;
-    reactions[18 * stride] = x160;
     reactions[19 * stride] = 0.0;
-    reactions[20 * stride] = x168;
     reactions[21 * stride] = 0.0;
-    reactions[22 * stride] = x169;
     reactions[23 * stride] = 0.0;
-    return ((((x80 + x108) + (x111 + x114)) + ((x117 + x122) + (x131 + x135))) + (((x142 + x160) + (x168 +
-        x169)) + ((x51 + x79) + (x198 + x227)))) + x251;
+    return total;
 }
 
 int four_bar_joint_reactions(
@@ -6159,11 +6595,11 @@ int four_bar_joint_reactions(
     double *restrict reactions)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_joint_reactions_angles(1, q, v, a, angle);
+    four_bar_joint_reactions_angles(1, 1, q, v, a, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[5] = {0.0};
-    const double total = four_bar_joint_reactions_lane(1, q, v, a, u, reactions, sine, cosine, pivot);
+    const double total = four_bar_joint_reactions_lane(1, 1, q, v, a, u, reactions, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 1.2634000000000003e-10 || fabs(pivot[1]) <= 4.813897755635771e-09 ||
         fabs(pivot[2]) <= 1.3789999999999998e-08 || fabs(pivot[3]) <= 4.3948000000000004e-08 || fabs(pivot[4])
         <= 4.3948000000000004e-08 ? 1 : !isfinite(total) ? 2 : 0;
@@ -6176,33 +6612,31 @@ int four_bar_joint_reactions(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_joint_reactions_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict u,
     double *restrict reactions,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_joint_reactions_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        four_bar_joint_reactions_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[40];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_reactions_lane(8, q + lane, v + lane, a + lane, u + lane, reactions +
-            lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 1.2634000000000003e-10 || fabs(pivot[1 * 8 + lane]) <=
-            4.813897755635771e-09 || fabs(pivot[2 * 8 + lane]) <= 1.3789999999999998e-08 || fabs(pivot[3 * 8 +
-            lane]) <= 4.3948000000000004e-08 || fabs(pivot[4 * 8 + lane]) <= 4.3948000000000004e-08 ? 1 :
-            !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
+            reactions + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
+        sum = fabs(pivot[16 + lane]) <= 1.3789999999999998e-08 ? (double)NAN : sum;
+        sum = fabs(pivot[24 + lane]) <= 4.3948000000000004e-08 ? (double)NAN : sum;
+        sum = fabs(pivot[32 + lane]) <= 4.3948000000000004e-08 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -6258,26 +6692,39 @@ static int four_bar_joint_reactions_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double a_block[24];
-        double u_block[8];
-        double reactions_block[192];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(3, first, some, stride, a, a_block);
-        four_bar_joint_reactions_block(q_block, v_block, a_block, u_block, reactions_block, outcome);
-        four_bar_scatter(1, first, some, stride, u_block, u);
-        four_bar_scatter(24, first, some, stride, reactions_block, reactions);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+                four_bar_prefetch(24, stride, reactions + first + 8);
+            }
+            four_bar_joint_reactions_block(stride, q + first, v + first, a + first, u + first, reactions +
+                first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double a_block[24];
+            double u_block[8];
+            double reactions_block[192];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(3, first, some, stride, a, a_block);
+            four_bar_joint_reactions_block(8, q_block, v_block, a_block, u_block, reactions_block, total);
+            four_bar_scatter(1, first, some, stride, u_block, u);
+            four_bar_scatter(24, first, some, stride, reactions_block, reactions);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_joint_reactions_one(first + lane, stride, q, v, a, u, reactions);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_joint_reactions_one(first + lane, stride, q, v, a, u, reactions);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -6344,12 +6791,14 @@ int four_bar_joint_reactions_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     const double x0 = q[0];
@@ -6358,12 +6807,13 @@ static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_angles(
     const double x9 = 0.9272952180016122 + x1;
     const double x23 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x9;
-    angle[2 * stride] = x23;
+    angle[pitch] = x9;
+    angle[2 * pitch] = x23;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -6374,31 +6824,30 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = u[0];
+    (void)pitch;
     const double x7 = sine[0];
-    const double x13 = cosine[0];
-    const double x10 = sine[stride];
-    const double x17 = cosine[stride];
-    const double x29 = sine[2 * stride];
-    const double x24 = cosine[2 * stride];
     const double x8 = 2.133675 * x7;
+    const double x3 = v[0];
     const double x11 = x3 * x3;
     const double x12 = 0.15 * x11;
+    const double x13 = cosine[0];
     const double x14 = 9.81 * x13;
     const double x15 = x12 - x14;
+    const double x10 = sine[pitch];
     const double x16 = x10 * x15;
     const double x18 = 9.81 * x7;
+    const double x17 = cosine[pitch];
     const double x19 = x17 * x18;
     const double x20 = x16 - x19;
     const double x21 = 0.3 * x20;
     const double x22 = x10 * x12;
+    const double x5 = v[2 * stride];
     const double x25 = x5 * x5;
     const double x26 = 0.51 * x25;
+    const double x24 = cosine[2 * pitch];
     const double x27 = x24 * x26;
     const double x28 = x13 * x27;
+    const double x29 = sine[2 * pitch];
     const double x30 = x29 * x26;
     const double x31 = x7 * x30;
     const double x32 = x28 - x31;
@@ -6424,6 +6873,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x52 = x10 * x36;
     const double x53 = x51 - x52;
     const double x54 = x17 * x12;
+    const double x4 = v[stride];
     const double x55 = x3 + x4;
     const double x56 = x55 * x55;
     const double x57 = 0.5 * x56;
@@ -6432,6 +6882,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x60 = x47 * x43;
     const double x61 = x42 * x48;
     const double x62 = x60 - x61;
+    pivot[0] = x62;
+    double total = x62;
     const double x63 = 1.0 / x62;
     const double x64 = x59 * x63;
     const double x65 = x50 * x64;
@@ -6446,6 +6898,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x74 = 0.15 * x73;
     const double x75 = x68 - x74;
     const double x76 = x8 - x75;
+    const double x6 = u[0];
     const double x77 = x6 + x76;
     const double x78 = 0.15 * x17;
     const double x79 = 0.5 + x78;
@@ -6480,29 +6933,34 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x108 = 0.10404 * x81;
     const double x109 = x81 * x108;
     const double x110 = x107 + x109;
+    pivot[pitch] = x110;
+    total = total + x110;
     const double x111 = x91 / x110;
+    a[0] = x111;
+    total = total + x111;
     const double x112 = 2.0 * x66;
     const double x113 = x84 * x111;
     const double x114 = x112 + x113;
     const double x115 = -x114;
+    a[stride] = x115;
+    total = total + x115;
     const double x116 = x81 * x111;
     const double x117 = x64 + x116;
-    pivot[0] = x62;
-    pivot[stride] = x110;
-    a[0] = x111;
-    a[stride] = x115;
     a[2 * stride] = x117;
-    return ((x111 + x115) + (x117 + x62)) + x110;
+    total = total + x117;
+    return total;
 }
 
 static inline void four_bar_forward_dynamics_dense_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     const double x0 = q[0];
@@ -6511,12 +6969,13 @@ static inline void four_bar_forward_dynamics_dense_angles(
     const double x7 = 0.9272952180016122 + x1;
     const double x41 = 0.4899573262537283 - x2;
     angle[0] = x7;
-    angle[stride] = x0;
-    angle[2 * stride] = x41;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x41;
 }
 
 static inline double four_bar_forward_dynamics_dense_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -6529,18 +6988,11 @@ static inline double four_bar_forward_dynamics_dense_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = u[0];
+    (void)pitch;
     const double x8 = sine[0];
-    const double x11 = cosine[0];
-    const double x20 = sine[stride];
-    const double x24 = cosine[stride];
-    const double x42 = sine[2 * stride];
-    const double x56 = cosine[2 * stride];
     const double x9 = 0.1 * x8;
     const double x10 = x8 * x9;
+    const double x11 = cosine[0];
     const double x12 = 0.045 * x11;
     const double x13 = 0.1 * x11;
     const double x14 = x11 * x13;
@@ -6548,10 +7000,18 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x16 = x12 + x15;
     const double x17 = 0.03075 + x16;
     const double x18 = x10 + x17;
+    inertia_[0] = x18;
+    double total = x18;
     const double x19 = 0.1 + x12;
+    inertia_[stride] = x19;
+    inertia_[3 * stride] = x19;
+    total = total + x19;
+    const double x20 = sine[pitch];
     const double x21 = 2.133675 * x20;
+    const double x3 = v[0];
     const double x22 = x3 * x3;
     const double x23 = 0.15 * x22;
+    const double x24 = cosine[pitch];
     const double x25 = 9.81 * x24;
     const double x26 = x23 - x25;
     const double x27 = x8 * x26;
@@ -6559,6 +7019,7 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x29 = x11 * x28;
     const double x30 = x27 - x29;
     const double x31 = 0.3 * x30;
+    const double x4 = v[stride];
     const double x32 = x3 + x4;
     const double x33 = x32 * x32;
     const double x34 = 0.3 * x33;
@@ -6566,13 +7027,25 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x36 = 0.15 * x35;
     const double x37 = x31 - x36;
     const double x38 = x21 - x37;
+    const double x6 = u[0];
     const double x39 = x38 + x6;
+    load_[0] = x39;
+    total = total + x39;
     const double x40 = -x31;
+    load_[stride] = x40;
+    total = total + x40;
+    const double x42 = sine[2 * pitch];
     const double x43 = 3.00186 * x42;
     const double x44 = -x43;
+    load_[2 * stride] = x44;
+    total = total + x44;
     const double x45 = 0.15 * x8;
+    closure_[0] = x45;
+    total = total + x45;
     const double x46 = 0.15 * x11;
     const double x47 = 0.5 + x46;
+    closure_[stride] = x47;
+    total = total + x47;
     const double x48 = x20 * x8;
     const double x49 = x24 * x11;
     const double x50 = x48 - x49;
@@ -6581,12 +7054,18 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x53 = x20 * x11;
     const double x54 = x24 * x8;
     const double x55 = x53 + x54;
+    const double x56 = cosine[2 * pitch];
     const double x57 = 0.51 * x56;
     const double x58 = x55 * x57;
     const double x59 = x52 - x58;
+    closure_[10 * stride] = x59;
+    total = total + x59;
     const double x60 = x50 * x57;
     const double x61 = x55 * x51;
     const double x62 = x60 + x61;
+    closure_[11 * stride] = x62;
+    total = total + x62;
+    const double x5 = v[2 * stride];
     const double x63 = x5 * x5;
     const double x64 = 0.51 * x63;
     const double x65 = x56 * x64;
@@ -6604,44 +7083,36 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x77 = 0.5 * x33;
     const double x78 = x76 + x77;
     const double x79 = x75 - x78;
+    curvature_[0] = x79;
+    total = total + x79;
     const double x80 = x8 * x23;
     const double x81 = x8 * x69;
     const double x82 = x11 * x73;
     const double x83 = x81 + x82;
     const double x84 = x80 - x83;
-    inertia_[0] = x18;
-    inertia_[stride] = x19;
+    curvature_[stride] = x84;
+    total = total + x84;
     inertia_[2 * stride] = 0.0;
-    inertia_[3 * stride] = x19;
-    inertia_[4 * stride] = 0.1;
     inertia_[5 * stride] = 0.0;
     inertia_[6 * stride] = 0.0;
     inertia_[7 * stride] = 0.0;
-    inertia_[8 * stride] = 0.10404;
-    load_[0] = x39;
-    load_[stride] = x40;
-    load_[2 * stride] = x44;
-    closure_[0] = x45;
-    closure_[stride] = x47;
     closure_[2 * stride] = 0.0;
     closure_[3 * stride] = 0.0;
     closure_[4 * stride] = 0.0;
     closure_[5 * stride] = 0.0;
-    closure_[6 * stride] = 0.5;
     closure_[7 * stride] = 0.0;
     closure_[8 * stride] = 0.0;
     closure_[9 * stride] = 0.0;
-    closure_[10 * stride] = x59;
-    closure_[11 * stride] = x62;
     closure_[12 * stride] = 0.0;
     closure_[13 * stride] = 0.0;
     closure_[14 * stride] = 0.0;
-    curvature_[0] = x79;
-    curvature_[stride] = x84;
     curvature_[2 * stride] = 0.0;
     curvature_[3 * stride] = 0.0;
     curvature_[4 * stride] = 0.0;
-    return (((x18 + x19) + (x39 + x40)) + ((x44 + x45) + (x47 + x59))) + ((x62 + x79) + x84);
+    inertia_[4 * stride] = 0.1;
+    inertia_[8 * stride] = 0.10404;
+    closure_[6 * stride] = 0.5;
+    return total;
 }
 
 static int four_bar_forward_dynamics_dense(
@@ -6654,10 +7125,10 @@ static int four_bar_forward_dynamics_dense(
     double *restrict curvature_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_dynamics_dense_angles(1, q, v, u, angle);
+    four_bar_forward_dynamics_dense_angles(1, 1, q, v, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_forward_dynamics_dense_lane(1, q, v, u, inertia_, load_, closure_,
+    const double total = four_bar_forward_dynamics_dense_lane(1, 1, q, v, u, inertia_, load_, closure_,
         curvature_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -6711,11 +7182,11 @@ int four_bar_forward_dynamics(
     double *restrict a)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_dynamics_angles(1, q, v, u, angle);
+    four_bar_forward_dynamics_angles(1, 1, q, v, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_forward_dynamics_lane(1, q, v, u, a, sine, cosine, pivot);
+    const double total = four_bar_forward_dynamics_lane(1, 1, q, v, u, a, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-06 || fabs(pivot[1]) <= 3.264600000000001e-07 ? 1 :
         !isfinite(total) ? 2 : 0;
     if (outcome == 1) {
@@ -6729,30 +7200,27 @@ int four_bar_forward_dynamics(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_forward_dynamics_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict a,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_forward_dynamics_angles(8, q + lane, v + lane, u + lane, angle + lane);
+        four_bar_forward_dynamics_angles(stride, 8, q + lane, v + lane, u + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[16];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_dynamics_lane(8, q + lane, v + lane, u + lane, a + lane, sine + lane,
-            cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-06 || fabs(pivot[1 * 8 + lane]) <=
-            3.264600000000001e-07 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
+            lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-06 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 3.264600000000001e-07 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -6801,24 +7269,35 @@ static int four_bar_forward_dynamics_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double u_block[8];
-        double a_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(1, first, some, stride, u, u_block);
-        four_bar_forward_dynamics_block(q_block, v_block, u_block, a_block, outcome);
-        four_bar_scatter(3, first, some, stride, a_block, a);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+            }
+            four_bar_forward_dynamics_block(stride, q + first, v + first, u + first, a + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double u_block[8];
+            double a_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(1, first, some, stride, u, u_block);
+            four_bar_forward_dynamics_block(8, q_block, v_block, u_block, a_block, total);
+            four_bar_scatter(3, first, some, stride, a_block, a);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_forward_dynamics_one(first + lane, stride, q, v, u, a);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_forward_dynamics_one(first + lane, stride, q, v, u, a);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -6881,12 +7360,14 @@ int four_bar_forward_dynamics_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_independent_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)y_dot;
     (void)u;
     const double x0 = q[0];
@@ -6895,12 +7376,13 @@ static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_independent_angles(
     const double x7 = 0.9272952180016122 + x1;
     const double x13 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x7;
-    angle[2 * stride] = x13;
+    angle[pitch] = x7;
+    angle[2 * pitch] = x13;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_independent_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
@@ -6911,121 +7393,125 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_independent_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = y_dot[0];
-    const double x4 = u[0];
+    (void)pitch;
     const double x5 = sine[0];
-    const double x12 = cosine[0];
-    const double x8 = sine[stride];
-    const double x17 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x14 = cosine[2 * stride];
-    const double x6 = 2.133675 * x5;
-    const double x9 = x3 * x3;
-    const double x10 = 0.15 * x9;
-    const double x11 = x8 * x10;
-    const double x15 = 0.15 * x8;
-    const double x16 = x15 * x3;
+    const double x17 = cosine[pitch];
     const double x18 = x5 * x17;
+    const double x12 = cosine[0];
+    const double x8 = sine[pitch];
     const double x19 = x12 * x8;
-    const double x20 = x18 + x19;
-    const double x21 = 0.51 * x14;
-    const double x22 = x20 * x21;
     const double x23 = x5 * x8;
     const double x24 = x12 * x17;
-    const double x25 = x23 - x24;
+    const double x14 = cosine[2 * pitch];
+    const double x21 = 0.51 * x14;
+    const double x26 = sine[2 * pitch];
     const double x27 = 0.51 * x26;
-    const double x28 = x25 * x27;
-    const double x29 = x22 - x28;
-    const double x30 = 1.0 / x29;
-    const double x31 = x16 * x30;
-    const double x32 = x31 * x31;
-    const double x33 = 0.51 * x32;
-    const double x34 = x14 * x33;
-    const double x35 = x12 * x34;
-    const double x36 = x26 * x33;
-    const double x37 = x5 * x36;
-    const double x38 = x35 - x37;
-    const double x39 = x8 * x38;
-    const double x40 = x5 * x34;
-    const double x41 = x12 * x36;
-    const double x42 = x40 + x41;
-    const double x43 = x17 * x42;
-    const double x44 = x39 + x43;
-    const double x45 = x11 - x44;
-    const double x46 = x25 * x21;
+    const double x15 = 0.15 * x8;
+    const double x53 = 0.15 * x17;
+    const double x3 = y_dot[0];
+    const double x9 = x3 * x3;
+    const double x70 = 9.81 * x12;
+    const double x20 = x18 + x19;
+    const double x68 = 9.81 * x5;
+    const double x25 = x23 - x24;
+    const double x99 = 0.1 * x17;
+    const double x98 = 0.045 * x17;
+    const double x16 = x15 * x3;
+    const double x54 = 0.5 + x53;
+    const double x10 = 0.15 * x9;
+    const double x96 = 0.1 * x8;
+    const double x22 = x20 * x21;
     const double x47 = x20 * x27;
+    const double x28 = x25 * x27;
+    const double x46 = x25 * x21;
+    const double x69 = x17 * x68;
+    const double x100 = x17 * x99;
+    const double x55 = x54 * x3;
+    const double x52 = x17 * x10;
+    const double x11 = x8 * x10;
+    const double x71 = x70 - x10;
+    const double x6 = 2.133675 * x5;
+    const double x29 = x22 - x28;
+    pivot[0] = x29;
+    double total = x29;
     const double x48 = x46 + x47;
+    const double x97 = x8 * x96;
+    const double x101 = x98 + x100;
+    const double x105 = 0.1 + x98;
+    const double x91 = 3.00186 * x26;
+    const double x72 = x8 * x71;
+    const double x30 = 1.0 / x29;
+    const double x102 = x98 + x101;
+    const double x73 = x69 + x72;
+    const double x103 = 0.03075 + x102;
+    const double x74 = 0.3 * x73;
+    const double x104 = x97 + x103;
+    const double x31 = x16 * x30;
+    const double x85 = x15 * x30;
+    const double x32 = x31 * x31;
+    const double x56 = x48 * x31;
+    const double x86 = x48 * x85;
+    const double x112 = 0.10404 * x85;
+    const double x33 = 0.51 * x32;
+    const double x57 = x55 + x56;
+    const double x87 = x54 + x86;
+    const double x113 = x85 * x112;
+    const double x34 = x14 * x33;
+    const double x36 = x26 * x33;
+    const double x58 = 2.0 * x57;
+    const double x88 = 2.0 * x87;
+    const double x108 = 0.2 * x87;
+    const double x35 = x12 * x34;
+    const double x40 = x5 * x34;
+    const double x37 = x5 * x36;
+    const double x41 = x12 * x36;
+    const double x59 = x3 - x58;
+    const double x109 = x105 - x108;
+    const double x106 = x88 * x105;
+    const double x38 = x35 - x37;
+    const double x42 = x40 + x41;
+    const double x60 = x59 * x59;
+    const double x110 = x88 * x109;
+    const double x107 = x104 - x106;
     const double x49 = x17 * x38;
     const double x50 = x8 * x42;
-    const double x51 = x49 - x50;
-    const double x52 = x17 * x10;
-    const double x53 = 0.15 * x17;
-    const double x54 = 0.5 + x53;
-    const double x55 = x54 * x3;
-    const double x56 = x48 * x31;
-    const double x57 = x55 + x56;
-    const double x58 = 2.0 * x57;
-    const double x59 = x3 - x58;
-    const double x60 = x59 * x59;
     const double x61 = 0.5 * x60;
+    const double x39 = x8 * x38;
+    const double x43 = x17 * x42;
+    const double x76 = 0.3 * x60;
+    const double x111 = x107 - x110;
+    const double x51 = x49 - x50;
     const double x62 = x52 + x61;
+    const double x44 = x39 + x43;
+    const double x77 = x8 * x76;
+    const double x114 = x111 + x113;
+    pivot[pitch] = x114;
+    total = total + x114;
     const double x63 = x51 - x62;
+    const double x45 = x11 - x44;
     const double x64 = x30 * x63;
     const double x65 = x48 * x64;
+    const double x92 = 0.10404 * x64;
     const double x66 = x45 + x65;
-    const double x67 = 0.2 * x66;
-    const double x68 = 9.81 * x5;
-    const double x69 = x17 * x68;
-    const double x70 = 9.81 * x12;
-    const double x71 = x70 - x10;
-    const double x72 = x8 * x71;
-    const double x73 = x69 + x72;
-    const double x74 = 0.3 * x73;
-    const double x75 = x67 + x74;
-    const double x76 = 0.3 * x60;
-    const double x77 = x8 * x76;
+    const double x93 = x91 + x92;
     const double x78 = 0.6 * x66;
+    const double x67 = 0.2 * x66;
+    const double x94 = x85 * x93;
     const double x79 = x17 * x78;
+    const double x75 = x67 + x74;
     const double x80 = x77 + x79;
+    const double x89 = x88 * x75;
     const double x81 = 0.15 * x80;
     const double x82 = x75 + x81;
     const double x83 = x6 + x82;
+    const double x4 = u[0];
     const double x84 = x4 + x83;
-    const double x85 = x15 * x30;
-    const double x86 = x48 * x85;
-    const double x87 = x54 + x86;
-    const double x88 = 2.0 * x87;
-    const double x89 = x88 * x75;
     const double x90 = x84 - x89;
-    const double x91 = 3.00186 * x26;
-    const double x92 = 0.10404 * x64;
-    const double x93 = x91 + x92;
-    const double x94 = x85 * x93;
     const double x95 = x90 - x94;
-    const double x96 = 0.1 * x8;
-    const double x97 = x8 * x96;
-    const double x98 = 0.045 * x17;
-    const double x99 = 0.1 * x17;
-    const double x100 = x17 * x99;
-    const double x101 = x98 + x100;
-    const double x102 = x98 + x101;
-    const double x103 = 0.03075 + x102;
-    const double x104 = x97 + x103;
-    const double x105 = 0.1 + x98;
-    const double x106 = x88 * x105;
-    const double x107 = x104 - x106;
-    const double x108 = 0.2 * x87;
-    const double x109 = x105 - x108;
-    const double x110 = x88 * x109;
-    const double x111 = x107 - x110;
-    const double x112 = 0.10404 * x85;
-    const double x113 = x85 * x112;
-    const double x114 = x111 + x113;
     const double x115 = x95 / x114;
-    pivot[0] = x29;
-    pivot[stride] = x114;
     y_ddot[0] = x115;
-    return (x115 + x29) + x114;
+    total = total + x115;
+    return total;
 }
 
 int four_bar_forward_dynamics_independent(
@@ -7035,11 +7521,11 @@ int four_bar_forward_dynamics_independent(
     double *restrict y_ddot)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_dynamics_independent_angles(1, q, y_dot, u, angle);
+    four_bar_forward_dynamics_independent_angles(1, 1, q, y_dot, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_forward_dynamics_independent_lane(1, q, y_dot, u, y_ddot, sine, cosine,
+    const double total = four_bar_forward_dynamics_independent_lane(1, 1, q, y_dot, u, y_ddot, sine, cosine,
         pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 3.2646e-11 ? 1 : !isfinite(total) ?
         2 : 0;
@@ -7051,30 +7537,28 @@ int four_bar_forward_dynamics_independent(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_forward_dynamics_independent_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
     double *restrict y_ddot,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_forward_dynamics_independent_angles(8, q + lane, y_dot + lane, u + lane, angle + lane);
+        four_bar_forward_dynamics_independent_angles(stride, 8, q + lane, y_dot + lane, u + lane, angle +
+            lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[16];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_dynamics_independent_lane(8, q + lane, y_dot + lane, u + lane, y_ddot +
-            lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 || fabs(pivot[1 * 8 + lane]) <= 3.2646e-11 ? 1
-            : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
+            y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 3.2646e-11 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -7124,25 +7608,38 @@ static int four_bar_forward_dynamics_independent_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double y_dot_block[8];
-        double u_block[8];
-        double y_ddot_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(1, first, some, stride, y_dot, y_dot_block);
-        four_bar_gather(1, first, some, stride, u, u_block);
-        four_bar_forward_dynamics_independent_block(q_block, y_dot_block, u_block, y_ddot_block, outcome);
-        four_bar_scatter(1, first, some, stride, y_ddot_block, y_ddot);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(1, stride, y_dot + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+                four_bar_prefetch(1, stride, y_ddot + first + 8);
+            }
+            four_bar_forward_dynamics_independent_block(stride, q + first, y_dot + first, u + first, y_ddot +
+                first, total);
+        } else {
+            double q_block[24];
+            double y_dot_block[8];
+            double u_block[8];
+            double y_ddot_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(1, first, some, stride, y_dot, y_dot_block);
+            four_bar_gather(1, first, some, stride, u, u_block);
+            four_bar_forward_dynamics_independent_block(8, q_block, y_dot_block, u_block, y_ddot_block,
+                total);
+            four_bar_scatter(1, first, some, stride, y_ddot_block, y_ddot);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_forward_dynamics_independent_one(first + lane, stride, q, y_dot, u,
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_forward_dynamics_independent_one(first + lane, stride, q, y_dot, u,
                     y_ddot);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -7208,12 +7705,14 @@ int four_bar_forward_dynamics_independent_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_reactions_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     const double x0 = q[0];
@@ -7222,12 +7721,13 @@ static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_reactions_angles(
     const double x9 = 0.9272952180016122 + x1;
     const double x23 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x9;
-    angle[2 * stride] = x23;
+    angle[pitch] = x9;
+    angle[2 * pitch] = x23;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -7239,31 +7739,30 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = u[0];
+    (void)pitch;
     const double x7 = sine[0];
-    const double x13 = cosine[0];
-    const double x10 = sine[stride];
-    const double x17 = cosine[stride];
-    const double x29 = sine[2 * stride];
-    const double x24 = cosine[2 * stride];
     const double x8 = 2.133675 * x7;
+    const double x3 = v[0];
     const double x11 = x3 * x3;
     const double x12 = 0.15 * x11;
+    const double x13 = cosine[0];
     const double x14 = 9.81 * x13;
     const double x15 = x12 - x14;
+    const double x10 = sine[pitch];
     const double x16 = x10 * x15;
     const double x18 = 9.81 * x7;
+    const double x17 = cosine[pitch];
     const double x19 = x17 * x18;
     const double x20 = x16 - x19;
     const double x21 = 0.3 * x20;
     const double x22 = x10 * x12;
+    const double x5 = v[2 * stride];
     const double x25 = x5 * x5;
     const double x26 = 0.51 * x25;
+    const double x24 = cosine[2 * pitch];
     const double x27 = x24 * x26;
     const double x28 = x13 * x27;
+    const double x29 = sine[2 * pitch];
     const double x30 = x29 * x26;
     const double x31 = x7 * x30;
     const double x32 = x28 - x31;
@@ -7289,6 +7788,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x52 = x10 * x36;
     const double x53 = x51 - x52;
     const double x54 = x17 * x12;
+    const double x4 = v[stride];
     const double x55 = x3 + x4;
     const double x56 = x55 * x55;
     const double x57 = 0.5 * x56;
@@ -7297,6 +7797,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x60 = x47 * x43;
     const double x61 = x42 * x48;
     const double x62 = x60 - x61;
+    pivot[0] = x62;
+    double total = x62;
     const double x63 = 1.0 / x62;
     const double x64 = x59 * x63;
     const double x65 = x50 * x64;
@@ -7311,10 +7813,13 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x74 = 0.15 * x73;
     const double x75 = x68 - x74;
     const double x76 = x8 - x75;
+    const double x6 = u[0];
     const double x77 = x6 + x76;
     const double x78 = 0.15 * x17;
     const double x79 = 0.5 + x78;
     const double x80 = 0.15 * x10;
+    pivot[2 * pitch] = x80;
+    total = total + x80;
     const double x81 = x80 * x63;
     const double x82 = x50 * x81;
     const double x83 = x79 + x82;
@@ -7345,13 +7850,21 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x108 = 0.10404 * x81;
     const double x109 = x81 * x108;
     const double x110 = x107 + x109;
+    pivot[pitch] = x110;
+    total = total + x110;
     const double x111 = x91 / x110;
+    a[0] = x111;
+    total = total + x111;
     const double x112 = 2.0 * x66;
     const double x113 = x84 * x111;
     const double x114 = x112 + x113;
     const double x115 = -x114;
+    a[stride] = x115;
+    total = total + x115;
     const double x116 = x81 * x111;
     const double x117 = x64 + x116;
+    a[2 * stride] = x117;
+    total = total + x117;
     const double x118 = 4.905 * x13;
     const double x119 = 0.0375 * x11;
     const double x120 = x118 - x119;
@@ -7398,26 +7911,40 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x161 = x157 + x160;
     const double x162 = x13 * x161;
     const double x163 = x154 - x162;
+    reactions[0] = x163;
+    total = total + x163;
     const double x164 = x13 * x153;
     const double x165 = x7 * x161;
     const double x166 = x164 + x165;
+    reactions[2 * stride] = x166;
+    total = total + x166;
     const double x167 = x7 * x152;
     const double x168 = x13 * x160;
     const double x169 = x167 - x168;
+    reactions[6 * stride] = x169;
+    total = total + x169;
     const double x170 = x13 * x152;
     const double x171 = x7 * x160;
     const double x172 = x170 + x171;
+    reactions[8 * stride] = x172;
+    total = total + x172;
     const double x173 = 0.15 * x13;
     const double x174 = x173 * x169;
     const double x175 = 0.15 * x7;
     const double x176 = x175 * x172;
     const double x177 = x174 - x176;
+    reactions[10 * stride] = x177;
+    total = total + x177;
     const double x178 = x42 * x129;
     const double x179 = x47 * x149;
     const double x180 = x178 + x179;
+    reactions[12 * stride] = x180;
+    total = total + x180;
     const double x181 = x47 * x129;
     const double x182 = x42 * x149;
     const double x183 = x181 - x182;
+    reactions[14 * stride] = x183;
+    total = total + x183;
     const double x184 = 0.5 * x42;
     const double x185 = x173 - x184;
     const double x186 = x185 * x180;
@@ -7425,6 +7952,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x188 = x175 + x187;
     const double x189 = x188 * x183;
     const double x190 = x186 - x189;
+    reactions[16 * stride] = x190;
+    total = total + x190;
     const double x191 = 0.306 * x25;
     const double x192 = 11.772 * x24;
     const double x193 = x191 - x192;
@@ -7443,6 +7972,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x206 = x13 * x205;
     const double x207 = x203 - x206;
     const double x208 = x199 - x207;
+    reactions[18 * stride] = x208;
+    total = total + x208;
     const double x209 = x24 * x193;
     const double x210 = x29 * x197;
     const double x211 = x209 - x210;
@@ -7451,7 +7982,11 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x214 = x212 + x213;
     const double x215 = x211 + x214;
     const double x216 = -x215;
+    reactions[20 * stride] = x216;
+    total = total + x216;
     const double x217 = 0.64 * x215;
+    reactions[22 * stride] = x217;
+    total = total + x217;
     const double x218 = 1.6573358657425363 * x10;
     const double x219 = x218 * x218;
     const double x220 = 2.0 + x219;
@@ -7481,6 +8016,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x244 = 3.3146717314850727 * x243;
     const double x245 = x244 * x244;
     const double x246 = x240 + x245;
+    pivot[3 * pitch] = x246;
+    total = total + x246;
     const double x247 = 3.3146717314850727 * x47;
     const double x248 = x247 * x247;
     const double x249 = 3.3146717314850727 * x42;
@@ -7510,6 +8047,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x273 = x271 * x272;
     const double x274 = x271 * x273;
     const double x275 = x260 - x274;
+    pivot[4 * pitch] = x275;
+    total = total + x275;
     const double x276 = 10.987048687506249 + x255;
     const double x277 = x252 + x276;
     const double x278 = x248 + x277;
@@ -7534,51 +8073,34 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x297 = x295 * x296;
     const double x298 = x294 + x297;
     const double x299 = x281 - x298;
-    pivot[0] = x62;
-    pivot[stride] = x110;
-    pivot[2 * stride] = x80;
-    pivot[3 * stride] = x246;
-    pivot[4 * stride] = x275;
-    pivot[5 * stride] = x299;
-    a[0] = x111;
-    a[stride] = x115;
-    a[2 * stride] = x117;
-    reactions[0] = x163;
+    pivot[5 * pitch] = x299;
+    total = total + x299;
     reactions[stride] = 0.0;
-    reactions[2 * stride] = x166;
     reactions[3 * stride] = 0.0;
     reactions[4 * stride] = 0.0;
     reactions[5 * stride] = 0.0;
-    reactions[6 * stride] = x169;
     reactions[7 * stride] = 0.0;
-    reactions[8 * stride] = x172;
     reactions[9 * stride] = 0.0;
-    reactions[10 * stride] = x177;
     reactions[11 * stride] = 0.0;
-    reactions[12 * stride] = x180;
     reactions[13 * stride] = 0.0;
-    reactions[14 * stride] = x183;
     reactions[15 * stride] = 0.0;
-    reactions[16 * stride] = x190;
     reactions[17 * stride] = 0.0;
-    reactions[18 * stride] = x208;
     reactions[19 * stride] = 0.0;
-    reactions[20 * stride] = x216;
     reactions[21 * stride] = 0.0;
-    reactions[22 * stride] = x217;
     reactions[23 * stride] = 0.0;
-    return ((((x111 + x115) + (x117 + x163)) + ((x166 + x169) + (x172 + x177))) + (((x180 + x183) + (x190 +
-        x208)) + ((x216 + x217) + (x62 + x110)))) + ((x80 + x246) + (x275 + x299));
+    return total;
 }
 
 static inline void four_bar_forward_dynamics_reactions_dense_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     const double x0 = q[0];
@@ -7587,12 +8109,13 @@ static inline void four_bar_forward_dynamics_reactions_dense_angles(
     const double x7 = 0.9272952180016122 + x1;
     const double x41 = 0.4899573262537283 - x2;
     angle[0] = x7;
-    angle[stride] = x0;
-    angle[2 * stride] = x41;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x41;
 }
 
 static inline double four_bar_forward_dynamics_reactions_dense_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -7605,18 +8128,11 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = u[0];
+    (void)pitch;
     const double x8 = sine[0];
-    const double x11 = cosine[0];
-    const double x20 = sine[stride];
-    const double x24 = cosine[stride];
-    const double x42 = sine[2 * stride];
-    const double x56 = cosine[2 * stride];
     const double x9 = 0.1 * x8;
     const double x10 = x8 * x9;
+    const double x11 = cosine[0];
     const double x12 = 0.045 * x11;
     const double x13 = 0.1 * x11;
     const double x14 = x11 * x13;
@@ -7624,10 +8140,18 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x16 = x12 + x15;
     const double x17 = 0.03075 + x16;
     const double x18 = x10 + x17;
+    inertia_[0] = x18;
+    double total = x18;
     const double x19 = 0.1 + x12;
+    inertia_[stride] = x19;
+    inertia_[3 * stride] = x19;
+    total = total + x19;
+    const double x20 = sine[pitch];
     const double x21 = 2.133675 * x20;
+    const double x3 = v[0];
     const double x22 = x3 * x3;
     const double x23 = 0.15 * x22;
+    const double x24 = cosine[pitch];
     const double x25 = 9.81 * x24;
     const double x26 = x23 - x25;
     const double x27 = x8 * x26;
@@ -7635,6 +8159,7 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x29 = x11 * x28;
     const double x30 = x27 - x29;
     const double x31 = 0.3 * x30;
+    const double x4 = v[stride];
     const double x32 = x3 + x4;
     const double x33 = x32 * x32;
     const double x34 = 0.3 * x33;
@@ -7642,13 +8167,25 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x36 = 0.15 * x35;
     const double x37 = x31 - x36;
     const double x38 = x21 - x37;
+    const double x6 = u[0];
     const double x39 = x38 + x6;
+    load_[0] = x39;
+    total = total + x39;
     const double x40 = -x31;
+    load_[stride] = x40;
+    total = total + x40;
+    const double x42 = sine[2 * pitch];
     const double x43 = 3.00186 * x42;
     const double x44 = -x43;
+    load_[2 * stride] = x44;
+    total = total + x44;
     const double x45 = 0.15 * x8;
+    closure_[0] = x45;
+    total = total + x45;
     const double x46 = 0.15 * x11;
     const double x47 = 0.5 + x46;
+    closure_[stride] = x47;
+    total = total + x47;
     const double x48 = x20 * x8;
     const double x49 = x24 * x11;
     const double x50 = x48 - x49;
@@ -7657,12 +8194,18 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x53 = x20 * x11;
     const double x54 = x24 * x8;
     const double x55 = x53 + x54;
+    const double x56 = cosine[2 * pitch];
     const double x57 = 0.51 * x56;
     const double x58 = x55 * x57;
     const double x59 = x52 - x58;
+    closure_[10 * stride] = x59;
+    total = total + x59;
     const double x60 = x50 * x57;
     const double x61 = x55 * x51;
     const double x62 = x60 + x61;
+    closure_[11 * stride] = x62;
+    total = total + x62;
+    const double x5 = v[2 * stride];
     const double x63 = x5 * x5;
     const double x64 = 0.51 * x63;
     const double x65 = x56 * x64;
@@ -7680,44 +8223,36 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x77 = 0.5 * x33;
     const double x78 = x76 + x77;
     const double x79 = x75 - x78;
+    curvature_[0] = x79;
+    total = total + x79;
     const double x80 = x8 * x23;
     const double x81 = x8 * x69;
     const double x82 = x11 * x73;
     const double x83 = x81 + x82;
     const double x84 = x80 - x83;
-    inertia_[0] = x18;
-    inertia_[stride] = x19;
+    curvature_[stride] = x84;
+    total = total + x84;
     inertia_[2 * stride] = 0.0;
-    inertia_[3 * stride] = x19;
-    inertia_[4 * stride] = 0.1;
     inertia_[5 * stride] = 0.0;
     inertia_[6 * stride] = 0.0;
     inertia_[7 * stride] = 0.0;
-    inertia_[8 * stride] = 0.10404;
-    load_[0] = x39;
-    load_[stride] = x40;
-    load_[2 * stride] = x44;
-    closure_[0] = x45;
-    closure_[stride] = x47;
     closure_[2 * stride] = 0.0;
     closure_[3 * stride] = 0.0;
     closure_[4 * stride] = 0.0;
     closure_[5 * stride] = 0.0;
-    closure_[6 * stride] = 0.5;
     closure_[7 * stride] = 0.0;
     closure_[8 * stride] = 0.0;
     closure_[9 * stride] = 0.0;
-    closure_[10 * stride] = x59;
-    closure_[11 * stride] = x62;
     closure_[12 * stride] = 0.0;
     closure_[13 * stride] = 0.0;
     closure_[14 * stride] = 0.0;
-    curvature_[0] = x79;
-    curvature_[stride] = x84;
     curvature_[2 * stride] = 0.0;
     curvature_[3 * stride] = 0.0;
     curvature_[4 * stride] = 0.0;
-    return (((x18 + x19) + (x39 + x40)) + ((x44 + x45) + (x47 + x59))) + ((x62 + x79) + x84);
+    inertia_[4 * stride] = 0.1;
+    inertia_[8 * stride] = 0.10404;
+    closure_[6 * stride] = 0.5;
+    return total;
 }
 
 static int four_bar_forward_dynamics_reactions_dense(
@@ -7730,11 +8265,11 @@ static int four_bar_forward_dynamics_reactions_dense(
     double *restrict curvature_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_dynamics_reactions_dense_angles(1, q, v, u, angle);
+    four_bar_forward_dynamics_reactions_dense_angles(1, 1, q, v, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_forward_dynamics_reactions_dense_lane(1, q, v, u, inertia_, load_, closure_,
-        curvature_, sine, cosine);
+    const double total = four_bar_forward_dynamics_reactions_dense_lane(1, 1, q, v, u, inertia_, load_,
+        closure_, curvature_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(inertia_, 9);
@@ -7747,6 +8282,7 @@ static int four_bar_forward_dynamics_reactions_dense(
 
 static inline void four_bar_forward_dynamics_reactions_wrenches_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -7755,6 +8291,7 @@ static inline void four_bar_forward_dynamics_reactions_wrenches_angles(
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     (void)a;
@@ -7765,12 +8302,13 @@ static inline void four_bar_forward_dynamics_reactions_wrenches_angles(
     const double x21 = 0.9272952180016122 + x1;
     const double x136 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x21;
-    angle[2 * stride] = x136;
+    angle[pitch] = x21;
+    angle[2 * pitch] = x136;
 }
 
 static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -7783,44 +8321,36 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x6 = u[0];
-    const double x7 = a[0];
-    const double x8 = a[stride];
-    const double x9 = a[2 * stride];
-    const double x10 = multipliers_[0];
-    const double x11 = multipliers_[stride];
-    const double x12 = multipliers_[2 * stride];
-    const double x13 = multipliers_[3 * stride];
-    const double x14 = multipliers_[4 * stride];
-    const double x15 = sine[0];
+    (void)pitch;
     const double x16 = cosine[0];
-    const double x30 = sine[stride];
-    const double x22 = cosine[stride];
-    const double x137 = sine[2 * stride];
-    const double x140 = cosine[2 * stride];
     const double x17 = 4.905 * x16;
+    const double x3 = v[0];
     const double x18 = x3 * x3;
     const double x19 = 0.0375 * x18;
     const double x20 = x17 - x19;
+    const double x4 = v[stride];
     const double x23 = x3 + x4;
     const double x24 = x23 * x23;
     const double x25 = 0.3 * x24;
     const double x26 = 0.15 * x18;
     const double x27 = 9.81 * x16;
     const double x28 = x26 - x27;
+    const double x22 = cosine[pitch];
     const double x29 = x22 * x28;
+    const double x15 = sine[0];
     const double x31 = 9.81 * x15;
+    const double x7 = a[0];
     const double x32 = 0.15 * x7;
     const double x33 = x31 - x32;
+    const double x30 = sine[pitch];
     const double x34 = x30 * x33;
     const double x35 = x29 + x34;
     const double x36 = 1.2 * x35;
     const double x37 = x25 + x36;
+    const double x10 = multipliers_[0];
     const double x38 = x37 + x10;
     const double x39 = x22 * x38;
+    const double x8 = a[stride];
     const double x40 = x7 + x8;
     const double x41 = 0.3 * x40;
     const double x42 = x30 * x28;
@@ -7828,6 +8358,7 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x44 = x42 - x43;
     const double x45 = 1.2 * x44;
     const double x46 = x41 + x45;
+    const double x11 = multipliers_[stride];
     const double x47 = x46 - x11;
     const double x48 = x30 * x47;
     const double x49 = x39 + x48;
@@ -7842,12 +8373,28 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x58 = x54 + x57;
     const double x59 = x16 * x58;
     const double x60 = x51 - x59;
+    reactions[0] = x60;
+    sized_[stride] = x60;
+    double total = x60;
+    const double x12 = multipliers_[2 * stride];
     const double x61 = -x12;
+    reactions[stride] = x61;
+    reactions[7 * stride] = x61;
+    reactions[13 * stride] = x61;
+    sized_[2 * stride] = x61;
+    sized_[8 * stride] = x61;
+    sized_[14 * stride] = x61;
+    total = total + x61;
     const double x62 = x16 * x50;
     const double x63 = x15 * x58;
     const double x64 = x62 + x63;
+    reactions[2 * stride] = x64;
+    sized_[0] = x64;
+    total = total + x64;
+    const double x13 = multipliers_[3 * stride];
     const double x65 = x22 * x13;
     const double x66 = 0.5 * x12;
+    const double x14 = multipliers_[4 * stride];
     const double x67 = x14 - x66;
     const double x68 = x30 * x67;
     const double x69 = x65 - x68;
@@ -7860,32 +8407,46 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x76 = x16 * x75;
     const double x77 = x70 + x76;
     const double x78 = -x77;
+    reactions[3 * stride] = x78;
+    total = total + x78;
     const double x79 = x16 * x69;
     const double x80 = x15 * x75;
     const double x81 = x79 - x80;
     const double x82 = -x81;
+    reactions[5 * stride] = x82;
+    total = total + x82;
     const double x83 = x15 * x49;
     const double x84 = x16 * x57;
     const double x85 = x83 + x84;
     const double x86 = -x85;
+    reactions[6 * stride] = x86;
+    total = total + x86;
     const double x87 = x16 * x49;
     const double x88 = x15 * x57;
     const double x89 = x87 - x88;
     const double x90 = -x89;
+    reactions[8 * stride] = x90;
+    total = total + x90;
     const double x91 = 0.15 * x16;
     const double x92 = x91 * x12;
     const double x93 = x16 * x73;
     const double x94 = x70 + x93;
     const double x95 = x92 - x94;
+    reactions[9 * stride] = x95;
+    total = total + x95;
     const double x96 = 0.15 * x15;
     const double x97 = x96 * x89;
     const double x98 = x91 * x85;
     const double x99 = x97 - x98;
+    reactions[10 * stride] = x99;
+    total = total + x99;
     const double x100 = x15 * x73;
     const double x101 = x79 - x100;
     const double x102 = x96 * x12;
     const double x103 = x101 + x102;
     const double x104 = -x103;
+    reactions[11 * stride] = x104;
+    total = total + x104;
     const double x105 = x15 * x22;
     const double x106 = x16 * x30;
     const double x107 = x105 + x106;
@@ -7896,9 +8457,13 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x112 = x111 * x11;
     const double x113 = x108 - x112;
     const double x114 = -x113;
+    reactions[12 * stride] = x114;
+    total = total + x114;
     const double x115 = x111 * x10;
     const double x116 = x107 * x11;
     const double x117 = x115 + x116;
+    reactions[14 * stride] = x117;
+    total = total + x117;
     const double x118 = 0.5 * x111;
     const double x119 = x91 - x118;
     const double x120 = x119 * x12;
@@ -7906,22 +8471,32 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x122 = x111 * x14;
     const double x123 = x121 - x122;
     const double x124 = x120 - x123;
+    reactions[15 * stride] = x124;
+    total = total + x124;
     const double x125 = x119 * x113;
     const double x126 = 0.5 * x107;
     const double x127 = x96 + x126;
     const double x128 = x127 * x117;
     const double x129 = x125 + x128;
     const double x130 = -x129;
+    reactions[16 * stride] = x130;
+    total = total + x130;
     const double x131 = x111 * x13;
     const double x132 = x107 * x14;
     const double x133 = x131 + x132;
     const double x134 = x127 * x12;
     const double x135 = x133 - x134;
+    reactions[17 * stride] = x135;
+    total = total + x135;
+    const double x5 = v[2 * stride];
     const double x138 = x5 * x5;
     const double x139 = 0.306 * x138;
+    const double x140 = cosine[2 * pitch];
     const double x141 = 11.772 * x140;
     const double x142 = x139 - x141;
+    const double x137 = sine[2 * pitch];
     const double x143 = x137 * x142;
+    const double x9 = a[2 * stride];
     const double x144 = 0.306 * x9;
     const double x145 = 11.772 * x137;
     const double x146 = x144 + x145;
@@ -7937,6 +8512,9 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x156 = x16 * x155;
     const double x157 = x152 + x156;
     const double x158 = x148 + x157;
+    reactions[18 * stride] = x158;
+    sized_[19 * stride] = x158;
+    total = total + x158;
     const double x159 = x140 * x142;
     const double x160 = x137 * x146;
     const double x161 = x159 - x160;
@@ -7945,6 +8523,9 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x164 = x162 - x163;
     const double x165 = x161 - x164;
     const double x166 = -x165;
+    reactions[20 * stride] = x166;
+    sized_[18 * stride] = x166;
+    total = total + x166;
     const double x167 = x30 * x14;
     const double x168 = x65 - x167;
     const double x169 = x15 * x168;
@@ -7955,7 +8536,11 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x174 = 0.51 * x140;
     const double x175 = x174 * x12;
     const double x176 = x173 - x175;
+    reactions[21 * stride] = x176;
+    total = total + x176;
     const double x177 = 0.64 * x165;
+    reactions[22 * stride] = x177;
+    total = total + x177;
     const double x178 = x16 * x168;
     const double x179 = x15 * x171;
     const double x180 = x178 - x179;
@@ -7964,75 +8549,61 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x183 = x180 - x182;
     const double x184 = 0.64 * x12;
     const double x185 = x183 + x184;
+    reactions[23 * stride] = x185;
+    total = total + x185;
     const double x186 = 3.3146717314850727 * x81;
     const double x187 = -x186;
+    sized_[3 * stride] = x187;
+    total = total + x187;
     const double x188 = 3.3146717314850727 * x77;
     const double x189 = -x188;
+    sized_[4 * stride] = x189;
+    total = total + x189;
     const double x190 = -x49;
+    sized_[6 * stride] = x190;
+    total = total + x190;
     const double x191 = -x57;
+    sized_[7 * stride] = x191;
+    total = total + x191;
     const double x192 = 3.3146717314850727 * x69;
     const double x193 = -x192;
+    sized_[9 * stride] = x193;
+    total = total + x193;
     const double x194 = 3.3146717314850727 * x73;
     const double x195 = -x194;
+    sized_[10 * stride] = x195;
+    total = total + x195;
     const double x196 = -x10;
+    sized_[12 * stride] = x196;
+    total = total + x196;
     const double x197 = -x11;
+    sized_[13 * stride] = x197;
+    total = total + x197;
     const double x198 = 3.3146717314850727 * x13;
     const double x199 = -x198;
+    sized_[15 * stride] = x199;
+    total = total + x199;
     const double x200 = 3.3146717314850727 * x14;
     const double x201 = -x200;
-    const double x202 = 3.3146717314850727 * x183;
-    const double x203 = 3.3146717314850727 * x176;
-    reactions[0] = x60;
-    reactions[stride] = x61;
-    reactions[2 * stride] = x64;
-    reactions[3 * stride] = x78;
-    reactions[4 * stride] = 0.0;
-    reactions[5 * stride] = x82;
-    reactions[6 * stride] = x86;
-    reactions[7 * stride] = x61;
-    reactions[8 * stride] = x90;
-    reactions[9 * stride] = x95;
-    reactions[10 * stride] = x99;
-    reactions[11 * stride] = x104;
-    reactions[12 * stride] = x114;
-    reactions[13 * stride] = x61;
-    reactions[14 * stride] = x117;
-    reactions[15 * stride] = x124;
-    reactions[16 * stride] = x130;
-    reactions[17 * stride] = x135;
-    reactions[18 * stride] = x158;
-    reactions[19 * stride] = x12;
-    reactions[20 * stride] = x166;
-    reactions[21 * stride] = x176;
-    reactions[22 * stride] = x177;
-    reactions[23 * stride] = x185;
-    sized_[0] = x64;
-    sized_[stride] = x60;
-    sized_[2 * stride] = x61;
-    sized_[3 * stride] = x187;
-    sized_[4 * stride] = x189;
-    sized_[5 * stride] = 0.0;
-    sized_[6 * stride] = x190;
-    sized_[7 * stride] = x191;
-    sized_[8 * stride] = x61;
-    sized_[9 * stride] = x193;
-    sized_[10 * stride] = x195;
-    sized_[11 * stride] = 0.0;
-    sized_[12 * stride] = x196;
-    sized_[13 * stride] = x197;
-    sized_[14 * stride] = x61;
-    sized_[15 * stride] = x199;
     sized_[16 * stride] = x201;
-    sized_[17 * stride] = 0.0;
-    sized_[18 * stride] = x166;
-    sized_[19 * stride] = x158;
-    sized_[20 * stride] = x12;
+    total = total + x201;
+    const double x202 = 3.3146717314850727 * x183;
     sized_[21 * stride] = x202;
+    total = total + x202;
+    const double x203 = 3.3146717314850727 * x176;
     sized_[22 * stride] = x203;
+    total = total + x203;
+    reactions[4 * stride] = 0.0;
+    sized_[5 * stride] = 0.0;
+    sized_[11 * stride] = 0.0;
+    sized_[17 * stride] = 0.0;
     sized_[23 * stride] = 0.0;
-    return (((((x60 + x61) + (x64 + x78)) + ((x82 + x86) + (x90 + x95))) + (((x99 + x104) + (x114 + x117)) +
-        ((x124 + x130) + (x135 + x158)))) + ((((x12 + x166) + (x176 + x177)) + ((x185 + x187) + (x189 +
-        x190))) + (((x191 + x193) + (x195 + x196)) + ((x197 + x199) + (x201 + x202))))) + (x203 + x6);
+    reactions[19 * stride] = x12;
+    sized_[20 * stride] = x12;
+    total = total + x12;
+    const double x6 = u[0];
+    total = total + x6;
+    return total;
 }
 
 static int four_bar_forward_dynamics_reactions_wrenches(
@@ -8045,10 +8616,10 @@ static int four_bar_forward_dynamics_reactions_wrenches(
     double *restrict sized_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_dynamics_reactions_wrenches_angles(1, q, v, u, a, multipliers_, angle);
+    four_bar_forward_dynamics_reactions_wrenches_angles(1, 1, q, v, u, a, multipliers_, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_forward_dynamics_reactions_wrenches_lane(1, q, v, u, a, multipliers_,
+    const double total = four_bar_forward_dynamics_reactions_wrenches_lane(1, 1, q, v, u, a, multipliers_,
         reactions, sized_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -8144,11 +8715,11 @@ int four_bar_forward_dynamics_reactions(
     double *restrict reactions)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_forward_dynamics_reactions_angles(1, q, v, u, angle);
+    four_bar_forward_dynamics_reactions_angles(1, 1, q, v, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[6] = {0.0};
-    const double total = four_bar_forward_dynamics_reactions_lane(1, q, v, u, a, reactions, sine, cosine,
+    const double total = four_bar_forward_dynamics_reactions_lane(1, 1, q, v, u, a, reactions, sine, cosine,
         pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-06 || fabs(pivot[1]) <= 3.264600000000001e-07 ||
         fabs(pivot[2]) <= 1.2634000000000003e-06 || fabs(pivot[3]) <= 0.0001379 || fabs(pivot[4]) <=
@@ -8165,33 +8736,32 @@ int four_bar_forward_dynamics_reactions(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_forward_dynamics_reactions_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict a,
     double *restrict reactions,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_forward_dynamics_reactions_angles(8, q + lane, v + lane, u + lane, angle + lane);
+        four_bar_forward_dynamics_reactions_angles(stride, 8, q + lane, v + lane, u + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[48];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_dynamics_reactions_lane(8, q + lane, v + lane, u + lane, a + lane,
-            reactions + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-06 || fabs(pivot[1 * 8 + lane]) <=
-            3.264600000000001e-07 || fabs(pivot[2 * 8 + lane]) <= 1.2634000000000003e-06 || fabs(pivot[3 * 8 +
-            lane]) <= 0.0001379 || fabs(pivot[4 * 8 + lane]) <= 0.00043948 || fabs(pivot[5 * 8 + lane]) <=
-            0.00043948 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a +
+            lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-06 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 3.264600000000001e-07 ? (double)NAN : sum;
+        sum = fabs(pivot[16 + lane]) <= 1.2634000000000003e-06 ? (double)NAN : sum;
+        sum = fabs(pivot[24 + lane]) <= 0.0001379 ? (double)NAN : sum;
+        sum = fabs(pivot[32 + lane]) <= 0.00043948 ? (double)NAN : sum;
+        sum = fabs(pivot[40 + lane]) <= 0.00043948 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -8247,28 +8817,41 @@ static int four_bar_forward_dynamics_reactions_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double u_block[8];
-        double a_block[24];
-        double reactions_block[192];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_gather(1, first, some, stride, u, u_block);
-        four_bar_forward_dynamics_reactions_block(q_block, v_block, u_block, a_block, reactions_block,
-            outcome);
-        four_bar_scatter(3, first, some, stride, a_block, a);
-        four_bar_scatter(24, first, some, stride, reactions_block, reactions);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+                four_bar_prefetch(3, stride, a + first + 8);
+                four_bar_prefetch(24, stride, reactions + first + 8);
+            }
+            four_bar_forward_dynamics_reactions_block(stride, q + first, v + first, u + first, a + first,
+                reactions + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double u_block[8];
+            double a_block[24];
+            double reactions_block[192];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_gather(1, first, some, stride, u, u_block);
+            four_bar_forward_dynamics_reactions_block(8, q_block, v_block, u_block, a_block, reactions_block,
+                total);
+            four_bar_scatter(3, first, some, stride, a_block, a);
+            four_bar_scatter(24, first, some, stride, reactions_block, reactions);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_forward_dynamics_reactions_one(first + lane, stride, q, v, u, a,
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_forward_dynamics_reactions_one(first + lane, stride, q, v, u, a,
                     reactions);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -8337,22 +8920,25 @@ int four_bar_forward_dynamics_reactions_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_close_position_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = 0.9272952180016122 + x1;
     const double x13 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x3;
-    angle[2 * stride] = x13;
+    angle[pitch] = x3;
+    angle[2 * pitch] = x13;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict q_next,
     double *restrict residual_,
@@ -8361,25 +8947,23 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     double *restrict pivot)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x7 = sine[0];
-    const double x10 = cosine[0];
-    const double x8 = sine[stride];
-    const double x4 = cosine[stride];
-    const double x20 = sine[2 * stride];
-    const double x14 = cosine[2 * stride];
+    (void)pitch;
+    const double x4 = cosine[pitch];
     const double x5 = 0.15 * x4;
     const double x6 = 0.5 + x5;
+    const double x7 = sine[0];
+    const double x8 = sine[pitch];
     const double x9 = x7 * x8;
+    const double x10 = cosine[0];
     const double x11 = x10 * x4;
     const double x12 = x9 - x11;
+    const double x14 = cosine[2 * pitch];
     const double x15 = 0.51 * x14;
     const double x16 = x12 * x15;
     const double x17 = x7 * x4;
     const double x18 = x10 * x8;
     const double x19 = x17 + x18;
+    const double x20 = sine[2 * pitch];
     const double x21 = 0.51 * x20;
     const double x22 = x19 * x21;
     const double x23 = x16 + x22;
@@ -8387,6 +8971,8 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     const double x25 = x19 * x15;
     const double x26 = x12 * x21;
     const double x27 = x25 - x26;
+    pivot[0] = x27;
+    double total = x27;
     const double x28 = 1.0 / x27;
     const double x29 = x24 * x28;
     const double x30 = x23 * x29;
@@ -8418,27 +9004,34 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     const double x56 = 1.0 + x55;
     const double x57 = x29 * x29;
     const double x58 = x56 + x57;
+    pivot[pitch] = x58;
+    total = total + x58;
     const double x59 = x54 / x58;
+    const double x0 = q[0];
     const double x60 = x0 + x59;
+    q_next[0] = x60;
+    total = total + x60;
     const double x61 = x32 * x59;
     const double x62 = x51 - x61;
+    const double x1 = q[stride];
     const double x63 = x1 + x62;
+    q_next[stride] = x63;
+    total = total + x63;
     const double x64 = x29 * x59;
     const double x65 = x48 + x64;
+    const double x2 = q[2 * stride];
     const double x66 = x2 + x65;
+    q_next[2 * stride] = x66;
+    total = total + x66;
     const double x67 = 3.3146717314850727 * x47;
     const double x68 = x67 * x67;
     const double x69 = 3.3146717314850727 * x44;
     const double x70 = x69 * x69;
     const double x71 = x68 + x70;
     const double x72 = sqrt(x71);
-    pivot[0] = x27;
-    pivot[stride] = x58;
-    q_next[0] = x60;
-    q_next[stride] = x63;
-    q_next[2 * stride] = x66;
     residual_[0] = x72;
-    return ((x60 + x63) + (x66 + x72)) + (x27 + x58);
+    total = total + x72;
+    return total;
 }
 
 int four_bar_close_position(
@@ -8447,11 +9040,11 @@ int four_bar_close_position(
     double *restrict residual_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_close_position_angles(1, q, angle);
+    four_bar_close_position_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_close_position_lane(1, q, q_next, residual_, sine, cosine, pivot);
+    const double total = four_bar_close_position_lane(1, 1, q, q_next, residual_, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 2.4194e-09 ? 1 : !isfinite(total) ?
         2 : 0;
     if (outcome != 0) {
@@ -8463,29 +9056,26 @@ int four_bar_close_position(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_close_position_block(
+    size_t stride,
     const double *restrict q,
     double *restrict q_next,
     double *restrict residual_,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_close_position_angles(8, q + lane, angle + lane);
+        four_bar_close_position_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[16];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_close_position_lane(8, q + lane, q_next + lane, residual_ + lane, sine + lane,
-            cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 || fabs(pivot[1 * 8 + lane]) <= 2.4194e-09 ? 1
-            : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane, sine +
+            lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 2.4194e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -8528,22 +9118,32 @@ static int four_bar_close_position_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double q_next_block[24];
-        double residual__block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_close_position_block(q_block, q_next_block, residual__block, outcome);
-        four_bar_scatter(3, first, some, stride, q_next_block, q_next);
-        four_bar_scatter(1, first, some, stride, residual__block, residual_);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, q_next + first + 8);
+                four_bar_prefetch(1, stride, residual_ + first + 8);
+            }
+            four_bar_close_position_block(stride, q + first, q_next + first, residual_ + first, total);
+        } else {
+            double q_block[24];
+            double q_next_block[24];
+            double residual__block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_close_position_block(8, q_block, q_next_block, residual__block, total);
+            four_bar_scatter(3, first, some, stride, q_next_block, q_next);
+            four_bar_scatter(1, first, some, stride, residual__block, residual_);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_close_position_one(first + lane, stride, q, q_next, residual_);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_close_position_one(first + lane, stride, q, q_next, residual_);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -8604,11 +9204,13 @@ int four_bar_close_position_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_close_velocity_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -8616,12 +9218,13 @@ static inline FOUR_BAR_INLINE void four_bar_close_velocity_angles(
     const double x6 = 0.9272952180016122 + x1;
     const double x16 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x6;
-    angle[2 * stride] = x16;
+    angle[pitch] = x6;
+    angle[2 * pitch] = x16;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict v_next,
@@ -8631,25 +9234,23 @@ static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
 {
     (void)q;
     (void)stride;
-    const double x3 = v[0];
-    const double x4 = v[stride];
-    const double x5 = v[2 * stride];
-    const double x10 = sine[0];
-    const double x13 = cosine[0];
-    const double x11 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x23 = sine[2 * stride];
-    const double x17 = cosine[2 * stride];
+    (void)pitch;
+    const double x7 = cosine[pitch];
     const double x8 = 0.15 * x7;
     const double x9 = 0.5 + x8;
+    const double x10 = sine[0];
+    const double x11 = sine[pitch];
     const double x12 = x10 * x11;
+    const double x13 = cosine[0];
     const double x14 = x13 * x7;
     const double x15 = x12 - x14;
+    const double x17 = cosine[2 * pitch];
     const double x18 = 0.51 * x17;
     const double x19 = x15 * x18;
     const double x20 = x10 * x7;
     const double x21 = x13 * x11;
     const double x22 = x20 + x21;
+    const double x23 = sine[2 * pitch];
     const double x24 = 0.51 * x23;
     const double x25 = x22 * x24;
     const double x26 = x19 + x25;
@@ -8657,28 +9258,36 @@ static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
     const double x28 = x22 * x18;
     const double x29 = x15 * x24;
     const double x30 = x28 - x29;
+    pivot[0] = x30;
+    double total = x30;
     const double x31 = x27 / x30;
     const double x32 = x26 * x31;
     const double x33 = x9 + x32;
     const double x34 = 2.0 * x33;
+    const double x4 = v[stride];
     const double x35 = x4 * x34;
+    const double x3 = v[0];
     const double x36 = x3 - x35;
+    const double x5 = v[2 * stride];
     const double x37 = x5 * x31;
     const double x38 = x36 + x37;
     const double x39 = x34 * x34;
     const double x40 = 1.0 + x39;
     const double x41 = x31 * x31;
     const double x42 = x40 + x41;
+    pivot[pitch] = x42;
+    total = total + x42;
     const double x43 = x38 / x42;
+    v_next[0] = x43;
+    total = total + x43;
     const double x44 = x34 * x43;
     const double x45 = -x44;
-    const double x46 = x31 * x43;
-    pivot[0] = x30;
-    pivot[stride] = x42;
-    v_next[0] = x43;
     v_next[stride] = x45;
+    total = total + x45;
+    const double x46 = x31 * x43;
     v_next[2 * stride] = x46;
-    return ((x43 + x45) + (x46 + x30)) + x42;
+    total = total + x46;
+    return total;
 }
 
 int four_bar_close_velocity(
@@ -8687,11 +9296,11 @@ int four_bar_close_velocity(
     double *restrict v_next)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_close_velocity_angles(1, q, v, angle);
+    four_bar_close_velocity_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_close_velocity_lane(1, q, v, v_next, sine, cosine, pivot);
+    const double total = four_bar_close_velocity_lane(1, 1, q, v, v_next, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 2.4194e-09 ? 1 : !isfinite(total) ?
         2 : 0;
     if (outcome != 0) {
@@ -8702,29 +9311,26 @@ int four_bar_close_velocity(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_close_velocity_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict v_next,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_close_velocity_angles(8, q + lane, v + lane, angle + lane);
+        four_bar_close_velocity_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(24, angle, sine, cosine);
     double pivot[16];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_close_velocity_lane(8, q + lane, v + lane, v_next + lane, sine + lane, cosine +
-            lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 || fabs(pivot[1 * 8 + lane]) <= 2.4194e-09 ? 1
-            : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine + lane,
+            cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 2.4194e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -8767,22 +9373,32 @@ static int four_bar_close_velocity_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double v_block[24];
-        double v_next_block[24];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_gather(3, first, some, stride, v, v_block);
-        four_bar_close_velocity_block(q_block, v_block, v_next_block, outcome);
-        four_bar_scatter(3, first, some, stride, v_next_block, v_next);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+                four_bar_prefetch(3, stride, v_next + first + 8);
+            }
+            four_bar_close_velocity_block(stride, q + first, v + first, v_next + first, total);
+        } else {
+            double q_block[24];
+            double v_block[24];
+            double v_next_block[24];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_gather(3, first, some, stride, v, v_block);
+            four_bar_close_velocity_block(8, q_block, v_block, v_next_block, total);
+            four_bar_scatter(3, first, some, stride, v_next_block, v_next);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_close_velocity_one(first + lane, stride, q, v, v_next);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_close_velocity_one(first + lane, stride, q, v, v_next);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -8842,10 +9458,12 @@ int four_bar_close_velocity_batch_soa(
 
 static inline void four_bar_inverse_kinematics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict pose,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = pose[0];
     const double x1 = 0.4899573262537283 - x0;
     angle[0] = x1;
@@ -8853,17 +9471,18 @@ static inline void four_bar_inverse_kinematics_angles(
 
 static inline double four_bar_inverse_kinematics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict pose,
     double *restrict q,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = pose[0];
-    const double x5 = sine[0];
+    (void)pitch;
     const double x2 = cosine[0];
     const double x3 = 0.51 * x2;
     const double x4 = x3 * x3;
+    const double x5 = sine[0];
     const double x6 = 0.51 * x5;
     const double x7 = 0.64 - x6;
     const double x8 = x7 * x7;
@@ -8888,6 +9507,8 @@ static inline double four_bar_inverse_kinematics_lane(
     const double x27 = x25 + x26;
     const double x28 = x10 * x27;
     const double x29 = atan2(x24, x28);
+    q[0] = x29;
+    double total = x29;
     const double x30 = 8.0 * x20;
     const double x31 = 5.333333333333333 * x11;
     const double x32 = x30 - x31;
@@ -8895,10 +9516,12 @@ static inline double four_bar_inverse_kinematics_lane(
     const double x34 = 10.666666666666666 * x20;
     const double x35 = x33 + x34;
     const double x36 = atan2(x32, x35);
-    q[0] = x29;
     q[stride] = x36;
+    total = total + x36;
+    const double x0 = pose[0];
     q[2 * stride] = x0;
-    return (x29 + x36) + x0;
+    total = total + x0;
+    return total;
 }
 
 int four_bar_inverse_kinematics(
@@ -8906,12 +9529,12 @@ int four_bar_inverse_kinematics(
     double *restrict q)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_inverse_kinematics_angles(1, pose, angle);
+    four_bar_inverse_kinematics_angles(1, 1, pose, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_inverse_kinematics_lane(1, pose, q, sine, cosine);
+    const double total = four_bar_inverse_kinematics_lane(1, 1, pose, q, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(q, 3);
@@ -9001,11 +9624,13 @@ int four_bar_inverse_kinematics_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_inverse_velocity_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict pose,
     const double *restrict rate,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)rate;
     const double x0 = pose[0];
     const double x2 = 0.4899573262537283 - x0;
@@ -9014,6 +9639,7 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_velocity_angles(
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict pose,
     const double *restrict rate,
     double *restrict v,
@@ -9023,11 +9649,11 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
 {
     (void)pose;
     (void)stride;
-    const double x1 = rate[0];
-    const double x6 = sine[0];
+    (void)pitch;
     const double x3 = cosine[0];
     const double x4 = 0.51 * x3;
     const double x5 = x4 * x4;
+    const double x6 = sine[0];
     const double x7 = 0.51 * x6;
     const double x8 = 0.64 - x7;
     const double x9 = x8 * x8;
@@ -9048,6 +9674,7 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     const double x24 = x8 * x23;
     const double x25 = x16 + x24;
     const double x26 = x13 * x25;
+    const double x1 = rate[0];
     const double x27 = 0.51 * x1;
     const double x28 = x6 * x27;
     const double x29 = x26 * x28;
@@ -9066,7 +9693,11 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     const double x42 = x38 * x41;
     const double x43 = x37 - x42;
     const double x44 = 2.0 * x22;
+    pivot[0] = x44;
+    double total = x44;
     const double x45 = x43 / x44;
+    v[0] = x45;
+    total = total + x45;
     const double x46 = x38 * x36;
     const double x47 = x12 * x41;
     const double x48 = x46 + x47;
@@ -9075,11 +9706,11 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     const double x51 = x48 + x50;
     const double x52 = 2.0 * x51;
     const double x53 = -x52;
-    pivot[0] = x44;
-    v[0] = x45;
     v[stride] = x53;
+    total = total + x53;
     v[2 * stride] = x1;
-    return (x45 + x53) + (x1 + x44);
+    total = total + x1;
+    return total;
 }
 
 int four_bar_inverse_velocity(
@@ -9088,13 +9719,13 @@ int four_bar_inverse_velocity(
     double *restrict v)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_inverse_velocity_angles(1, pose, rate, angle);
+    four_bar_inverse_velocity_angles(1, 1, pose, rate, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_inverse_velocity_lane(1, pose, rate, v, sine, cosine, pivot);
+    const double total = four_bar_inverse_velocity_lane(1, 1, pose, rate, v, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(v, 3);
@@ -9104,28 +9735,25 @@ int four_bar_inverse_velocity(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_inverse_velocity_block(
+    size_t stride,
     const double *restrict pose,
     const double *restrict rate,
     double *restrict v,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_inverse_velocity_angles(8, pose + lane, rate + lane, angle + lane);
+        four_bar_inverse_velocity_angles(stride, 8, pose + lane, rate + lane, angle + lane);
     }
-    for (size_t k = 0; k < 8; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(8, angle, sine, cosine);
     double pivot[8];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_velocity_lane(8, pose + lane, rate + lane, v + lane, sine + lane,
-            cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane, sine +
+            lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -9168,22 +9796,32 @@ static int four_bar_inverse_velocity_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double pose_block[8];
-        double rate_block[8];
-        double v_block[24];
-        int outcome[8];
-        four_bar_gather(1, first, some, stride, pose, pose_block);
-        four_bar_gather(1, first, some, stride, rate, rate_block);
-        four_bar_inverse_velocity_block(pose_block, rate_block, v_block, outcome);
-        four_bar_scatter(3, first, some, stride, v_block, v);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(1, stride, pose + first + 8);
+                four_bar_prefetch(1, stride, rate + first + 8);
+                four_bar_prefetch(3, stride, v + first + 8);
+            }
+            four_bar_inverse_velocity_block(stride, pose + first, rate + first, v + first, total);
+        } else {
+            double pose_block[8];
+            double rate_block[8];
+            double v_block[24];
+            four_bar_gather(1, first, some, stride, pose, pose_block);
+            four_bar_gather(1, first, some, stride, rate, rate_block);
+            four_bar_inverse_velocity_block(8, pose_block, rate_block, v_block, total);
+            four_bar_scatter(3, first, some, stride, v_block, v);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_inverse_velocity_one(first + lane, stride, pose, rate, v);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_inverse_velocity_one(first + lane, stride, pose, rate, v);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -9244,12 +9882,14 @@ int four_bar_inverse_velocity_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_platform_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict pose,
     const double *restrict rate,
     const double *restrict gain,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)rate;
     (void)gain;
     const double x0 = pose[0];
@@ -9259,6 +9899,7 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_platform_angles(
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_platform_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict pose,
     const double *restrict rate,
     const double *restrict gain,
@@ -9269,154 +9910,158 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_platform_lane(
 {
     (void)pose;
     (void)stride;
-    const double x1 = rate[0];
-    const double x2 = gain[0];
+    (void)pitch;
     const double x4 = sine[0];
+    const double x11 = 0.51 * x4;
     const double x8 = cosine[0];
+    const double x9 = 0.51 * x8;
+    const double x1 = rate[0];
+    const double x56 = 0.51 * x1;
+    const double x38 = x1 * x1;
+    const double x2 = gain[0];
+    const double x41 = 0.51 * x2;
     const double x5 = 3.00186 * x4;
     const double x6 = 0.10404 * x2;
-    const double x7 = x5 + x6;
-    const double x9 = 0.51 * x8;
-    const double x10 = x9 * x9;
-    const double x11 = 0.51 * x4;
     const double x12 = 0.64 - x11;
+    const double x10 = x9 * x9;
+    const double x57 = x4 * x56;
+    const double x59 = x8 * x56;
+    const double x39 = 0.51 * x38;
+    const double x42 = x4 * x41;
+    const double x46 = x8 * x41;
+    const double x7 = x5 + x6;
     const double x13 = x12 * x12;
+    const double x40 = x8 * x39;
+    const double x45 = x4 * x39;
     const double x14 = x10 + x13;
-    const double x15 = 1.0 / x14;
+    const double x43 = x40 - x42;
+    const double x47 = x45 + x46;
     const double x16 = x14 - 0.2725;
-    const double x17 = 3.3333333333333335 * x16;
-    const double x18 = 0.15 + x17;
-    const double x19 = x12 * x18;
+    const double x15 = 1.0 / x14;
+    const double x75 = x14 + 0.2275;
     const double x20 = 0.5 * x16;
+    const double x17 = 3.3333333333333335 * x16;
+    const double x33 = 6.666666666666667 * x16;
     const double x21 = x20 * x20;
+    const double x18 = 0.15 + x17;
     const double x22 = 0.005625 - x21;
+    const double x19 = x12 * x18;
+    const double x34 = x9 * x18;
     const double x23 = sqrt(x22);
     const double x24 = -x23;
     const double x25 = 0.0 != 0.0 ? x24 : x23;
     const double x26 = 6.666666666666667 * x25;
-    const double x27 = x9 * x26;
-    const double x28 = x19 - x27;
-    const double x29 = x15 * x28;
-    const double x30 = 13.333333333333334 * x25;
     const double x31 = 2.0 * x25;
-    const double x32 = 1.0 / x31;
-    const double x33 = 6.666666666666667 * x16;
-    const double x34 = x9 * x18;
+    pivot[0] = x31;
+    double total = x31;
+    const double x30 = 13.333333333333334 * x25;
     const double x35 = x12 * x26;
+    const double x27 = x9 * x26;
+    const double x32 = 1.0 / x31;
     const double x36 = x34 + x35;
+    const double x28 = x19 - x27;
     const double x37 = x15 * x36;
-    const double x38 = x1 * x1;
-    const double x39 = 0.51 * x38;
-    const double x40 = x8 * x39;
-    const double x41 = 0.51 * x2;
-    const double x42 = x4 * x41;
-    const double x43 = x40 - x42;
-    const double x44 = x37 * x43;
-    const double x45 = x4 * x39;
-    const double x46 = x8 * x41;
-    const double x47 = x45 + x46;
-    const double x48 = x29 * x47;
-    const double x49 = x44 - x48;
-    const double x50 = x33 * x49;
-    const double x51 = x29 * x43;
-    const double x52 = x37 * x47;
-    const double x53 = x51 + x52;
-    const double x54 = x30 * x53;
-    const double x55 = x50 - x54;
-    const double x56 = 0.51 * x1;
-    const double x57 = x4 * x56;
+    const double x29 = x15 * x28;
     const double x58 = x37 * x57;
-    const double x59 = x8 * x56;
-    const double x60 = x29 * x59;
-    const double x61 = x58 + x60;
-    const double x62 = x33 * x61;
     const double x63 = x29 * x57;
+    const double x60 = x29 * x59;
     const double x64 = x37 * x59;
+    const double x44 = x37 * x43;
+    const double x51 = x29 * x43;
+    const double x48 = x29 * x47;
+    const double x52 = x37 * x47;
+    const double x95 = 9.81 * x37;
+    const double x98 = 9.81 * x29;
+    const double x116 = 2.133675 * x29;
+    const double x61 = x58 + x60;
     const double x65 = x63 - x64;
+    const double x49 = x44 - x48;
+    const double x53 = x51 + x52;
+    const double x62 = x33 * x61;
     const double x66 = x30 * x65;
-    const double x67 = x62 - x66;
-    const double x68 = x67 * x32;
-    const double x69 = x68 * x68;
-    const double x70 = 0.15 * x69;
-    const double x71 = x33 * x70;
     const double x72 = x30 * x61;
     const double x73 = x33 * x65;
-    const double x74 = x72 + x73;
-    const double x75 = x14 + 0.2275;
-    const double x76 = x75 * x68;
-    const double x77 = x74 + x76;
-    const double x78 = 2.0 * x77;
-    const double x79 = x68 - x78;
-    const double x80 = x79 * x79;
-    const double x81 = 0.5 * x80;
-    const double x82 = x71 + x81;
-    const double x83 = x55 - x82;
-    const double x84 = x32 * x83;
-    const double x85 = x30 * x70;
+    const double x50 = x33 * x49;
+    const double x54 = x30 * x53;
     const double x86 = x30 * x49;
     const double x87 = x33 * x53;
+    const double x134 = x33 * x32;
+    const double x136 = x30 * x32;
+    const double x67 = x62 - x66;
+    const double x74 = x72 + x73;
+    const double x55 = x50 - x54;
     const double x88 = x86 + x87;
-    const double x89 = x85 - x88;
-    const double x90 = x75 * x84;
-    const double x91 = x89 - x90;
-    const double x92 = 2.0 * x91;
-    const double x93 = x84 + x92;
-    const double x94 = 0.1 * x93;
-    const double x95 = 9.81 * x37;
+    const double x135 = x29 * x134;
+    const double x140 = x37 * x134;
+    const double x68 = x67 * x32;
+    const double x137 = x37 * x136;
+    const double x141 = x29 * x136;
+    const double x76 = x75 * x68;
+    const double x69 = x68 * x68;
+    const double x138 = x135 + x137;
+    const double x142 = x140 - x141;
+    const double x77 = x74 + x76;
+    const double x70 = 0.15 * x69;
+    const double x139 = x9 * x138;
+    const double x143 = x11 * x142;
+    const double x78 = 2.0 * x77;
+    const double x71 = x33 * x70;
+    const double x85 = x30 * x70;
     const double x96 = x70 - x95;
+    const double x144 = x139 + x143;
+    pivot[pitch] = x144;
+    total = total + x144;
+    const double x79 = x68 - x78;
+    const double x89 = x85 - x88;
     const double x97 = x30 * x96;
-    const double x98 = 9.81 * x29;
-    const double x99 = 0.15 * x84;
-    const double x100 = x98 + x99;
-    const double x101 = x33 * x100;
-    const double x102 = x97 - x101;
-    const double x103 = 0.3 * x102;
-    const double x104 = x94 - x103;
-    const double x105 = 2.0 * x104;
-    const double x106 = x30 * x105;
+    const double x80 = x79 * x79;
+    const double x81 = 0.5 * x80;
     const double x107 = 0.3 * x80;
+    const double x82 = x71 + x81;
     const double x108 = x30 * x107;
+    const double x83 = x55 - x82;
+    const double x84 = x32 * x83;
+    const double x90 = x75 * x84;
+    const double x99 = 0.15 * x84;
+    const double x115 = 0.03075 * x84;
+    const double x91 = x89 - x90;
+    const double x100 = x98 + x99;
+    const double x117 = x115 + x116;
+    const double x92 = 2.0 * x91;
+    const double x101 = x33 * x100;
+    const double x93 = x84 + x92;
+    const double x102 = x97 - x101;
+    const double x94 = 0.1 * x93;
+    const double x103 = 0.3 * x102;
     const double x109 = 0.3 * x93;
+    const double x104 = x94 - x103;
     const double x110 = x33 * x109;
+    const double x105 = 2.0 * x104;
     const double x111 = x108 + x110;
     const double x112 = x33 * x105;
+    const double x106 = x30 * x105;
     const double x113 = x111 - x112;
     const double x114 = 0.15 * x113;
-    const double x115 = 0.03075 * x84;
-    const double x116 = 2.133675 * x29;
-    const double x117 = x115 + x116;
     const double x118 = x114 + x117;
     const double x119 = x32 * x118;
     const double x120 = x33 * x119;
-    const double x121 = x106 - x120;
-    const double x122 = x29 * x121;
     const double x123 = x30 * x119;
+    const double x121 = x106 - x120;
     const double x124 = x112 + x123;
-    const double x125 = x37 * x124;
-    const double x126 = x122 - x125;
-    const double x127 = x9 * x126;
+    const double x122 = x29 * x121;
     const double x128 = x37 * x121;
+    const double x125 = x37 * x124;
     const double x129 = x29 * x124;
+    const double x126 = x122 - x125;
     const double x130 = x128 + x129;
+    const double x127 = x9 * x126;
     const double x131 = x11 * x130;
     const double x132 = x127 + x131;
     const double x133 = x7 + x132;
-    const double x134 = x33 * x32;
-    const double x135 = x29 * x134;
-    const double x136 = x30 * x32;
-    const double x137 = x37 * x136;
-    const double x138 = x135 + x137;
-    const double x139 = x9 * x138;
-    const double x140 = x37 * x134;
-    const double x141 = x29 * x136;
-    const double x142 = x140 - x141;
-    const double x143 = x11 * x142;
-    const double x144 = x139 + x143;
     const double x145 = x133 / x144;
-    pivot[0] = x31;
-    pivot[stride] = x144;
     u[0] = x145;
-    return (x145 + x31) + x144;
+    total = total + x145;
+    return total;
 }
 
 int four_bar_inverse_dynamics_platform(
@@ -9426,13 +10071,14 @@ int four_bar_inverse_dynamics_platform(
     double *restrict u)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_inverse_dynamics_platform_angles(1, pose, rate, gain, angle);
+    four_bar_inverse_dynamics_platform_angles(1, 1, pose, rate, gain, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_inverse_dynamics_platform_lane(1, pose, rate, gain, u, sine, cosine, pivot);
+    const double total = four_bar_inverse_dynamics_platform_lane(1, 1, pose, rate, gain, u, sine, cosine,
+        pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 4.813897755635771e-09 ? 1 :
         !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -9443,30 +10089,28 @@ int four_bar_inverse_dynamics_platform(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_inverse_dynamics_platform_block(
+    size_t stride,
     const double *restrict pose,
     const double *restrict rate,
     const double *restrict gain,
     double *restrict u,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_inverse_dynamics_platform_angles(8, pose + lane, rate + lane, gain + lane, angle + lane);
+        four_bar_inverse_dynamics_platform_angles(stride, 8, pose + lane, rate + lane, gain + lane, angle +
+            lane);
     }
-    for (size_t k = 0; k < 8; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    four_bar_sincos_block(8, angle, sine, cosine);
     double pivot[16];
-    double total[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_dynamics_platform_lane(8, pose + lane, rate + lane, gain + lane, u +
-            lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.01689e-10 || fabs(pivot[1 * 8 + lane]) <=
-            4.813897755635771e-09 ? 1 : !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain + lane,
+            u + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -9516,25 +10160,36 @@ static int four_bar_inverse_dynamics_platform_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double pose_block[8];
-        double rate_block[8];
-        double gain_block[8];
-        double u_block[8];
-        int outcome[8];
-        four_bar_gather(1, first, some, stride, pose, pose_block);
-        four_bar_gather(1, first, some, stride, rate, rate_block);
-        four_bar_gather(1, first, some, stride, gain, gain_block);
-        four_bar_inverse_dynamics_platform_block(pose_block, rate_block, gain_block, u_block, outcome);
-        four_bar_scatter(1, first, some, stride, u_block, u);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(1, stride, pose + first + 8);
+                four_bar_prefetch(1, stride, rate + first + 8);
+                four_bar_prefetch(1, stride, gain + first + 8);
+                four_bar_prefetch(1, stride, u + first + 8);
+            }
+            four_bar_inverse_dynamics_platform_block(stride, pose + first, rate + first, gain + first, u +
+                first, total);
+        } else {
+            double pose_block[8];
+            double rate_block[8];
+            double gain_block[8];
+            double u_block[8];
+            four_bar_gather(1, first, some, stride, pose, pose_block);
+            four_bar_gather(1, first, some, stride, rate, rate_block);
+            four_bar_gather(1, first, some, stride, gain, gain_block);
+            four_bar_inverse_dynamics_platform_block(8, pose_block, rate_block, gain_block, u_block, total);
+            four_bar_scatter(1, first, some, stride, u_block, u);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_inverse_dynamics_platform_one(first + lane, stride, pose, rate, gain,
-                    u);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_inverse_dynamics_platform_one(first + lane, stride, pose, rate, gain, u);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -9599,11 +10254,13 @@ int four_bar_inverse_dynamics_platform_batch_soa(
 
 static inline void four_bar_assemble_step_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)y;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -9611,12 +10268,13 @@ static inline void four_bar_assemble_step_angles(
     const double x6 = 0.9272952180016122 + x1;
     const double x16 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x6;
-    angle[2 * stride] = x16;
+    angle[pitch] = x6;
+    angle[2 * pitch] = x16;
 }
 
 static inline double four_bar_assemble_step_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y,
     double *restrict q_next,
@@ -9628,23 +10286,21 @@ static inline double four_bar_assemble_step_lane(
     double *restrict pivot)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
     const double x3 = y[0];
-    const double x5 = sine[0];
-    const double x9 = cosine[0];
-    const double x10 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x17 = sine[2 * stride];
-    const double x28 = cosine[2 * stride];
     const double x4 = x0 - x3;
+    const double x5 = sine[0];
+    const double x7 = cosine[pitch];
     const double x8 = x5 * x7;
+    const double x9 = cosine[0];
+    const double x10 = sine[pitch];
     const double x11 = x9 * x10;
     const double x12 = x8 + x11;
     const double x13 = 0.15 * x5;
     const double x14 = 0.5 * x12;
     const double x15 = x13 + x14;
+    const double x17 = sine[2 * pitch];
     const double x18 = 0.51 * x17;
     const double x19 = 0.64 - x18;
     const double x20 = x15 - x19;
@@ -9655,6 +10311,7 @@ static inline double four_bar_assemble_step_lane(
     const double x25 = 0.15 * x9;
     const double x26 = 0.5 * x24;
     const double x27 = x25 - x26;
+    const double x28 = cosine[2 * pitch];
     const double x29 = 0.51 * x28;
     const double x30 = x27 - x29;
     const double x31 = x24 * x30;
@@ -9662,6 +10319,8 @@ static inline double four_bar_assemble_step_lane(
     const double x33 = x12 * x29;
     const double x34 = x24 * x18;
     const double x35 = x33 - x34;
+    pivot[0] = x35;
+    double total = x35;
     const double x36 = 1.0 / x35;
     const double x37 = x32 * x36;
     const double x38 = 0.15 * x10;
@@ -9689,32 +10348,39 @@ static inline double four_bar_assemble_step_lane(
     const double x60 = x43 + x59;
     const double x61 = x42 + x60;
     const double x62 = sqrt(x61);
+    step[0] = x62;
+    total = total + x62;
     const double x63 = x62 < 0.5 ? 1.0 : 0.0;
     const double x64 = x63 != 0.0 ? 1.0 : x62;
     const double x65 = 0.5 / x64;
     const double x66 = x63 != 0.0 ? 1.0 : x65;
     const double x67 = x4 * x66;
     const double x68 = x0 - x67;
+    q_next[0] = x68;
+    total = total + x68;
     const double x69 = x58 * x66;
+    const double x1 = q[stride];
     const double x70 = x1 + x69;
+    q_next[stride] = x70;
+    total = total + x70;
     const double x71 = x41 * x66;
+    const double x2 = q[2 * stride];
     const double x72 = x2 + x71;
+    q_next[2 * stride] = x72;
+    total = total + x72;
     const double x73 = 3.3146717314850727 * x32;
     const double x74 = x73 * x73;
     const double x75 = 3.3146717314850727 * x46;
     const double x76 = x75 * x75;
     const double x77 = x74 + x76;
     const double x78 = sqrt(x77);
+    residual_[0] = x78;
+    total = total + x78;
     const double x79 = 0.5 * x35;
     const double x80 = -x79;
-    pivot[0] = x35;
-    q_next[0] = x68;
-    q_next[stride] = x70;
-    q_next[2 * stride] = x72;
-    residual_[0] = x78;
-    step[0] = x62;
     orientation_[0] = x80;
-    return ((x68 + x70) + (x72 + x78)) + ((x62 + x80) + x35);
+    total = total + x80;
+    return total;
 }
 
 static int four_bar_assemble_step(
@@ -9726,11 +10392,11 @@ static int four_bar_assemble_step(
     double *restrict orientation_)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_assemble_step_angles(1, q, y, angle);
+    four_bar_assemble_step_angles(1, 1, q, y, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_assemble_step_lane(1, q, y, q_next, residual_, step, orientation_, sine,
+    const double total = four_bar_assemble_step_lane(1, 1, q, y, q_next, residual_, step, orientation_, sine,
         cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-13 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -9899,10 +10565,12 @@ int four_bar_assemble_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_limb_margins_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x1 = q[stride];
     const double x3 = 0.9272952180016122 + x1;
     angle[0] = x3;
@@ -9910,19 +10578,24 @@ static inline FOUR_BAR_INLINE void four_bar_limb_margins_angles(
 
 static inline FOUR_BAR_INLINE double four_bar_limb_margins_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    const double x0 = q[0];
-    const double x2 = q[2 * stride];
-    const double x4 = sine[0];
     (void)cosine;
+    (void)stride;
+    (void)pitch;
+    const double x4 = sine[0];
     const double x5 = 0.8240286515629687 * x4;
     margins[0] = x5;
-    return (x5 + x0) + x2;
+    double total = x5;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    return total;
 }
 
 int four_bar_limb_margins(
@@ -9930,12 +10603,12 @@ int four_bar_limb_margins(
     double *restrict margins)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_limb_margins_angles(1, q, angle);
+    four_bar_limb_margins_angles(1, 1, q, angle);
     angle[1] = angle[0];
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_limb_margins_lane(1, q, margins, sine, cosine);
+    const double total = four_bar_limb_margins_lane(1, 1, q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(margins, 1);
@@ -9945,25 +10618,22 @@ int four_bar_limb_margins(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_limb_margins_block(
+    size_t stride,
     const double *restrict q,
     double *restrict margins,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_limb_margins_angles(8, q + lane, angle + lane);
+        four_bar_limb_margins_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 8; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_limb_margins_lane(8, q + lane, margins + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -10000,20 +10670,29 @@ static int four_bar_limb_margins_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double margins_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_limb_margins_block(q_block, margins_block, outcome);
-        four_bar_scatter(1, first, some, stride, margins_block, margins);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(1, stride, margins + first + 8);
+            }
+            four_bar_limb_margins_block(stride, q + first, margins + first, total);
+        } else {
+            double q_block[24];
+            double margins_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_limb_margins_block(8, q_block, margins_block, total);
+            four_bar_scatter(1, first, some, stride, margins_block, margins);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_limb_margins_one(first + lane, stride, q, margins);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_limb_margins_one(first + lane, stride, q, margins);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -10070,22 +10749,25 @@ int four_bar_limb_margins_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_constraint_margin_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = 0.9272952180016122 + x1;
     const double x14 = 0.4899573262537283 - x2;
     angle[0] = x3;
-    angle[stride] = x0;
-    angle[2 * stride] = x14;
+    angle[pitch] = x0;
+    angle[2 * pitch] = x14;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_constraint_margin_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
@@ -10093,44 +10775,46 @@ static inline FOUR_BAR_INLINE double four_bar_constraint_margin_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
+    const double x8 = sine[pitch];
     const double x4 = sine[0];
-    const double x11 = cosine[0];
-    const double x8 = sine[stride];
-    const double x10 = cosine[stride];
-    const double x21 = sine[2 * stride];
-    const double x15 = cosine[2 * stride];
-    const double x5 = 0.8240286515629687 * x4;
-    const double x6 = x5 * x5;
-    const double x7 = 0.4972007597227609 * x4;
     const double x9 = x8 * x4;
+    const double x10 = cosine[pitch];
+    const double x11 = cosine[0];
     const double x12 = x10 * x11;
-    const double x13 = x9 - x12;
-    const double x16 = 0.51 * x15;
-    const double x17 = x13 * x16;
     const double x18 = x8 * x11;
     const double x19 = x10 * x4;
-    const double x20 = x18 + x19;
+    const double x15 = cosine[2 * pitch];
+    const double x16 = 0.51 * x15;
+    const double x21 = sine[2 * pitch];
     const double x22 = 0.51 * x21;
-    const double x23 = x20 * x22;
-    const double x24 = x17 + x23;
-    const double x25 = 3.3146717314850727 * x24;
-    const double x26 = x7 * x25;
-    const double x27 = x20 * x16;
-    const double x28 = x13 * x22;
-    const double x29 = x27 - x28;
-    const double x30 = 3.3146717314850727 * x29;
     const double x31 = 0.15 * x11;
+    const double x7 = 0.4972007597227609 * x4;
+    const double x5 = 0.8240286515629687 * x4;
+    const double x13 = x9 - x12;
+    const double x20 = x18 + x19;
     const double x32 = 0.5 + x31;
+    const double x6 = x5 * x5;
+    const double x17 = x13 * x16;
+    const double x28 = x13 * x22;
+    const double x27 = x20 * x16;
+    const double x23 = x20 * x22;
     const double x33 = 3.3146717314850727 * x32;
+    const double x29 = x27 - x28;
+    const double x24 = x17 + x23;
+    const double x30 = 3.3146717314850727 * x29;
+    const double x25 = 3.3146717314850727 * x24;
+    const double x38 = 5.4935243437531245 * x29;
     const double x34 = x30 * x33;
+    const double x26 = x7 * x25;
+    const double x39 = x38 * x38;
     const double x35 = x26 + x34;
     const double x36 = x35 * x35;
     const double x37 = x6 + x36;
-    const double x38 = 5.4935243437531245 * x29;
-    const double x39 = x38 * x38;
     const double x40 = x37 + x39;
     margins[0] = x40;
-    return x40;
+    double total = x40;
+    return total;
 }
 
 int four_bar_constraint_margin(
@@ -10138,10 +10822,10 @@ int four_bar_constraint_margin(
     double *restrict margins)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_constraint_margin_angles(1, q, angle);
+    four_bar_constraint_margin_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_constraint_margin_lane(1, q, margins, sine, cosine);
+    const double total = four_bar_constraint_margin_lane(1, 1, q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(margins, 1);
@@ -10151,26 +10835,22 @@ int four_bar_constraint_margin(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_constraint_margin_block(
+    size_t stride,
     const double *restrict q,
     double *restrict margins,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_constraint_margin_angles(8, q + lane, angle + lane);
+        four_bar_constraint_margin_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_constraint_margin_lane(8, q + lane, margins + lane, sine + lane, cosine +
-            lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
+            + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -10207,20 +10887,29 @@ static int four_bar_constraint_margin_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double margins_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_constraint_margin_block(q_block, margins_block, outcome);
-        four_bar_scatter(1, first, some, stride, margins_block, margins);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(1, stride, margins + first + 8);
+            }
+            four_bar_constraint_margin_block(stride, q + first, margins + first, total);
+        } else {
+            double q_block[24];
+            double margins_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_constraint_margin_block(8, q_block, margins_block, total);
+            four_bar_scatter(1, first, some, stride, margins_block, margins);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_constraint_margin_one(first + lane, stride, q, margins);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_constraint_margin_one(first + lane, stride, q, margins);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -10278,22 +10967,25 @@ int four_bar_constraint_margin_batch_soa(
 
 static inline FOUR_BAR_INLINE void four_bar_actuation_margins_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x4 = 0.9272952180016122 + x1;
     const double x11 = 0.4899573262537283 - x2;
     angle[0] = x0;
-    angle[stride] = x4;
-    angle[2 * stride] = x11;
+    angle[pitch] = x4;
+    angle[2 * pitch] = x11;
 }
 
 static inline FOUR_BAR_INLINE double four_bar_actuation_margins_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
@@ -10301,26 +10993,28 @@ static inline FOUR_BAR_INLINE double four_bar_actuation_margins_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x3 = sine[0];
-    const double x7 = cosine[0];
-    const double x8 = sine[stride];
-    const double x5 = cosine[stride];
-    const double x18 = sine[2 * stride];
-    const double x12 = cosine[2 * stride];
+    const double x5 = cosine[pitch];
     const double x6 = x3 * x5;
+    const double x7 = cosine[0];
+    const double x8 = sine[pitch];
     const double x9 = x7 * x8;
     const double x10 = x6 + x9;
+    const double x12 = cosine[2 * pitch];
     const double x13 = 0.51 * x12;
     const double x14 = x10 * x13;
     const double x15 = x3 * x8;
     const double x16 = x7 * x5;
     const double x17 = x15 - x16;
+    const double x18 = sine[2 * pitch];
     const double x19 = 0.51 * x18;
     const double x20 = x17 * x19;
     const double x21 = x14 - x20;
     const double x22 = 5.4935243437531245 * x21;
     margins[0] = x22;
-    return x22;
+    double total = x22;
+    return total;
 }
 
 int four_bar_actuation_margins(
@@ -10328,10 +11022,10 @@ int four_bar_actuation_margins(
     double *restrict margins)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    four_bar_actuation_margins_angles(1, q, angle);
+    four_bar_actuation_margins_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_actuation_margins_lane(1, q, margins, sine, cosine);
+    const double total = four_bar_actuation_margins_lane(1, 1, q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(margins, 1);
@@ -10341,26 +11035,22 @@ int four_bar_actuation_margins(
 
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
 static void four_bar_actuation_margins_block(
+    size_t stride,
     const double *restrict q,
     double *restrict margins,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        four_bar_actuation_margins_angles(8, q + lane, angle + lane);
+        four_bar_actuation_margins_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 24; k += 4) {
-        four_bar_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_actuation_margins_lane(8, q + lane, margins + lane, sine + lane, cosine +
-            lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = four_bar_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
+            + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -10397,20 +11087,29 @@ static int four_bar_actuation_margins_some(
     int worst = 0;
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[24];
-        double margins_block[8];
-        int outcome[8];
-        four_bar_gather(3, first, some, stride, q, q_block);
-        four_bar_actuation_margins_block(q_block, margins_block, outcome);
-        four_bar_scatter(1, first, some, stride, margins_block, margins);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                four_bar_prefetch(3, stride, q + first + 8);
+                four_bar_prefetch(1, stride, margins + first + 8);
+            }
+            four_bar_actuation_margins_block(stride, q + first, margins + first, total);
+        } else {
+            double q_block[24];
+            double margins_block[8];
+            four_bar_gather(3, first, some, stride, q, q_block);
+            four_bar_actuation_margins_block(8, q_block, margins_block, total);
+            four_bar_scatter(1, first, some, stride, margins_block, margins);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = four_bar_actuation_margins_one(first + lane, stride, q, margins);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = four_bar_actuation_margins_one(first + lane, stride, q, margins);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }

@@ -20,6 +20,11 @@
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
+/* Of itself GCC takes half of a vector of 512 bits. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
+#pragma GCC target("prefer-vector-width=512")
+#endif
+
 const char *ur5_status_text(int status)
 {
     switch (status) {
@@ -80,6 +85,20 @@ static inline void ur5_sincos(int count, const double *angle, double *sine, doub
 #define UR5_INLINE
 #endif
 
+/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
+static inline void ur5_prefetch(size_t size, size_t stride, const double *array)
+{
+#if defined(__GNUC__)
+    for (size_t k = 0; k < size; ++k) {
+        __builtin_prefetch(array + k * stride);
+    }
+#else
+    (void)size;
+    (void)stride;
+    (void)array;
+#endif
+}
+
 /* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one
    fills the lanes that are left. */
 static inline void ur5_gather(
@@ -97,12 +116,8 @@ static inline void ur5_gather(
     }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
-        if (some == 8) {
-            memcpy(block + k * 8, entry, 8 * sizeof(*entry));
-        } else {
-            for (size_t lane = 0; lane < 8; ++lane) {
-                block[k * 8 + lane] = entry[lane < some ? lane : some - 1];
-            }
+        for (size_t lane = 0; lane < 8; ++lane) {
+            block[k * 8 + lane] = entry[lane < some ? lane : some - 1];
         }
     }
 }
@@ -122,22 +137,44 @@ static inline void ur5_scatter(
     }
     for (size_t k = 0; k < size; ++k) {
         double *entry = array + k * stride + first;
-        if (some == 8) {
-            memcpy(entry, block + k * 8, 8 * sizeof(*entry));
-        } else {
-            for (size_t lane = 0; lane < some; ++lane) {
-                entry[lane] = block[k * 8 + lane];
-            }
+        for (size_t lane = 0; lane < some; ++lane) {
+            entry[lane] = block[k * 8 + lane];
         }
     }
 }
 
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX512F__) && !defined(UR5_SCALAR)
+typedef double ur5_lanes8 __attribute__((vector_size(64)));
+ur5_lanes8 _ZGVeN8v_sin(ur5_lanes8);
+ur5_lanes8 _ZGVeN8v_cos(ur5_lanes8);
+static inline void ur5_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 8) {
+        ur5_lanes8 all, s, c;
+        memcpy(&all, angle + k, sizeof(all));
+        s = _ZGVeN8v_sin(all);
+        c = _ZGVeN8v_cos(all);
+        memcpy(sine + k, &s, sizeof(s));
+        memcpy(cosine + k, &c, sizeof(c));
+    }
+}
+#else
+static inline void ur5_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 4) {
+        ur5_sincos(4, angle + k, sine + k, cosine + k);
+    }
+}
+#endif
+
 static inline UR5_INLINE void ur5_body_poses_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
@@ -145,15 +182,16 @@ static inline UR5_INLINE void ur5_body_poses_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
-    angle[5 * stride] = x5;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
+    angle[5 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_body_poses_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict poses,
     const double *restrict sine,
@@ -161,119 +199,191 @@ static inline UR5_INLINE double ur5_body_poses_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x7 = sine[0];
-    const double x6 = cosine[0];
-    const double x12 = sine[stride];
-    const double x9 = cosine[stride];
-    const double x23 = sine[2 * stride];
-    const double x21 = cosine[2 * stride];
-    const double x62 = sine[3 * stride];
-    const double x60 = cosine[3 * stride];
-    const double x103 = sine[4 * stride];
-    const double x101 = cosine[4 * stride];
-    const double x138 = sine[5 * stride];
-    const double x136 = cosine[5 * stride];
     const double x8 = -x7;
+    poses[3 * stride] = x8;
+    poses[15 * stride] = x8;
+    poses[27 * stride] = x8;
+    poses[39 * stride] = x8;
+    double total = x8;
+    const double x6 = cosine[0];
+    const double x9 = cosine[pitch];
     const double x10 = x6 * x9;
+    poses[12 * stride] = x10;
+    total = total + x10;
     const double x11 = x7 * x9;
+    poses[13 * stride] = x11;
+    total = total + x11;
+    const double x12 = sine[pitch];
     const double x13 = x6 * x12;
     const double x14 = -x13;
+    poses[18 * stride] = x14;
+    total = total + x14;
     const double x15 = x7 * x12;
     const double x16 = -x15;
+    poses[19 * stride] = x16;
+    total = total + x16;
     const double x17 = 0.089159 * x13;
+    poses[21 * stride] = x17;
+    total = total + x17;
     const double x18 = 0.089159 * x15;
+    poses[22 * stride] = x18;
+    total = total + x18;
     const double x19 = 0.089159 * x9;
     const double x20 = 0.089159 - x19;
+    poses[23 * stride] = x20;
+    total = total + x20;
+    const double x21 = cosine[2 * pitch];
     const double x22 = x21 * x10;
+    const double x23 = sine[2 * pitch];
     const double x24 = x23 * x13;
     const double x25 = x22 - x24;
+    poses[24 * stride] = x25;
+    total = total + x25;
     const double x26 = x21 * x11;
     const double x27 = x23 * x15;
     const double x28 = x26 - x27;
+    poses[25 * stride] = x28;
+    total = total + x28;
     const double x29 = x12 * x21;
     const double x30 = x9 * x23;
     const double x31 = x29 + x30;
+    poses[26 * stride] = x31;
+    total = total + x31;
     const double x32 = x23 * x10;
     const double x33 = x21 * x13;
     const double x34 = x32 + x33;
     const double x35 = -x34;
+    poses[30 * stride] = x35;
+    total = total + x35;
     const double x36 = x23 * x11;
     const double x37 = x21 * x15;
     const double x38 = x36 + x37;
     const double x39 = -x38;
+    poses[31 * stride] = x39;
+    total = total + x39;
     const double x40 = x12 * x23;
     const double x41 = x9 * x21;
     const double x42 = x40 - x41;
     const double x43 = -x42;
+    poses[32 * stride] = x43;
+    total = total + x43;
     const double x44 = 0.425 * x25;
     const double x45 = 0.089159 * x34;
     const double x46 = x44 + x45;
     const double x47 = 0.425 * x10;
     const double x48 = x46 - x47;
+    poses[33 * stride] = x48;
+    total = total + x48;
     const double x49 = 0.425 * x28;
     const double x50 = 0.089159 * x38;
     const double x51 = x49 + x50;
     const double x52 = 0.425 * x11;
     const double x53 = x51 - x52;
+    poses[34 * stride] = x53;
+    total = total + x53;
     const double x54 = 0.425 * x12;
     const double x55 = 0.089159 - x54;
     const double x56 = 0.425 * x31;
     const double x57 = 0.089159 * x42;
     const double x58 = x56 + x57;
     const double x59 = x55 + x58;
+    poses[35 * stride] = x59;
+    total = total + x59;
+    const double x60 = cosine[3 * pitch];
     const double x61 = x60 * x25;
+    const double x62 = sine[3 * pitch];
     const double x63 = x62 * x34;
     const double x64 = x61 - x63;
+    poses[36 * stride] = x64;
+    total = total + x64;
     const double x65 = x60 * x28;
     const double x66 = x62 * x38;
     const double x67 = x65 - x66;
+    poses[37 * stride] = x67;
+    total = total + x67;
     const double x68 = x60 * x31;
     const double x69 = x62 * x42;
     const double x70 = x68 - x69;
+    poses[38 * stride] = x70;
+    total = total + x70;
     const double x71 = x62 * x25;
     const double x72 = x60 * x34;
     const double x73 = x71 + x72;
     const double x74 = -x73;
+    poses[42 * stride] = x74;
+    poses[54 * stride] = x74;
+    total = total + x74;
     const double x75 = x62 * x28;
     const double x76 = x60 * x38;
     const double x77 = x75 + x76;
     const double x78 = -x77;
+    poses[43 * stride] = x78;
+    poses[55 * stride] = x78;
+    total = total + x78;
     const double x79 = x62 * x31;
     const double x80 = x60 * x42;
     const double x81 = x79 + x80;
     const double x82 = -x81;
+    poses[44 * stride] = x82;
+    poses[56 * stride] = x82;
+    total = total + x82;
     const double x83 = 0.81725 * x64;
     const double x84 = 0.089159 * x73;
     const double x85 = x83 + x84;
     const double x86 = 0.39225 * x25;
     const double x87 = x47 + x86;
     const double x88 = x85 - x87;
+    poses[45 * stride] = x88;
+    total = total + x88;
     const double x89 = 0.81725 * x67;
     const double x90 = 0.089159 * x77;
     const double x91 = x89 + x90;
     const double x92 = 0.39225 * x28;
     const double x93 = x52 + x92;
     const double x94 = x91 - x93;
+    poses[46 * stride] = x94;
+    total = total + x94;
     const double x95 = 0.39225 * x31;
     const double x96 = x55 - x95;
     const double x97 = 0.81725 * x70;
     const double x98 = 0.089159 * x81;
     const double x99 = x97 + x98;
     const double x100 = x96 + x99;
+    poses[47 * stride] = x100;
+    total = total + x100;
+    const double x101 = cosine[4 * pitch];
     const double x102 = x101 * x64;
+    const double x103 = sine[4 * pitch];
     const double x104 = x7 * x103;
     const double x105 = x102 + x104;
+    poses[48 * stride] = x105;
+    total = total + x105;
     const double x106 = x101 * x67;
     const double x107 = x6 * x103;
     const double x108 = x106 - x107;
+    poses[49 * stride] = x108;
+    total = total + x108;
     const double x109 = x101 * x70;
+    poses[50 * stride] = x109;
+    total = total + x109;
     const double x110 = x103 * x64;
     const double x111 = x7 * x101;
     const double x112 = x110 - x111;
+    poses[51 * stride] = x112;
+    poses[63 * stride] = x112;
+    total = total + x112;
     const double x113 = x103 * x67;
     const double x114 = x6 * x101;
     const double x115 = x113 + x114;
+    poses[52 * stride] = x115;
+    poses[64 * stride] = x115;
+    total = total + x115;
     const double x116 = x103 * x70;
+    poses[53 * stride] = x116;
+    poses[65 * stride] = x116;
+    total = total + x116;
     const double x117 = 0.81725 * x105;
     const double x118 = 0.10915 * x112;
     const double x119 = x117 + x118;
@@ -281,6 +391,8 @@ static inline UR5_INLINE double ur5_body_poses_lane(
     const double x121 = 0.10915 * x7;
     const double x122 = x87 - x121;
     const double x123 = x120 - x122;
+    poses[57 * stride] = x123;
+    total = total + x123;
     const double x124 = 0.81725 * x108;
     const double x125 = 0.10915 * x115;
     const double x126 = x124 + x125;
@@ -288,32 +400,50 @@ static inline UR5_INLINE double ur5_body_poses_lane(
     const double x128 = 0.10915 * x6;
     const double x129 = x93 + x128;
     const double x130 = x127 - x129;
+    poses[58 * stride] = x130;
+    total = total + x130;
     const double x131 = 0.81725 * x109;
     const double x132 = 0.10915 * x116;
     const double x133 = x131 + x132;
     const double x134 = x98 + x133;
     const double x135 = x96 + x134;
+    poses[59 * stride] = x135;
+    total = total + x135;
+    const double x136 = cosine[5 * pitch];
     const double x137 = x136 * x105;
+    const double x138 = sine[5 * pitch];
     const double x139 = x138 * x73;
     const double x140 = x137 - x139;
+    poses[60 * stride] = x140;
+    total = total + x140;
     const double x141 = x136 * x108;
     const double x142 = x138 * x77;
     const double x143 = x141 - x142;
+    poses[61 * stride] = x143;
+    total = total + x143;
     const double x144 = x136 * x109;
     const double x145 = x138 * x81;
     const double x146 = x144 - x145;
+    poses[62 * stride] = x146;
+    total = total + x146;
     const double x147 = x138 * x105;
     const double x148 = x136 * x73;
     const double x149 = x147 + x148;
     const double x150 = -x149;
+    poses[66 * stride] = x150;
+    total = total + x150;
     const double x151 = x138 * x108;
     const double x152 = x136 * x77;
     const double x153 = x151 + x152;
     const double x154 = -x153;
+    poses[67 * stride] = x154;
+    total = total + x154;
     const double x155 = x138 * x109;
     const double x156 = x136 * x81;
     const double x157 = x155 + x156;
     const double x158 = -x157;
+    poses[68 * stride] = x158;
+    total = total + x158;
     const double x159 = 0.81725 * x140;
     const double x160 = x118 + x159;
     const double x161 = 0.005491 * x149;
@@ -321,6 +451,8 @@ static inline UR5_INLINE double ur5_body_poses_lane(
     const double x163 = 0.09465 * x73;
     const double x164 = x122 - x163;
     const double x165 = x162 - x164;
+    poses[69 * stride] = x165;
+    total = total + x165;
     const double x166 = 0.81725 * x143;
     const double x167 = x125 + x166;
     const double x168 = 0.005491 * x153;
@@ -328,6 +460,8 @@ static inline UR5_INLINE double ur5_body_poses_lane(
     const double x170 = 0.09465 * x77;
     const double x171 = x129 - x170;
     const double x172 = x169 - x171;
+    poses[70 * stride] = x172;
+    total = total + x172;
     const double x173 = 0.09465 * x81;
     const double x174 = x96 + x173;
     const double x175 = 0.81725 * x146;
@@ -335,82 +469,32 @@ static inline UR5_INLINE double ur5_body_poses_lane(
     const double x177 = 0.005491 * x157;
     const double x178 = x176 - x177;
     const double x179 = x174 + x178;
+    poses[71 * stride] = x179;
+    total = total + x179;
     poses[0] = x6;
-    poses[stride] = x7;
-    poses[2 * stride] = 0.0;
-    poses[3 * stride] = x8;
     poses[4 * stride] = x6;
+    poses[16 * stride] = x6;
+    poses[28 * stride] = x6;
+    poses[40 * stride] = x6;
+    total = total + x6;
+    poses[stride] = x7;
+    total = total + x7;
+    poses[2 * stride] = 0.0;
     poses[5 * stride] = 0.0;
     poses[6 * stride] = 0.0;
     poses[7 * stride] = 0.0;
-    poses[8 * stride] = 1.0;
     poses[9 * stride] = 0.0;
     poses[10 * stride] = 0.0;
     poses[11 * stride] = 0.0;
-    poses[12 * stride] = x10;
-    poses[13 * stride] = x11;
-    poses[14 * stride] = x12;
-    poses[15 * stride] = x8;
-    poses[16 * stride] = x6;
     poses[17 * stride] = 0.0;
-    poses[18 * stride] = x14;
-    poses[19 * stride] = x16;
-    poses[20 * stride] = x9;
-    poses[21 * stride] = x17;
-    poses[22 * stride] = x18;
-    poses[23 * stride] = x20;
-    poses[24 * stride] = x25;
-    poses[25 * stride] = x28;
-    poses[26 * stride] = x31;
-    poses[27 * stride] = x8;
-    poses[28 * stride] = x6;
     poses[29 * stride] = 0.0;
-    poses[30 * stride] = x35;
-    poses[31 * stride] = x39;
-    poses[32 * stride] = x43;
-    poses[33 * stride] = x48;
-    poses[34 * stride] = x53;
-    poses[35 * stride] = x59;
-    poses[36 * stride] = x64;
-    poses[37 * stride] = x67;
-    poses[38 * stride] = x70;
-    poses[39 * stride] = x8;
-    poses[40 * stride] = x6;
     poses[41 * stride] = 0.0;
-    poses[42 * stride] = x74;
-    poses[43 * stride] = x78;
-    poses[44 * stride] = x82;
-    poses[45 * stride] = x88;
-    poses[46 * stride] = x94;
-    poses[47 * stride] = x100;
-    poses[48 * stride] = x105;
-    poses[49 * stride] = x108;
-    poses[50 * stride] = x109;
-    poses[51 * stride] = x112;
-    poses[52 * stride] = x115;
-    poses[53 * stride] = x116;
-    poses[54 * stride] = x74;
-    poses[55 * stride] = x78;
-    poses[56 * stride] = x82;
-    poses[57 * stride] = x123;
-    poses[58 * stride] = x130;
-    poses[59 * stride] = x135;
-    poses[60 * stride] = x140;
-    poses[61 * stride] = x143;
-    poses[62 * stride] = x146;
-    poses[63 * stride] = x112;
-    poses[64 * stride] = x115;
-    poses[65 * stride] = x116;
-    poses[66 * stride] = x150;
-    poses[67 * stride] = x154;
-    poses[68 * stride] = x158;
-    poses[69 * stride] = x165;
-    poses[70 * stride] = x172;
-    poses[71 * stride] = x179;
-    return (((((x6 + x7) + (x8 + x10)) + ((x11 + x12) + (x14 + x16))) + (((x9 + x17) + (x18 + x20)) + ((x25 +
-        x28) + (x31 + x35)))) + ((((x39 + x43) + (x48 + x53)) + ((x59 + x64) + (x67 + x70))) + (((x74 + x78) +
-        (x82 + x88)) + ((x94 + x100) + (x105 + x108))))) + ((((x109 + x112) + (x115 + x116)) + ((x123 + x130)
-        + (x135 + x140))) + (((x143 + x146) + (x150 + x154)) + ((x158 + x165) + (x172 + x179))));
+    poses[8 * stride] = 1.0;
+    poses[14 * stride] = x12;
+    total = total + x12;
+    poses[20 * stride] = x9;
+    total = total + x9;
+    return total;
 }
 
 int ur5_body_poses(
@@ -418,12 +502,12 @@ int ur5_body_poses(
     double *restrict poses)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_body_poses_angles(1, q, angle);
+    ur5_body_poses_angles(1, 1, q, angle);
     angle[6] = angle[5];
     angle[7] = angle[5];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(2, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_body_poses_lane(1, q, poses, sine, cosine);
+    const double total = ur5_body_poses_lane(1, 1, q, poses, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(poses, 72);
@@ -433,25 +517,21 @@ int ur5_body_poses(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_body_poses_block(
+    size_t stride,
     const double *restrict q,
     double *restrict poses,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[48], sine[48], cosine[48];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_body_poses_angles(8, q + lane, angle + lane);
+        ur5_body_poses_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 48; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_body_poses_lane(8, q + lane, poses + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -488,20 +568,29 @@ static int ur5_body_poses_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double poses_block[576];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_body_poses_block(q_block, poses_block, outcome);
-        ur5_scatter(72, first, some, stride, poses_block, poses);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(72, stride, poses + first + 8);
+            }
+            ur5_body_poses_block(stride, q + first, poses + first, total);
+        } else {
+            double q_block[48];
+            double poses_block[576];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_body_poses_block(8, q_block, poses_block, total);
+            ur5_scatter(72, first, some, stride, poses_block, poses);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_body_poses_one(first + lane, stride, q, poses);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_body_poses_one(first + lane, stride, q, poses);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -558,11 +647,13 @@ int ur5_body_poses_batch_soa(
 
 static inline UR5_INLINE void ur5_body_twists_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -570,14 +661,15 @@ static inline UR5_INLINE void ur5_body_twists_angles(
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_body_twists_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict twists,
@@ -585,43 +677,49 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x5 = q[5 * stride];
-    const double x6 = v[0];
+    (void)pitch;
     const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
     const double x12 = sine[0];
-    const double x14 = cosine[0];
-    const double x26 = sine[stride];
-    const double x35 = cosine[stride];
-    const double x51 = sine[2 * stride];
-    const double x49 = cosine[2 * stride];
-    const double x79 = sine[3 * stride];
-    const double x81 = cosine[3 * stride];
-    const double x125 = sine[4 * stride];
-    const double x130 = cosine[4 * stride];
     const double x13 = x7 * x12;
+    twists[6 * stride] = x13;
+    double total = x13;
+    const double x14 = cosine[0];
     const double x15 = x7 * x14;
     const double x16 = -x15;
+    twists[7 * stride] = x16;
+    total = total + x16;
     const double x17 = 0.089159 * x14;
     const double x18 = x7 * x17;
+    twists[9 * stride] = x18;
+    total = total + x18;
     const double x19 = 0.089159 * x12;
     const double x20 = x7 * x19;
+    twists[10 * stride] = x20;
+    total = total + x20;
+    const double x8 = v[2 * stride];
     const double x21 = x8 * x12;
     const double x22 = x13 + x21;
+    twists[12 * stride] = x22;
+    total = total + x22;
     const double x23 = x8 * x14;
     const double x24 = x15 + x23;
     const double x25 = -x24;
+    twists[13 * stride] = x25;
+    total = total + x25;
+    const double x26 = sine[pitch];
     const double x27 = 0.425 * x26;
     const double x28 = 0.089159 - x27;
     const double x29 = x14 * x28;
     const double x30 = x8 * x29;
     const double x31 = x18 + x30;
+    twists[15 * stride] = x31;
+    total = total + x31;
     const double x32 = x12 * x28;
     const double x33 = x8 * x32;
     const double x34 = x20 + x33;
+    twists[16 * stride] = x34;
+    total = total + x34;
+    const double x35 = cosine[pitch];
     const double x36 = x14 * x35;
     const double x37 = 0.425 * x36;
     const double x38 = x14 * x37;
@@ -630,12 +728,21 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x41 = x12 * x40;
     const double x42 = x38 + x41;
     const double x43 = x8 * x42;
+    twists[17 * stride] = x43;
+    total = total + x43;
+    const double x9 = v[3 * stride];
     const double x44 = x9 * x12;
     const double x45 = x22 + x44;
+    twists[18 * stride] = x45;
+    total = total + x45;
     const double x46 = x9 * x14;
     const double x47 = x24 + x46;
     const double x48 = -x47;
+    twists[19 * stride] = x48;
+    total = total + x48;
+    const double x49 = cosine[2 * pitch];
     const double x50 = x26 * x49;
+    const double x51 = sine[2 * pitch];
     const double x52 = x35 * x51;
     const double x53 = x50 + x52;
     const double x54 = 0.39225 * x53;
@@ -643,9 +750,13 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x56 = x14 * x55;
     const double x57 = x9 * x56;
     const double x58 = x31 + x57;
+    twists[21 * stride] = x58;
+    total = total + x58;
     const double x59 = x12 * x55;
     const double x60 = x9 * x59;
     const double x61 = x34 + x60;
+    twists[22 * stride] = x61;
+    total = total + x61;
     const double x62 = x49 * x36;
     const double x63 = x14 * x26;
     const double x64 = x51 * x63;
@@ -663,14 +774,21 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x76 = x68 + x75;
     const double x77 = x9 * x76;
     const double x78 = x43 + x77;
+    twists[23 * stride] = x78;
+    total = total + x78;
+    const double x79 = sine[3 * pitch];
     const double x80 = x79 * x65;
     const double x82 = x51 * x36;
     const double x83 = x49 * x63;
     const double x84 = x82 + x83;
+    const double x81 = cosine[3 * pitch];
     const double x85 = x81 * x84;
     const double x86 = x80 + x85;
+    const double x10 = v[4 * stride];
     const double x87 = x10 * x86;
     const double x88 = x45 + x87;
+    twists[24 * stride] = x88;
+    total = total + x88;
     const double x89 = x79 * x72;
     const double x90 = x51 * x39;
     const double x91 = x49 * x70;
@@ -680,6 +798,8 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x95 = x10 * x94;
     const double x96 = x47 - x95;
     const double x97 = -x96;
+    twists[25 * stride] = x97;
+    total = total + x97;
     const double x98 = x79 * x53;
     const double x99 = x26 * x51;
     const double x100 = x35 * x49;
@@ -687,7 +807,10 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x102 = x81 * x101;
     const double x103 = x98 + x102;
     const double x104 = x10 * x103;
+    const double x6 = v[0];
     const double x105 = x6 + x104;
+    twists[26 * stride] = x105;
+    total = total + x105;
     const double x106 = 0.10915 * x14;
     const double x107 = x74 + x106;
     const double x108 = x103 * x107;
@@ -695,6 +818,8 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x110 = x108 + x109;
     const double x111 = x10 * x110;
     const double x112 = x58 - x111;
+    twists[27 * stride] = x112;
+    total = total + x112;
     const double x113 = x86 * x55;
     const double x114 = 0.10915 * x12;
     const double x115 = x67 - x114;
@@ -702,19 +827,28 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x117 = x113 + x116;
     const double x118 = x10 * x117;
     const double x119 = x61 + x118;
+    twists[28 * stride] = x119;
+    total = total + x119;
     const double x120 = x94 * x115;
     const double x121 = x86 * x107;
     const double x122 = x120 - x121;
     const double x123 = x10 * x122;
     const double x124 = x78 - x123;
+    twists[29 * stride] = x124;
+    total = total + x124;
     const double x126 = x81 * x65;
     const double x127 = x79 * x84;
     const double x128 = x126 - x127;
+    const double x125 = sine[4 * pitch];
     const double x129 = x125 * x128;
+    const double x130 = cosine[4 * pitch];
     const double x131 = x12 * x130;
     const double x132 = x129 - x131;
+    const double x11 = v[5 * stride];
     const double x133 = x11 * x132;
     const double x134 = x88 - x133;
+    twists[30 * stride] = x134;
+    total = total + x134;
     const double x135 = x81 * x72;
     const double x136 = x79 * x92;
     const double x137 = x135 - x136;
@@ -724,12 +858,16 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x141 = x11 * x140;
     const double x142 = x96 + x141;
     const double x143 = -x142;
+    twists[31 * stride] = x143;
+    total = total + x143;
     const double x144 = x81 * x53;
     const double x145 = x79 * x101;
     const double x146 = x144 - x145;
     const double x147 = x125 * x146;
     const double x148 = x11 * x147;
     const double x149 = x105 - x148;
+    twists[32 * stride] = x149;
+    total = total + x149;
     const double x150 = 0.09465 * x94;
     const double x151 = x107 - x150;
     const double x152 = x147 * x151;
@@ -739,6 +877,8 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x156 = x152 + x155;
     const double x157 = x11 * x156;
     const double x158 = x112 + x157;
+    twists[33 * stride] = x158;
+    total = total + x158;
     const double x159 = x132 * x154;
     const double x160 = 0.09465 * x86;
     const double x161 = x115 - x160;
@@ -746,50 +886,29 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x163 = x159 + x162;
     const double x164 = x11 * x163;
     const double x165 = x119 - x164;
+    twists[34 * stride] = x165;
+    total = total + x165;
     const double x166 = x140 * x161;
     const double x167 = x132 * x151;
     const double x168 = x166 - x167;
     const double x169 = x11 * x168;
     const double x170 = x124 + x169;
+    twists[35 * stride] = x170;
+    total = total + x170;
     twists[0] = 0.0;
     twists[stride] = 0.0;
-    twists[2 * stride] = x6;
     twists[3 * stride] = 0.0;
     twists[4 * stride] = 0.0;
     twists[5 * stride] = 0.0;
-    twists[6 * stride] = x13;
-    twists[7 * stride] = x16;
-    twists[8 * stride] = x6;
-    twists[9 * stride] = x18;
-    twists[10 * stride] = x20;
     twists[11 * stride] = 0.0;
-    twists[12 * stride] = x22;
-    twists[13 * stride] = x25;
+    twists[2 * stride] = x6;
+    twists[8 * stride] = x6;
     twists[14 * stride] = x6;
-    twists[15 * stride] = x31;
-    twists[16 * stride] = x34;
-    twists[17 * stride] = x43;
-    twists[18 * stride] = x45;
-    twists[19 * stride] = x48;
     twists[20 * stride] = x6;
-    twists[21 * stride] = x58;
-    twists[22 * stride] = x61;
-    twists[23 * stride] = x78;
-    twists[24 * stride] = x88;
-    twists[25 * stride] = x97;
-    twists[26 * stride] = x105;
-    twists[27 * stride] = x112;
-    twists[28 * stride] = x119;
-    twists[29 * stride] = x124;
-    twists[30 * stride] = x134;
-    twists[31 * stride] = x143;
-    twists[32 * stride] = x149;
-    twists[33 * stride] = x158;
-    twists[34 * stride] = x165;
-    twists[35 * stride] = x170;
-    return ((((x6 + x13) + (x16 + x18)) + ((x20 + x22) + (x25 + x31))) + (((x34 + x43) + (x45 + x48)) + ((x58
-        + x61) + (x78 + x88)))) + ((((x97 + x105) + (x112 + x119)) + ((x124 + x134) + (x143 + x149))) + ((x158
-        + x165) + (x170 + x5)));
+    total = total + x6;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_body_twists(
@@ -798,13 +917,13 @@ int ur5_body_twists(
     double *restrict twists)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_body_twists_angles(1, q, v, angle);
+    ur5_body_twists_angles(1, 1, q, v, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_body_twists_lane(1, q, v, twists, sine, cosine);
+    const double total = ur5_body_twists_lane(1, 1, q, v, twists, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(twists, 36);
@@ -814,26 +933,23 @@ int ur5_body_twists(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_body_twists_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict twists,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_body_twists_angles(8, q + lane, v + lane, angle + lane);
+        ur5_body_twists_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_body_twists_lane(8, q + lane, v + lane, twists + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -876,22 +992,32 @@ static int ur5_body_twists_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double twists_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_body_twists_block(q_block, v_block, twists_block, outcome);
-        ur5_scatter(36, first, some, stride, twists_block, twists);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(36, stride, twists + first + 8);
+            }
+            ur5_body_twists_block(stride, q + first, v + first, twists + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double twists_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_body_twists_block(8, q_block, v_block, twists_block, total);
+            ur5_scatter(36, first, some, stride, twists_block, twists);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_body_twists_one(first + lane, stride, q, v, twists);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_body_twists_one(first + lane, stride, q, v, twists);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -951,12 +1077,14 @@ int ur5_body_twists_batch_soa(
 
 static inline UR5_INLINE void ur5_body_twist_rates_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -965,14 +1093,15 @@ static inline UR5_INLINE void ur5_body_twist_rates_angles(
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_body_twist_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -981,69 +1110,71 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x5 = q[5 * stride];
-    const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = a[0];
+    (void)pitch;
     const double x13 = a[stride];
-    const double x14 = a[2 * stride];
-    const double x15 = a[3 * stride];
-    const double x16 = a[4 * stride];
-    const double x17 = a[5 * stride];
     const double x18 = sine[0];
-    const double x20 = cosine[0];
-    const double x55 = sine[stride];
-    const double x61 = cosine[stride];
-    const double x114 = sine[2 * stride];
-    const double x112 = cosine[2 * stride];
-    const double x170 = sine[3 * stride];
-    const double x172 = cosine[3 * stride];
-    const double x268 = sine[4 * stride];
-    const double x273 = cosine[4 * stride];
     const double x19 = x13 * x18;
+    const double x6 = v[0];
+    const double x20 = cosine[0];
     const double x21 = x6 * x20;
+    const double x7 = v[stride];
     const double x22 = x7 * x21;
     const double x23 = x19 + x22;
+    twist_rates[6 * stride] = x23;
+    double total = x23;
     const double x24 = x13 * x20;
     const double x25 = x6 * x18;
     const double x26 = x7 * x25;
     const double x27 = x24 - x26;
     const double x28 = -x27;
+    twist_rates[7 * stride] = x28;
+    total = total + x28;
     const double x29 = 0.089159 * x20;
     const double x30 = x13 * x29;
     const double x31 = 0.089159 * x18;
     const double x32 = x6 * x31;
     const double x33 = x7 * x32;
     const double x34 = x30 - x33;
+    twist_rates[9 * stride] = x34;
+    total = total + x34;
     const double x35 = x13 * x31;
     const double x36 = x6 * x29;
     const double x37 = x7 * x36;
     const double x38 = x35 + x37;
+    twist_rates[10 * stride] = x38;
+    total = total + x38;
+    const double x14 = a[2 * stride];
     const double x39 = x14 * x18;
     const double x40 = x23 + x39;
+    const double x8 = v[2 * stride];
     const double x41 = x8 * x21;
     const double x42 = x40 + x41;
+    twist_rates[12 * stride] = x42;
+    total = total + x42;
     const double x43 = x14 * x20;
     const double x44 = x27 + x43;
     const double x45 = x8 * x25;
     const double x46 = x44 - x45;
     const double x47 = -x46;
+    twist_rates[13 * stride] = x47;
+    total = total + x47;
     const double x48 = x7 * x18;
     const double x49 = x20 * x48;
     const double x50 = x7 * x20;
     const double x51 = x18 * x50;
     const double x52 = x49 - x51;
     const double x53 = x8 * x52;
+    const double x12 = a[0];
     const double x54 = x12 - x53;
+    twist_rates[14 * stride] = x54;
+    total = total + x54;
+    const double x55 = sine[pitch];
     const double x56 = 0.425 * x55;
     const double x57 = 0.089159 - x56;
     const double x58 = x20 * x57;
     const double x59 = x14 * x58;
     const double x60 = x34 + x59;
+    const double x61 = cosine[pitch];
     const double x62 = x20 * x61;
     const double x63 = 0.425 * x62;
     const double x64 = x20 * x63;
@@ -1057,6 +1188,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x72 = x69 + x71;
     const double x73 = x8 * x72;
     const double x74 = x60 - x73;
+    twist_rates[15 * stride] = x74;
+    total = total + x74;
     const double x75 = x14 * x70;
     const double x76 = x38 + x75;
     const double x77 = x6 * x58;
@@ -1064,6 +1197,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x79 = x77 - x78;
     const double x80 = x8 * x79;
     const double x81 = x76 + x80;
+    twist_rates[16 * stride] = x81;
+    total = total + x81;
     const double x82 = x14 * x68;
     const double x83 = x70 * x48;
     const double x84 = x58 * x50;
@@ -1076,15 +1211,23 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x91 = x85 - x90;
     const double x92 = x8 * x91;
     const double x93 = x82 + x92;
+    twist_rates[17 * stride] = x93;
+    total = total + x93;
+    const double x15 = a[3 * stride];
     const double x94 = x15 * x18;
     const double x95 = x42 + x94;
+    const double x9 = v[3 * stride];
     const double x96 = x9 * x21;
     const double x97 = x95 + x96;
+    twist_rates[18 * stride] = x97;
+    total = total + x97;
     const double x98 = x15 * x20;
     const double x99 = x46 + x98;
     const double x100 = x9 * x25;
     const double x101 = x99 - x100;
     const double x102 = -x101;
+    twist_rates[19 * stride] = x102;
+    total = total + x102;
     const double x103 = x8 * x18;
     const double x104 = x48 + x103;
     const double x105 = x20 * x104;
@@ -1094,7 +1237,11 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x109 = x105 - x108;
     const double x110 = x9 * x109;
     const double x111 = x54 - x110;
+    twist_rates[20 * stride] = x111;
+    total = total + x111;
+    const double x112 = cosine[2 * pitch];
     const double x113 = x55 * x112;
+    const double x114 = sine[2 * pitch];
     const double x115 = x61 * x114;
     const double x116 = x113 + x115;
     const double x117 = 0.39225 * x116;
@@ -1126,6 +1273,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x143 = x140 - x142;
     const double x144 = x9 * x143;
     const double x145 = x121 - x144;
+    twist_rates[21 * stride] = x145;
+    total = total + x145;
     const double x146 = x15 * x138;
     const double x147 = x81 + x146;
     const double x148 = x6 * x119;
@@ -1135,6 +1284,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x152 = x150 + x151;
     const double x153 = x9 * x152;
     const double x154 = x147 + x153;
+    twist_rates[22 * stride] = x154;
+    total = total + x154;
     const double x155 = x15 * x136;
     const double x156 = x93 + x155;
     const double x157 = x138 * x104;
@@ -1150,12 +1301,17 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x167 = x159 - x166;
     const double x168 = x9 * x167;
     const double x169 = x156 + x168;
+    twist_rates[23 * stride] = x169;
+    total = total + x169;
+    const double x170 = sine[3 * pitch];
     const double x171 = x170 * x125;
     const double x173 = x114 * x62;
     const double x174 = x112 * x123;
     const double x175 = x173 + x174;
+    const double x172 = cosine[3 * pitch];
     const double x176 = x172 * x175;
     const double x177 = x171 + x176;
+    const double x16 = a[4 * stride];
     const double x178 = x16 * x177;
     const double x179 = x97 + x178;
     const double x180 = x170 * x116;
@@ -1175,8 +1331,11 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x194 = x189 + x193;
     const double x195 = x6 * x194;
     const double x196 = x188 + x195;
+    const double x10 = v[4 * stride];
     const double x197 = x10 * x196;
     const double x198 = x179 - x197;
+    twist_rates[24 * stride] = x198;
+    total = total + x198;
     const double x199 = x16 * x194;
     const double x200 = x101 - x199;
     const double x201 = x6 * x177;
@@ -1187,6 +1346,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x206 = x10 * x205;
     const double x207 = x200 - x206;
     const double x208 = -x207;
+    twist_rates[25 * stride] = x208;
+    total = total + x208;
     const double x209 = x16 * x185;
     const double x210 = x111 + x209;
     const double x211 = x194 * x203;
@@ -1194,6 +1355,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x213 = x211 + x212;
     const double x214 = x10 * x213;
     const double x215 = x210 + x214;
+    twist_rates[26 * stride] = x215;
+    total = total + x215;
     const double x216 = 0.10915 * x20;
     const double x217 = x134 + x216;
     const double x218 = x185 * x217;
@@ -1222,6 +1385,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x241 = x233 + x240;
     const double x242 = x10 * x241;
     const double x243 = x222 + x242;
+    twist_rates[27 * stride] = x243;
+    total = total + x243;
     const double x244 = x16 * x231;
     const double x245 = x154 + x244;
     const double x246 = x6 * x220;
@@ -1235,6 +1400,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x254 = x248 - x253;
     const double x255 = x10 * x254;
     const double x256 = x245 - x255;
+    twist_rates[28 * stride] = x256;
+    total = total + x256;
     const double x257 = x16 * x227;
     const double x258 = x169 - x257;
     const double x259 = x231 * x203;
@@ -1246,12 +1413,17 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x265 = x261 + x264;
     const double x266 = x10 * x265;
     const double x267 = x258 + x266;
+    twist_rates[29 * stride] = x267;
+    total = total + x267;
     const double x269 = x172 * x125;
     const double x270 = x170 * x175;
     const double x271 = x269 - x270;
+    const double x268 = sine[4 * pitch];
     const double x272 = x268 * x271;
+    const double x273 = cosine[4 * pitch];
     const double x274 = x18 * x273;
     const double x275 = x272 - x274;
+    const double x17 = a[5 * stride];
     const double x276 = x17 * x275;
     const double x277 = x198 - x276;
     const double x278 = x172 * x116;
@@ -1271,8 +1443,11 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x292 = x6 + x291;
     const double x293 = x290 * x292;
     const double x294 = x284 + x293;
+    const double x11 = v[5 * stride];
     const double x295 = x11 * x294;
     const double x296 = x277 + x295;
+    twist_rates[30 * stride] = x296;
+    total = total + x296;
     const double x297 = x17 * x290;
     const double x298 = x207 + x297;
     const double x299 = x275 * x292;
@@ -1283,6 +1458,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x304 = x11 * x303;
     const double x305 = x298 + x304;
     const double x306 = -x305;
+    twist_rates[31 * stride] = x306;
+    total = total + x306;
     const double x307 = x17 * x281;
     const double x308 = x215 - x307;
     const double x309 = x290 * x301;
@@ -1290,6 +1467,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x311 = x309 + x310;
     const double x312 = x11 * x311;
     const double x313 = x308 - x312;
+    twist_rates[32 * stride] = x313;
+    total = total + x313;
     const double x314 = 0.09465 * x194;
     const double x315 = x217 - x314;
     const double x316 = x281 * x315;
@@ -1320,6 +1499,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x341 = x333 + x340;
     const double x342 = x11 * x341;
     const double x343 = x322 - x342;
+    twist_rates[33 * stride] = x343;
+    total = total + x343;
     const double x344 = x17 * x331;
     const double x345 = x256 - x344;
     const double x346 = x320 * x292;
@@ -1333,6 +1514,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x354 = x348 - x353;
     const double x355 = x11 * x354;
     const double x356 = x345 + x355;
+    twist_rates[34 * stride] = x356;
+    total = total + x356;
     const double x357 = x17 * x327;
     const double x358 = x267 + x357;
     const double x359 = x331 * x301;
@@ -1344,45 +1527,20 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x365 = x361 + x364;
     const double x366 = x11 * x365;
     const double x367 = x358 - x366;
+    twist_rates[35 * stride] = x367;
+    total = total + x367;
     twist_rates[0] = 0.0;
     twist_rates[stride] = 0.0;
-    twist_rates[2 * stride] = x12;
     twist_rates[3 * stride] = 0.0;
     twist_rates[4 * stride] = 0.0;
     twist_rates[5 * stride] = 0.0;
-    twist_rates[6 * stride] = x23;
-    twist_rates[7 * stride] = x28;
-    twist_rates[8 * stride] = x12;
-    twist_rates[9 * stride] = x34;
-    twist_rates[10 * stride] = x38;
     twist_rates[11 * stride] = 0.0;
-    twist_rates[12 * stride] = x42;
-    twist_rates[13 * stride] = x47;
-    twist_rates[14 * stride] = x54;
-    twist_rates[15 * stride] = x74;
-    twist_rates[16 * stride] = x81;
-    twist_rates[17 * stride] = x93;
-    twist_rates[18 * stride] = x97;
-    twist_rates[19 * stride] = x102;
-    twist_rates[20 * stride] = x111;
-    twist_rates[21 * stride] = x145;
-    twist_rates[22 * stride] = x154;
-    twist_rates[23 * stride] = x169;
-    twist_rates[24 * stride] = x198;
-    twist_rates[25 * stride] = x208;
-    twist_rates[26 * stride] = x215;
-    twist_rates[27 * stride] = x243;
-    twist_rates[28 * stride] = x256;
-    twist_rates[29 * stride] = x267;
-    twist_rates[30 * stride] = x296;
-    twist_rates[31 * stride] = x306;
-    twist_rates[32 * stride] = x313;
-    twist_rates[33 * stride] = x343;
-    twist_rates[34 * stride] = x356;
-    twist_rates[35 * stride] = x367;
-    return ((((x12 + x23) + (x28 + x34)) + ((x38 + x42) + (x47 + x54))) + (((x74 + x81) + (x93 + x97)) +
-        ((x102 + x111) + (x145 + x154)))) + ((((x169 + x198) + (x208 + x215)) + ((x243 + x256) + (x267 +
-        x296))) + (((x306 + x313) + (x343 + x356)) + (x367 + x5)));
+    twist_rates[2 * stride] = x12;
+    twist_rates[8 * stride] = x12;
+    total = total + x12;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_body_twist_rates(
@@ -1392,13 +1550,13 @@ int ur5_body_twist_rates(
     double *restrict twist_rates)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_body_twist_rates_angles(1, q, v, a, angle);
+    ur5_body_twist_rates_angles(1, 1, q, v, a, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_body_twist_rates_lane(1, q, v, a, twist_rates, sine, cosine);
+    const double total = ur5_body_twist_rates_lane(1, 1, q, v, a, twist_rates, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(twist_rates, 36);
@@ -1408,28 +1566,24 @@ int ur5_body_twist_rates(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_body_twist_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict twist_rates,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_body_twist_rates_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        ur5_body_twist_rates_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_body_twist_rates_lane(8, q + lane, v + lane, a + lane, twist_rates + lane, sine +
-            lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates + lane,
+            sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -1478,24 +1632,35 @@ static int ur5_body_twist_rates_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double a_block[48];
-        double twist_rates_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, a, a_block);
-        ur5_body_twist_rates_block(q_block, v_block, a_block, twist_rates_block, outcome);
-        ur5_scatter(36, first, some, stride, twist_rates_block, twist_rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+                ur5_prefetch(36, stride, twist_rates + first + 8);
+            }
+            ur5_body_twist_rates_block(stride, q + first, v + first, a + first, twist_rates + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double a_block[48];
+            double twist_rates_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, a, a_block);
+            ur5_body_twist_rates_block(8, q_block, v_block, a_block, twist_rates_block, total);
+            ur5_scatter(36, first, some, stride, twist_rates_block, twist_rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_body_twist_rates_one(first + lane, stride, q, v, a, twist_rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_body_twist_rates_one(first + lane, stride, q, v, a, twist_rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1559,55 +1724,56 @@ int ur5_body_twist_rates_batch_soa(
 
 static inline UR5_INLINE void ur5_forward_kinematics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x2;
-    angle[stride] = x1;
-    angle[2 * stride] = x0;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x0;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_forward_kinematics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict positions,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x5 = q[5 * stride];
-    const double x12 = sine[0];
-    const double x10 = cosine[0];
-    const double x13 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x19 = sine[2 * stride];
-    const double x6 = cosine[2 * stride];
-    const double x22 = sine[3 * stride];
-    const double x24 = cosine[3 * stride];
-    const double x32 = sine[4 * stride];
-    const double x37 = cosine[4 * stride];
+    (void)pitch;
+    const double x6 = cosine[2 * pitch];
+    const double x7 = cosine[pitch];
     const double x8 = x6 * x7;
     const double x9 = 0.425 * x8;
+    const double x10 = cosine[0];
     const double x11 = x10 * x8;
+    const double x13 = sine[pitch];
     const double x14 = x6 * x13;
+    const double x12 = sine[0];
     const double x15 = x12 * x14;
     const double x16 = x11 - x15;
     const double x17 = 0.39225 * x16;
     const double x18 = x9 + x17;
+    const double x19 = sine[2 * pitch];
     const double x20 = 0.10915 * x19;
     const double x21 = x18 - x20;
+    const double x22 = sine[3 * pitch];
     const double x23 = x22 * x16;
     const double x25 = x12 * x8;
     const double x26 = x10 * x14;
     const double x27 = x25 + x26;
+    const double x24 = cosine[3 * pitch];
     const double x28 = x24 * x27;
     const double x29 = x23 + x28;
     const double x30 = 0.09465 * x29;
@@ -1615,12 +1781,16 @@ static inline UR5_INLINE double ur5_forward_kinematics_lane(
     const double x33 = x24 * x16;
     const double x34 = x22 * x27;
     const double x35 = x33 - x34;
+    const double x32 = sine[4 * pitch];
     const double x36 = x32 * x35;
+    const double x37 = cosine[4 * pitch];
     const double x38 = x19 * x37;
     const double x39 = x36 - x38;
     const double x40 = 0.0823 * x39;
     const double x41 = x31 + x40;
     const double x42 = -x41;
+    positions[0] = x42;
+    double total = x42;
     const double x43 = x19 * x7;
     const double x44 = 0.425 * x43;
     const double x45 = x10 * x43;
@@ -1648,6 +1818,8 @@ static inline UR5_INLINE double ur5_forward_kinematics_lane(
     const double x67 = 0.0823 * x66;
     const double x68 = x60 + x67;
     const double x69 = -x68;
+    positions[stride] = x69;
+    total = total + x69;
     const double x70 = 0.425 * x13;
     const double x71 = 0.089159 - x70;
     const double x72 = x13 * x10;
@@ -1669,10 +1841,11 @@ static inline UR5_INLINE double ur5_forward_kinematics_lane(
     const double x88 = x32 * x87;
     const double x89 = 0.0823 * x88;
     const double x90 = x84 - x89;
-    positions[0] = x42;
-    positions[stride] = x69;
     positions[2 * stride] = x90;
-    return (x42 + x69) + (x90 + x5);
+    total = total + x90;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_forward_kinematics(
@@ -1680,13 +1853,13 @@ int ur5_forward_kinematics(
     double *restrict positions)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_forward_kinematics_angles(1, q, angle);
+    ur5_forward_kinematics_angles(1, 1, q, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_forward_kinematics_lane(1, q, positions, sine, cosine);
+    const double total = ur5_forward_kinematics_lane(1, 1, q, positions, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(positions, 3);
@@ -1696,25 +1869,22 @@ int ur5_forward_kinematics(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_forward_kinematics_block(
+    size_t stride,
     const double *restrict q,
     double *restrict positions,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_forward_kinematics_angles(8, q + lane, angle + lane);
+        ur5_forward_kinematics_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_forward_kinematics_lane(8, q + lane, positions + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -1751,20 +1921,29 @@ static int ur5_forward_kinematics_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double positions_block[24];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_forward_kinematics_block(q_block, positions_block, outcome);
-        ur5_scatter(3, first, some, stride, positions_block, positions);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(3, stride, positions + first + 8);
+            }
+            ur5_forward_kinematics_block(stride, q + first, positions + first, total);
+        } else {
+            double q_block[48];
+            double positions_block[24];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_forward_kinematics_block(8, q_block, positions_block, total);
+            ur5_scatter(3, first, some, stride, positions_block, positions);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_forward_kinematics_one(first + lane, stride, q, positions);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_forward_kinematics_one(first + lane, stride, q, positions);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -1821,12 +2000,14 @@ int ur5_forward_kinematics_batch_soa(
 
 static inline UR5_INLINE void ur5_point_motion_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -1835,14 +2016,15 @@ static inline UR5_INLINE void ur5_point_motion_angles(
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x2;
-    angle[stride] = x1;
-    angle[2 * stride] = x0;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x0;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_point_motion_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -1853,430 +2035,441 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x5 = q[5 * stride];
-    const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = a[0];
-    const double x13 = a[stride];
-    const double x14 = a[2 * stride];
-    const double x15 = a[3 * stride];
-    const double x16 = a[4 * stride];
-    const double x17 = a[5 * stride];
-    const double x24 = sine[0];
-    const double x22 = cosine[0];
-    const double x25 = sine[stride];
-    const double x19 = cosine[stride];
-    const double x31 = sine[2 * stride];
-    const double x18 = cosine[2 * stride];
-    const double x34 = sine[3 * stride];
-    const double x36 = cosine[3 * stride];
-    const double x44 = sine[4 * stride];
-    const double x49 = cosine[4 * stride];
+    (void)pitch;
+    const double x18 = cosine[2 * pitch];
+    const double x19 = cosine[pitch];
     const double x20 = x18 * x19;
-    const double x21 = 0.425 * x20;
-    const double x23 = x22 * x20;
+    const double x25 = sine[pitch];
     const double x26 = x18 * x25;
-    const double x27 = x24 * x26;
-    const double x28 = x23 - x27;
-    const double x29 = 0.39225 * x28;
-    const double x30 = x21 + x29;
-    const double x32 = 0.10915 * x31;
-    const double x33 = x30 - x32;
-    const double x35 = x34 * x28;
-    const double x37 = x24 * x20;
-    const double x38 = x22 * x26;
-    const double x39 = x37 + x38;
-    const double x40 = x36 * x39;
-    const double x41 = x35 + x40;
-    const double x42 = 0.09465 * x41;
-    const double x43 = x33 - x42;
-    const double x45 = x36 * x28;
-    const double x46 = x34 * x39;
-    const double x47 = x45 - x46;
-    const double x48 = x44 * x47;
-    const double x50 = x31 * x49;
-    const double x51 = x48 - x50;
-    const double x52 = 0.0823 * x51;
-    const double x53 = x43 + x52;
-    const double x54 = -x53;
+    const double x31 = sine[2 * pitch];
     const double x55 = x31 * x19;
-    const double x56 = 0.425 * x55;
-    const double x57 = x22 * x55;
     const double x58 = x31 * x25;
-    const double x59 = x24 * x58;
-    const double x60 = x57 - x59;
-    const double x61 = 0.39225 * x60;
-    const double x62 = x56 + x61;
-    const double x63 = 0.10915 * x18;
-    const double x64 = x62 + x63;
-    const double x65 = x34 * x60;
-    const double x66 = x24 * x55;
-    const double x67 = x22 * x58;
-    const double x68 = x66 + x67;
-    const double x69 = x36 * x68;
-    const double x70 = x65 + x69;
-    const double x71 = 0.09465 * x70;
-    const double x72 = x64 - x71;
-    const double x73 = x36 * x60;
-    const double x74 = x34 * x68;
-    const double x75 = x73 - x74;
-    const double x76 = x44 * x75;
-    const double x77 = x18 * x49;
-    const double x78 = x76 + x77;
-    const double x79 = 0.0823 * x78;
-    const double x80 = x72 + x79;
-    const double x81 = -x80;
     const double x82 = 0.425 * x25;
-    const double x83 = 0.089159 - x82;
+    const double x22 = cosine[0];
     const double x84 = x25 * x22;
+    const double x24 = sine[0];
     const double x85 = x19 * x24;
-    const double x86 = x84 + x85;
-    const double x87 = 0.39225 * x86;
-    const double x88 = x83 - x87;
-    const double x89 = x34 * x86;
     const double x90 = x25 * x24;
     const double x91 = x19 * x22;
-    const double x92 = x90 - x91;
-    const double x93 = x36 * x92;
-    const double x94 = x89 + x93;
-    const double x95 = 0.09465 * x94;
-    const double x96 = x88 + x95;
-    const double x97 = x36 * x86;
-    const double x98 = x34 * x92;
-    const double x99 = x97 - x98;
-    const double x100 = x44 * x99;
-    const double x101 = 0.0823 * x100;
-    const double x102 = x96 - x101;
+    const double x23 = x22 * x20;
+    const double x27 = x24 * x26;
+    const double x57 = x22 * x55;
+    const double x59 = x24 * x58;
+    const double x21 = 0.425 * x20;
+    const double x37 = x24 * x20;
+    const double x38 = x22 * x26;
+    const double x56 = 0.425 * x55;
+    const double x66 = x24 * x55;
+    const double x67 = x22 * x58;
+    const double x28 = x23 - x27;
+    const double x83 = 0.089159 - x82;
+    const double x60 = x57 - x59;
+    const double x86 = x84 + x85;
     const double x103 = 0.089159 * x18;
-    const double x104 = x7 * x103;
-    const double x105 = x18 * x83;
-    const double x106 = x8 * x105;
-    const double x107 = x104 + x106;
-    const double x108 = x18 * x88;
-    const double x109 = x9 * x108;
-    const double x110 = x107 + x109;
-    const double x111 = x94 * x64;
-    const double x112 = x70 * x88;
-    const double x113 = x111 + x112;
-    const double x114 = x10 * x113;
-    const double x115 = x110 - x114;
-    const double x116 = x100 * x72;
-    const double x117 = x78 * x96;
-    const double x118 = x116 + x117;
-    const double x119 = x11 * x118;
-    const double x120 = x115 + x119;
-    const double x121 = x7 * x18;
-    const double x122 = x8 * x18;
-    const double x123 = x121 + x122;
-    const double x124 = x9 * x18;
-    const double x125 = x123 + x124;
-    const double x126 = x10 * x70;
-    const double x127 = x125 - x126;
-    const double x128 = x11 * x78;
-    const double x129 = x127 + x128;
-    const double x130 = x129 * x102;
-    const double x131 = x10 * x94;
-    const double x132 = x6 + x131;
-    const double x133 = x11 * x100;
-    const double x134 = x132 - x133;
-    const double x135 = x134 * x80;
-    const double x136 = x130 - x135;
-    const double x137 = x120 - x136;
-    const double x138 = 0.089159 * x31;
-    const double x139 = x7 * x138;
-    const double x140 = x31 * x83;
-    const double x141 = x8 * x140;
-    const double x142 = x139 + x141;
-    const double x143 = x31 * x88;
-    const double x144 = x9 * x143;
-    const double x145 = x142 + x144;
-    const double x146 = x41 * x88;
-    const double x147 = x94 * x33;
-    const double x148 = x146 + x147;
-    const double x149 = x10 * x148;
-    const double x150 = x145 + x149;
-    const double x151 = x51 * x96;
-    const double x152 = x100 * x43;
-    const double x153 = x151 + x152;
-    const double x154 = x11 * x153;
-    const double x155 = x150 - x154;
-    const double x156 = x134 * x53;
-    const double x157 = x7 * x31;
-    const double x158 = x8 * x31;
-    const double x159 = x157 + x158;
-    const double x160 = x9 * x31;
-    const double x161 = x159 + x160;
-    const double x162 = x10 * x41;
-    const double x163 = x161 + x162;
-    const double x164 = x11 * x51;
-    const double x165 = x163 - x164;
-    const double x166 = x165 * x102;
-    const double x167 = x156 + x166;
-    const double x168 = x155 - x167;
+    const double x39 = x37 + x38;
     const double x169 = x18 * x21;
     const double x170 = x31 * x56;
+    const double x68 = x66 + x67;
+    const double x29 = 0.39225 * x28;
+    const double x92 = x90 - x91;
+    const double x61 = 0.39225 * x60;
+    const double x87 = 0.39225 * x86;
+    const double x7 = v[stride];
+    const double x104 = x7 * x103;
+    const double x105 = x18 * x83;
+    const double x140 = x31 * x83;
+    const double x32 = 0.10915 * x31;
+    const double x34 = sine[3 * pitch];
+    const double x35 = x34 * x28;
+    const double x30 = x21 + x29;
+    const double x36 = cosine[3 * pitch];
+    const double x45 = x36 * x28;
+    const double x62 = x56 + x61;
+    const double x40 = x36 * x39;
+    const double x46 = x34 * x39;
     const double x171 = x169 + x170;
-    const double x172 = x8 * x171;
+    const double x63 = 0.10915 * x18;
+    const double x65 = x34 * x60;
+    const double x73 = x36 * x60;
     const double x173 = x18 * x30;
+    const double x69 = x36 * x68;
     const double x174 = x31 * x62;
+    const double x74 = x34 * x68;
+    const double x88 = x83 - x87;
+    const double x89 = x34 * x86;
+    const double x93 = x36 * x92;
+    const double x8 = v[2 * stride];
+    const double x106 = x8 * x105;
+    const double x372 = x18 * x104;
+    const double x33 = x30 - x32;
+    const double x121 = x7 * x18;
+    const double x122 = x8 * x18;
+    const double x41 = x35 + x40;
+    const double x47 = x45 - x46;
+    const double x64 = x62 + x63;
     const double x175 = x173 + x174;
-    const double x176 = x9 * x175;
-    const double x177 = x172 + x176;
-    const double x178 = x70 * x33;
+    const double x70 = x65 + x69;
+    const double x75 = x73 - x74;
+    const double x97 = x36 * x86;
+    const double x94 = x89 + x93;
+    const double x123 = x121 + x122;
+    const double x98 = x34 * x92;
+    const double x107 = x104 + x106;
+    const double x108 = x18 * x88;
+    const double x9 = v[3 * stride];
+    const double x124 = x9 * x18;
+    const double x44 = sine[4 * pitch];
+    const double x48 = x44 * x47;
+    const double x42 = 0.09465 * x41;
+    const double x49 = cosine[4 * pitch];
+    const double x50 = x31 * x49;
+    const double x76 = x44 * x75;
+    const double x71 = 0.09465 * x70;
+    const double x77 = x18 * x49;
+    const double x99 = x97 - x98;
+    const double x95 = 0.09465 * x94;
+    const double x109 = x9 * x108;
+    const double x383 = x18 * x107;
+    const double x111 = x94 * x64;
     const double x179 = x41 * x64;
-    const double x180 = x178 - x179;
-    const double x181 = x10 * x180;
-    const double x182 = x177 - x181;
-    const double x183 = x78 * x43;
+    const double x112 = x70 * x88;
+    const double x125 = x123 + x124;
+    const double x43 = x33 - x42;
+    const double x51 = x48 - x50;
+    const double x72 = x64 - x71;
+    const double x78 = x76 + x77;
+    const double x100 = x44 * x99;
+    const double x96 = x88 + x95;
+    const double x110 = x107 + x109;
+    const double x113 = x111 + x112;
+    const double x10 = v[4 * stride];
+    const double x126 = x10 * x70;
+    const double x131 = x10 * x94;
+    const double x52 = 0.0823 * x51;
     const double x184 = x51 * x72;
+    const double x79 = 0.0823 * x78;
+    const double x116 = x100 * x72;
+    const double x117 = x78 * x96;
+    const double x151 = x51 * x96;
+    const double x114 = x10 * x113;
+    const double x127 = x125 - x126;
+    const double x6 = v[0];
+    const double x132 = x6 + x131;
+    const double x101 = 0.0823 * x100;
+    const double x11 = v[5 * stride];
+    const double x128 = x11 * x78;
+    const double x53 = x43 + x52;
+    const double x133 = x11 * x100;
+    const double x118 = x116 + x117;
+    const double x80 = x72 + x79;
+    const double x115 = x110 - x114;
+    const double x102 = x96 - x101;
+    positions[2 * stride] = x102;
+    double total = x102;
+    const double x129 = x127 + x128;
+    const double x54 = -x53;
+    positions[0] = x54;
+    total = total + x54;
+    const double x138 = 0.089159 * x31;
+    const double x157 = x7 * x31;
+    const double x158 = x8 * x31;
+    const double x141 = x8 * x140;
+    const double x143 = x31 * x88;
+    const double x146 = x41 * x88;
+    const double x147 = x94 * x33;
+    const double x178 = x70 * x33;
+    const double x152 = x100 * x43;
+    const double x139 = x7 * x138;
+    const double x183 = x78 * x43;
+    const double x134 = x132 - x133;
+    const double x119 = x11 * x118;
+    const double x144 = x9 * x143;
+    const double x130 = x129 * x102;
+    const double x148 = x146 + x147;
+    const double x180 = x178 - x179;
+    const double x153 = x151 + x152;
+    const double x373 = x31 * x139;
+    const double x142 = x139 + x141;
     const double x185 = x183 - x184;
-    const double x186 = x11 * x185;
-    const double x187 = x182 + x186;
-    const double x188 = x165 * x80;
-    const double x189 = x129 * x53;
-    const double x190 = x188 + x189;
-    const double x191 = x187 - x190;
-    const double x192 = x13 * x103;
+    const double x135 = x134 * x80;
+    const double x156 = x134 * x53;
+    const double x120 = x115 + x119;
+    const double x149 = x10 * x148;
+    const double x81 = -x80;
+    positions[stride] = x81;
+    total = total + x81;
+    const double x159 = x157 + x158;
+    const double x293 = x6 * x103;
     const double x193 = x6 * x138;
-    const double x194 = x7 * x193;
-    const double x195 = x192 - x194;
-    const double x196 = x14 * x105;
-    const double x197 = x195 + x196;
+    const double x374 = x372 + x373;
+    const double x160 = x9 * x31;
+    const double x13 = a[stride];
+    const double x192 = x13 * x103;
+    const double x292 = x13 * x138;
     const double x198 = x171 * x121;
     const double x199 = x6 * x140;
-    const double x200 = x198 + x199;
-    const double x201 = x8 * x200;
-    const double x202 = x197 - x201;
-    const double x203 = x15 * x108;
-    const double x204 = x202 + x203;
+    const double x384 = x31 * x142;
+    const double x294 = x7 * x293;
+    const double x194 = x7 * x193;
+    const double x172 = x8 * x171;
+    const double x161 = x159 + x160;
+    const double x176 = x9 * x175;
+    const double x14 = a[2 * stride];
+    const double x196 = x14 * x105;
     const double x205 = x175 * x123;
+    const double x200 = x198 + x199;
     const double x206 = x6 * x143;
-    const double x207 = x205 + x206;
+    const double x295 = x292 + x294;
+    const double x195 = x192 - x194;
+    const double x145 = x142 + x144;
+    const double x385 = x383 + x384;
+    const double x162 = x10 * x41;
+    const double x177 = x172 + x176;
     const double x208 = x18 * x172;
-    const double x209 = x207 - x208;
-    const double x210 = x9 * x209;
-    const double x211 = x204 - x210;
-    const double x212 = x16 * x113;
-    const double x213 = x211 - x212;
+    const double x201 = x8 * x200;
+    const double x207 = x205 + x206;
+    const double x308 = x31 * x172;
+    const double x197 = x195 + x196;
+    const double x181 = x10 * x180;
+    const double x15 = a[3 * stride];
+    const double x203 = x15 * x108;
+    const double x163 = x161 + x162;
     const double x214 = x180 * x125;
     const double x215 = x6 * x148;
-    const double x216 = x214 - x215;
     const double x217 = x94 * x145;
+    const double x209 = x207 - x208;
+    const double x395 = x41 * x145;
+    const double x202 = x197 - x201;
     const double x218 = x70 * x177;
+    const double x317 = x41 * x177;
+    const double x150 = x145 + x149;
+    const double x164 = x11 * x51;
+    const double x182 = x177 - x181;
+    const double x216 = x214 - x215;
+    const double x210 = x9 * x209;
+    const double x16 = a[4 * stride];
+    const double x212 = x16 * x113;
+    const double x204 = x202 + x203;
     const double x219 = x217 - x218;
-    const double x220 = x216 + x219;
-    const double x221 = x10 * x220;
-    const double x222 = x213 + x221;
-    const double x223 = x17 * x118;
-    const double x224 = x222 + x223;
+    const double x154 = x11 * x153;
+    const double x186 = x11 * x185;
+    const double x165 = x163 - x164;
+    const double x189 = x129 * x53;
+    const double x136 = x130 - x135;
     const double x225 = x185 * x127;
-    const double x226 = x153 * x132;
-    const double x227 = x225 - x226;
-    const double x228 = x100 * x150;
-    const double x229 = x78 * x182;
-    const double x230 = x228 - x229;
-    const double x231 = x227 + x230;
-    const double x232 = x11 * x231;
-    const double x233 = x224 - x232;
-    const double x234 = x13 * x18;
+    const double x17 = a[5 * stride];
+    const double x223 = x17 * x118;
+    const double x211 = x204 - x210;
+    const double x220 = x216 + x219;
+    const double x155 = x150 - x154;
+    const double x187 = x182 + x186;
+    const double x166 = x165 * x102;
+    const double x188 = x165 * x80;
+    const double x137 = x120 - x136;
+    velocities[0] = x137;
+    total = total + x137;
     const double x235 = x6 * x31;
-    const double x236 = x7 * x235;
-    const double x237 = x234 - x236;
+    const double x234 = x13 * x18;
     const double x238 = x14 * x18;
-    const double x239 = x237 + x238;
-    const double x240 = x8 * x235;
-    const double x241 = x239 - x240;
     const double x242 = x15 * x18;
-    const double x243 = x241 + x242;
-    const double x244 = x9 * x235;
-    const double x245 = x243 - x244;
-    const double x246 = x16 * x70;
-    const double x247 = x245 - x246;
     const double x248 = x6 * x41;
     const double x249 = x94 * x161;
-    const double x250 = x248 - x249;
-    const double x251 = x10 * x250;
-    const double x252 = x247 - x251;
-    const double x253 = x17 * x78;
-    const double x254 = x252 + x253;
+    const double x246 = x16 * x70;
     const double x255 = x51 * x132;
     const double x256 = x100 * x163;
+    const double x236 = x7 * x235;
+    const double x240 = x8 * x235;
+    const double x244 = x9 * x235;
+    const double x226 = x153 * x132;
+    const double x228 = x100 * x150;
+    const double x250 = x248 - x249;
+    const double x406 = x51 * x150;
+    const double x229 = x78 * x182;
+    const double x328 = x51 * x182;
+    const double x237 = x234 - x236;
+    const double x253 = x17 * x78;
     const double x257 = x255 - x256;
+    const double x213 = x211 - x212;
+    const double x221 = x10 * x220;
+    const double x251 = x10 * x250;
+    const double x227 = x225 - x226;
+    const double x230 = x228 - x229;
+    const double x167 = x156 + x166;
+    const double x239 = x237 + x238;
+    const double x190 = x188 + x189;
     const double x258 = x11 * x257;
-    const double x259 = x254 + x258;
-    const double x260 = x259 * x102;
+    const double x222 = x213 + x221;
+    const double x231 = x227 + x230;
+    const double x168 = x155 - x167;
+    velocities[stride] = x168;
+    total = total + x168;
     const double x261 = x18 * x157;
     const double x262 = x31 * x121;
-    const double x263 = x261 - x262;
-    const double x264 = x8 * x263;
-    const double x265 = x12 - x264;
+    const double x370 = x105 * x121;
+    const double x298 = x6 * x105;
     const double x266 = x18 * x159;
     const double x267 = x31 * x123;
-    const double x268 = x266 - x267;
-    const double x269 = x9 * x268;
-    const double x270 = x265 - x269;
-    const double x271 = x16 * x94;
-    const double x272 = x270 + x271;
-    const double x273 = x70 * x161;
-    const double x274 = x41 * x125;
-    const double x275 = x273 + x274;
-    const double x276 = x10 * x275;
-    const double x277 = x272 + x276;
-    const double x278 = x17 * x100;
-    const double x279 = x277 - x278;
-    const double x280 = x78 * x163;
-    const double x281 = x51 * x127;
-    const double x282 = x280 + x281;
-    const double x283 = x11 * x282;
-    const double x284 = x279 - x283;
-    const double x285 = x284 * x80;
-    const double x286 = x260 - x285;
-    const double x287 = x233 - x286;
-    const double x288 = x129 * x191;
-    const double x289 = x134 * x168;
-    const double x290 = x288 + x289;
-    const double x291 = x287 - x290;
-    const double x292 = x13 * x138;
-    const double x293 = x6 * x103;
-    const double x294 = x7 * x293;
-    const double x295 = x292 + x294;
-    const double x296 = x14 * x140;
-    const double x297 = x295 + x296;
-    const double x298 = x6 * x105;
-    const double x299 = x171 * x157;
-    const double x300 = x298 - x299;
-    const double x301 = x8 * x300;
-    const double x302 = x297 + x301;
-    const double x303 = x15 * x143;
-    const double x304 = x302 + x303;
-    const double x305 = x6 * x108;
-    const double x306 = x175 * x159;
-    const double x307 = x305 - x306;
-    const double x308 = x31 * x172;
-    const double x309 = x307 + x308;
-    const double x310 = x9 * x309;
-    const double x311 = x304 + x310;
-    const double x312 = x16 * x148;
-    const double x313 = x311 + x312;
-    const double x314 = x6 * x113;
-    const double x315 = x180 * x161;
-    const double x316 = x314 - x315;
-    const double x317 = x41 * x177;
-    const double x318 = x94 * x110;
-    const double x319 = x317 - x318;
-    const double x320 = x316 - x319;
-    const double x321 = x10 * x320;
-    const double x322 = x313 - x321;
-    const double x323 = x17 * x153;
-    const double x324 = x322 - x323;
-    const double x325 = x118 * x132;
-    const double x326 = x185 * x163;
-    const double x327 = x325 - x326;
-    const double x328 = x51 * x182;
-    const double x329 = x100 * x115;
-    const double x330 = x328 - x329;
-    const double x331 = x327 - x330;
-    const double x332 = x11 * x331;
-    const double x333 = x324 + x332;
-    const double x334 = x284 * x53;
-    const double x335 = x13 * x31;
-    const double x336 = x6 * x18;
-    const double x337 = x7 * x336;
-    const double x338 = x335 + x337;
-    const double x339 = x14 * x31;
-    const double x340 = x338 + x339;
-    const double x341 = x8 * x336;
-    const double x342 = x340 + x341;
-    const double x343 = x15 * x31;
-    const double x344 = x342 + x343;
-    const double x345 = x9 * x336;
-    const double x346 = x344 + x345;
-    const double x347 = x16 * x41;
-    const double x348 = x346 + x347;
-    const double x349 = x94 * x125;
-    const double x350 = x6 * x70;
-    const double x351 = x349 + x350;
-    const double x352 = x10 * x351;
-    const double x353 = x348 - x352;
-    const double x354 = x17 * x51;
-    const double x355 = x353 - x354;
-    const double x356 = x100 * x127;
-    const double x357 = x78 * x132;
-    const double x358 = x356 + x357;
-    const double x359 = x11 * x358;
-    const double x360 = x355 + x359;
-    const double x361 = x360 * x102;
-    const double x362 = x334 + x361;
-    const double x363 = x333 - x362;
-    const double x364 = x134 * x137;
-    const double x365 = x165 * x191;
-    const double x366 = x364 - x365;
-    const double x367 = x363 + x366;
-    const double x368 = x14 * x171;
+    const double x241 = x239 - x240;
+    const double x191 = x187 - x190;
+    velocities[2 * stride] = x191;
+    total = total + x191;
     const double x369 = x140 * x157;
-    const double x370 = x105 * x121;
-    const double x371 = x369 + x370;
-    const double x372 = x18 * x104;
-    const double x373 = x31 * x139;
-    const double x374 = x372 + x373;
-    const double x375 = x371 - x374;
-    const double x376 = x8 * x375;
-    const double x377 = x368 + x376;
-    const double x378 = x15 * x175;
-    const double x379 = x377 + x378;
-    const double x380 = x143 * x159;
+    const double x299 = x171 * x157;
+    const double x263 = x261 - x262;
     const double x381 = x108 * x123;
+    const double x305 = x6 * x108;
+    const double x296 = x14 * x140;
+    const double x268 = x266 - x267;
+    const double x243 = x241 + x242;
+    const double x273 = x70 * x161;
+    const double x371 = x369 + x370;
+    const double x274 = x41 * x125;
+    const double x264 = x8 * x263;
+    const double x271 = x16 * x94;
+    const double x347 = x16 * x41;
+    const double x297 = x295 + x296;
+    const double x269 = x9 * x268;
+    const double x245 = x243 - x244;
+    const double x280 = x78 * x163;
+    const double x375 = x371 - x374;
+    const double x275 = x273 + x274;
+    const double x12 = a[0];
+    const double x265 = x12 - x264;
+    const double x281 = x51 * x127;
+    const double x278 = x17 * x100;
+    const double x354 = x17 * x51;
+    const double x224 = x222 + x223;
+    const double x300 = x298 - x299;
+    const double x380 = x143 * x159;
+    const double x368 = x14 * x171;
+    const double x376 = x8 * x375;
+    const double x270 = x265 - x269;
+    const double x303 = x15 * x143;
+    const double x247 = x245 - x246;
+    const double x276 = x10 * x275;
+    const double x282 = x280 + x281;
+    const double x301 = x8 * x300;
+    const double x232 = x11 * x231;
     const double x382 = x380 + x381;
-    const double x383 = x18 * x107;
-    const double x384 = x31 * x142;
-    const double x385 = x383 + x384;
+    const double x377 = x368 + x376;
+    const double x272 = x270 + x271;
+    const double x288 = x129 * x191;
+    const double x252 = x247 - x251;
+    const double x365 = x165 * x191;
+    const double x283 = x11 * x282;
+    const double x302 = x297 + x301;
+    const double x233 = x224 - x232;
+    const double x306 = x175 * x159;
+    const double x349 = x94 * x125;
     const double x386 = x382 - x385;
-    const double x387 = x9 * x386;
-    const double x388 = x379 + x387;
-    const double x389 = x16 * x180;
-    const double x390 = x388 - x389;
+    const double x378 = x15 * x175;
     const double x391 = x148 * x161;
+    const double x315 = x180 * x161;
+    const double x314 = x6 * x113;
     const double x392 = x113 * x125;
+    const double x318 = x94 * x110;
+    const double x307 = x305 - x306;
+    const double x304 = x302 + x303;
+    const double x387 = x9 * x386;
+    const double x379 = x377 + x378;
+    const double x277 = x272 + x276;
+    const double x312 = x16 * x148;
+    const double x316 = x314 - x315;
     const double x393 = x391 - x392;
+    const double x389 = x16 * x180;
+    const double x309 = x307 + x308;
+    const double x254 = x252 + x253;
     const double x394 = x70 * x110;
-    const double x395 = x41 * x145;
+    const double x319 = x317 - x318;
+    const double x388 = x379 + x387;
+    const double x279 = x277 - x278;
+    const double x415 = x165 * x168;
+    const double x289 = x134 * x168;
+    const double x364 = x134 * x137;
+    const double x310 = x9 * x309;
+    const double x259 = x254 + x258;
     const double x396 = x394 - x395;
+    const double x320 = x316 - x319;
+    const double x390 = x388 - x389;
+    const double x284 = x279 - x283;
+    const double x416 = x129 * x137;
+    const double x290 = x288 + x289;
+    const double x366 = x364 - x365;
+    const double x311 = x304 + x310;
+    const double x260 = x259 * x102;
     const double x397 = x393 + x396;
+    const double x321 = x10 * x320;
+    const double x412 = x259 * x53;
+    const double x335 = x13 * x31;
+    const double x350 = x6 * x70;
+    const double x357 = x78 * x132;
+    const double x356 = x100 * x127;
+    const double x402 = x153 * x163;
+    const double x326 = x185 * x163;
+    const double x325 = x118 * x132;
+    const double x403 = x118 * x127;
+    const double x329 = x100 * x115;
+    const double x405 = x78 * x115;
+    const double x351 = x349 + x350;
+    const double x313 = x311 + x312;
+    const double x358 = x356 + x357;
     const double x398 = x10 * x397;
+    const double x323 = x17 * x153;
+    const double x327 = x325 - x326;
+    const double x404 = x402 - x403;
+    const double x330 = x328 - x329;
+    const double x407 = x405 - x406;
+    const double x352 = x10 * x351;
+    const double x322 = x313 - x321;
+    const double x359 = x11 * x358;
     const double x399 = x390 + x398;
     const double x400 = x17 * x185;
-    const double x401 = x399 + x400;
-    const double x402 = x153 * x163;
-    const double x403 = x118 * x127;
-    const double x404 = x402 - x403;
-    const double x405 = x78 * x115;
-    const double x406 = x51 * x150;
-    const double x407 = x405 - x406;
+    const double x334 = x284 * x53;
+    const double x336 = x6 * x18;
+    const double x331 = x327 - x330;
     const double x408 = x404 + x407;
-    const double x409 = x11 * x408;
-    const double x410 = x401 - x409;
-    const double x411 = x360 * x80;
-    const double x412 = x259 * x53;
-    const double x413 = x411 + x412;
-    const double x414 = x410 - x413;
-    const double x415 = x165 * x168;
-    const double x416 = x129 * x137;
+    const double x285 = x284 * x80;
+    const double x324 = x322 - x323;
     const double x417 = x415 + x416;
-    const double x418 = x414 + x417;
-    positions[0] = x54;
-    positions[stride] = x81;
-    positions[2 * stride] = x102;
-    velocities[0] = x137;
-    velocities[stride] = x168;
-    velocities[2 * stride] = x191;
+    const double x401 = x399 + x400;
+    const double x337 = x7 * x336;
+    const double x332 = x11 * x331;
+    const double x409 = x11 * x408;
+    const double x286 = x260 - x285;
+    const double x338 = x335 + x337;
+    const double x333 = x324 + x332;
+    const double x410 = x401 - x409;
+    const double x287 = x233 - x286;
+    const double x339 = x14 * x31;
+    const double x341 = x8 * x336;
+    const double x343 = x15 * x31;
+    const double x345 = x9 * x336;
+    const double x291 = x287 - x290;
     accelerations[0] = x291;
+    total = total + x291;
+    const double x340 = x338 + x339;
+    const double x342 = x340 + x341;
+    const double x344 = x342 + x343;
+    const double x346 = x344 + x345;
+    const double x348 = x346 + x347;
+    const double x353 = x348 - x352;
+    const double x355 = x353 - x354;
+    const double x360 = x355 + x359;
+    const double x361 = x360 * x102;
+    const double x411 = x360 * x80;
+    const double x362 = x334 + x361;
+    const double x413 = x411 + x412;
+    const double x363 = x333 - x362;
+    const double x414 = x410 - x413;
+    const double x367 = x363 + x366;
     accelerations[stride] = x367;
+    total = total + x367;
+    const double x418 = x414 + x417;
     accelerations[2 * stride] = x418;
-    return (((x54 + x81) + (x102 + x137)) + ((x168 + x191) + (x291 + x367))) + (x418 + x5);
+    total = total + x418;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_point_motion(
@@ -2288,13 +2481,13 @@ int ur5_point_motion(
     double *restrict accelerations)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_point_motion_angles(1, q, v, a, angle);
+    ur5_point_motion_angles(1, 1, q, v, a, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_point_motion_lane(1, q, v, a, positions, velocities, accelerations, sine,
+    const double total = ur5_point_motion_lane(1, 1, q, v, a, positions, velocities, accelerations, sine,
         cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -2307,30 +2500,26 @@ int ur5_point_motion(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_point_motion_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict positions,
     double *restrict velocities,
     double *restrict accelerations,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_point_motion_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        ur5_point_motion_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_point_motion_lane(8, q + lane, v + lane, a + lane, positions + lane, velocities +
-            lane, accelerations + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
+            velocities + lane, accelerations + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2393,30 +2582,44 @@ static int ur5_point_motion_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double a_block[48];
-        double positions_block[24];
-        double velocities_block[24];
-        double accelerations_block[24];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, a, a_block);
-        ur5_point_motion_block(q_block, v_block, a_block, positions_block, velocities_block,
-            accelerations_block, outcome);
-        ur5_scatter(3, first, some, stride, positions_block, positions);
-        ur5_scatter(3, first, some, stride, velocities_block, velocities);
-        ur5_scatter(3, first, some, stride, accelerations_block, accelerations);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+                ur5_prefetch(3, stride, positions + first + 8);
+                ur5_prefetch(3, stride, velocities + first + 8);
+                ur5_prefetch(3, stride, accelerations + first + 8);
+            }
+            ur5_point_motion_block(stride, q + first, v + first, a + first, positions + first, velocities +
+                first, accelerations + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double a_block[48];
+            double positions_block[24];
+            double velocities_block[24];
+            double accelerations_block[24];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, a, a_block);
+            ur5_point_motion_block(8, q_block, v_block, a_block, positions_block, velocities_block,
+                accelerations_block, total);
+            ur5_scatter(3, first, some, stride, positions_block, positions);
+            ur5_scatter(3, first, some, stride, velocities_block, velocities);
+            ur5_scatter(3, first, some, stride, accelerations_block, accelerations);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_point_motion_one(first + lane, stride, q, v, a, positions, velocities,
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_point_motion_one(first + lane, stride, q, v, a, positions, velocities,
                     accelerations);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2488,48 +2691,57 @@ int ur5_point_motion_batch_soa(
 
 static inline UR5_INLINE void ur5_joint_screws_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_joint_screws_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict screws,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x5 = q[5 * stride];
-    const double x6 = sine[0];
+    (void)pitch;
     const double x7 = cosine[0];
-    const double x11 = sine[stride];
-    const double x16 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x24 = cosine[2 * stride];
-    const double x48 = sine[3 * stride];
-    const double x50 = cosine[3 * stride];
-    const double x82 = sine[4 * stride];
-    const double x87 = cosine[4 * stride];
     const double x8 = -x7;
+    screws[7 * stride] = x8;
+    screws[13 * stride] = x8;
+    screws[19 * stride] = x8;
+    double total = x8;
     const double x9 = 0.089159 * x7;
+    screws[9 * stride] = x9;
+    total = total + x9;
+    const double x6 = sine[0];
     const double x10 = 0.089159 * x6;
+    screws[10 * stride] = x10;
+    total = total + x10;
+    const double x11 = sine[pitch];
     const double x12 = 0.425 * x11;
     const double x13 = 0.089159 - x12;
     const double x14 = x7 * x13;
+    screws[15 * stride] = x14;
+    total = total + x14;
     const double x15 = x6 * x13;
+    screws[16 * stride] = x15;
+    total = total + x15;
+    const double x16 = cosine[pitch];
     const double x17 = x7 * x16;
     const double x18 = 0.425 * x17;
     const double x19 = x7 * x18;
@@ -2537,13 +2749,21 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x21 = 0.425 * x20;
     const double x22 = x6 * x21;
     const double x23 = x19 + x22;
+    screws[17 * stride] = x23;
+    total = total + x23;
+    const double x24 = cosine[2 * pitch];
     const double x25 = x11 * x24;
+    const double x26 = sine[2 * pitch];
     const double x27 = x16 * x26;
     const double x28 = x25 + x27;
     const double x29 = 0.39225 * x28;
     const double x30 = x13 - x29;
     const double x31 = x7 * x30;
+    screws[21 * stride] = x31;
+    total = total + x31;
     const double x32 = x6 * x30;
+    screws[22 * stride] = x32;
+    total = total + x32;
     const double x33 = x24 * x17;
     const double x34 = x7 * x11;
     const double x35 = x26 * x34;
@@ -2559,45 +2779,65 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x45 = x21 + x44;
     const double x46 = x6 * x45;
     const double x47 = x39 + x46;
+    screws[23 * stride] = x47;
+    total = total + x47;
+    const double x48 = sine[3 * pitch];
     const double x49 = x48 * x36;
     const double x51 = x26 * x17;
     const double x52 = x24 * x34;
     const double x53 = x51 + x52;
+    const double x50 = cosine[3 * pitch];
     const double x54 = x50 * x53;
     const double x55 = x49 + x54;
+    screws[24 * stride] = x55;
+    total = total + x55;
     const double x56 = x48 * x43;
     const double x57 = x26 * x20;
     const double x58 = x24 * x41;
     const double x59 = x57 + x58;
     const double x60 = x50 * x59;
     const double x61 = x56 + x60;
+    screws[25 * stride] = x61;
+    total = total + x61;
     const double x62 = x48 * x28;
     const double x63 = x11 * x26;
     const double x64 = x16 * x24;
     const double x65 = x63 - x64;
     const double x66 = x50 * x65;
     const double x67 = x62 + x66;
+    screws[26 * stride] = x67;
+    total = total + x67;
     const double x68 = 0.10915 * x7;
     const double x69 = x45 + x68;
     const double x70 = x67 * x69;
     const double x71 = x61 * x30;
     const double x72 = x70 + x71;
     const double x73 = -x72;
+    screws[27 * stride] = x73;
+    total = total + x73;
     const double x74 = x55 * x30;
     const double x75 = 0.10915 * x6;
     const double x76 = x38 - x75;
     const double x77 = x67 * x76;
     const double x78 = x74 + x77;
+    screws[28 * stride] = x78;
+    total = total + x78;
     const double x79 = x55 * x69;
     const double x80 = x61 * x76;
     const double x81 = x79 - x80;
+    screws[29 * stride] = x81;
+    total = total + x81;
     const double x83 = x50 * x36;
     const double x84 = x48 * x53;
     const double x85 = x83 - x84;
+    const double x82 = sine[4 * pitch];
     const double x86 = x82 * x85;
+    const double x87 = cosine[4 * pitch];
     const double x88 = x6 * x87;
     const double x89 = x86 - x88;
     const double x90 = -x89;
+    screws[30 * stride] = x90;
+    total = total + x90;
     const double x91 = x50 * x43;
     const double x92 = x48 * x59;
     const double x93 = x91 - x92;
@@ -2605,11 +2845,15 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x95 = x7 * x87;
     const double x96 = x94 + x95;
     const double x97 = -x96;
+    screws[31 * stride] = x97;
+    total = total + x97;
     const double x98 = x50 * x28;
     const double x99 = x48 * x65;
     const double x100 = x98 - x99;
     const double x101 = x82 * x100;
     const double x102 = -x101;
+    screws[32 * stride] = x102;
+    total = total + x102;
     const double x103 = 0.09465 * x61;
     const double x104 = x69 - x103;
     const double x105 = x101 * x104;
@@ -2617,53 +2861,38 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x107 = x30 + x106;
     const double x108 = x96 * x107;
     const double x109 = x105 + x108;
+    screws[33 * stride] = x109;
+    total = total + x109;
     const double x110 = x89 * x107;
     const double x111 = 0.09465 * x55;
     const double x112 = x76 - x111;
     const double x113 = x101 * x112;
     const double x114 = x110 + x113;
     const double x115 = -x114;
+    screws[34 * stride] = x115;
+    total = total + x115;
     const double x116 = x96 * x112;
     const double x117 = x89 * x104;
     const double x118 = x116 - x117;
+    screws[35 * stride] = x118;
+    total = total + x118;
     screws[0] = 0.0;
     screws[stride] = 0.0;
-    screws[2 * stride] = 1.0;
     screws[3 * stride] = 0.0;
     screws[4 * stride] = 0.0;
     screws[5 * stride] = 0.0;
-    screws[6 * stride] = x6;
-    screws[7 * stride] = x8;
     screws[8 * stride] = 0.0;
-    screws[9 * stride] = x9;
-    screws[10 * stride] = x10;
     screws[11 * stride] = 0.0;
-    screws[12 * stride] = x6;
-    screws[13 * stride] = x8;
     screws[14 * stride] = 0.0;
-    screws[15 * stride] = x14;
-    screws[16 * stride] = x15;
-    screws[17 * stride] = x23;
-    screws[18 * stride] = x6;
-    screws[19 * stride] = x8;
     screws[20 * stride] = 0.0;
-    screws[21 * stride] = x31;
-    screws[22 * stride] = x32;
-    screws[23 * stride] = x47;
-    screws[24 * stride] = x55;
-    screws[25 * stride] = x61;
-    screws[26 * stride] = x67;
-    screws[27 * stride] = x73;
-    screws[28 * stride] = x78;
-    screws[29 * stride] = x81;
-    screws[30 * stride] = x90;
-    screws[31 * stride] = x97;
-    screws[32 * stride] = x102;
-    screws[33 * stride] = x109;
-    screws[34 * stride] = x115;
-    screws[35 * stride] = x118;
-    return ((((x6 + x8) + (x9 + x10)) + ((x14 + x15) + (x23 + x31))) + (((x32 + x47) + (x55 + x61)) + ((x67 +
-        x73) + (x78 + x81)))) + (((x90 + x97) + (x102 + x109)) + ((x115 + x118) + x5));
+    screws[2 * stride] = 1.0;
+    screws[6 * stride] = x6;
+    screws[12 * stride] = x6;
+    screws[18 * stride] = x6;
+    total = total + x6;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_joint_screws(
@@ -2671,13 +2900,13 @@ int ur5_joint_screws(
     double *restrict screws)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_joint_screws_angles(1, q, angle);
+    ur5_joint_screws_angles(1, 1, q, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_joint_screws_lane(1, q, screws, sine, cosine);
+    const double total = ur5_joint_screws_lane(1, 1, q, screws, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(screws, 36);
@@ -2687,25 +2916,21 @@ int ur5_joint_screws(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_joint_screws_block(
+    size_t stride,
     const double *restrict q,
     double *restrict screws,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_joint_screws_angles(8, q + lane, angle + lane);
+        ur5_joint_screws_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_joint_screws_lane(8, q + lane, screws + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2742,20 +2967,29 @@ static int ur5_joint_screws_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double screws_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_joint_screws_block(q_block, screws_block, outcome);
-        ur5_scatter(36, first, some, stride, screws_block, screws);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(36, stride, screws + first + 8);
+            }
+            ur5_joint_screws_block(stride, q + first, screws + first, total);
+        } else {
+            double q_block[48];
+            double screws_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_joint_screws_block(8, q_block, screws_block, total);
+            ur5_scatter(36, first, some, stride, screws_block, screws);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_joint_screws_one(first + lane, stride, q, screws);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_joint_screws_one(first + lane, stride, q, screws);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -2812,53 +3046,61 @@ int ur5_joint_screws_batch_soa(
 
 static inline UR5_INLINE void ur5_joint_points_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = q[3 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
 }
 
 static inline UR5_INLINE double ur5_joint_points_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict points,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
-    const double x11 = sine[0];
+    (void)pitch;
     const double x6 = cosine[0];
-    const double x15 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x20 = sine[2 * stride];
-    const double x18 = cosine[2 * stride];
-    const double x45 = sine[3 * stride];
-    const double x47 = cosine[3 * stride];
+    const double x7 = cosine[pitch];
     const double x8 = x6 * x7;
     const double x9 = 0.425 * x8;
     const double x10 = -x9;
+    points[6 * stride] = x10;
+    double total = x10;
+    const double x11 = sine[0];
     const double x12 = x11 * x7;
     const double x13 = 0.425 * x12;
     const double x14 = -x13;
+    points[7 * stride] = x14;
+    total = total + x14;
+    const double x15 = sine[pitch];
     const double x16 = 0.425 * x15;
     const double x17 = 0.089159 - x16;
+    points[8 * stride] = x17;
+    total = total + x17;
+    const double x18 = cosine[2 * pitch];
     const double x19 = x18 * x8;
     const double x21 = x6 * x15;
+    const double x20 = sine[2 * pitch];
     const double x22 = x20 * x21;
     const double x23 = x19 - x22;
     const double x24 = 0.39225 * x23;
     const double x25 = x9 + x24;
     const double x26 = -x25;
+    points[9 * stride] = x26;
+    total = total + x26;
     const double x27 = x18 * x12;
     const double x28 = x11 * x15;
     const double x29 = x20 * x28;
@@ -2866,25 +3108,38 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     const double x31 = 0.39225 * x30;
     const double x32 = x13 + x31;
     const double x33 = -x32;
+    points[10 * stride] = x33;
+    total = total + x33;
     const double x34 = x15 * x18;
     const double x35 = x7 * x20;
     const double x36 = x34 + x35;
     const double x37 = 0.39225 * x36;
     const double x38 = x17 - x37;
+    points[11 * stride] = x38;
+    points[14 * stride] = x38;
+    total = total + x38;
     const double x39 = 0.10915 * x11;
     const double x40 = x25 - x39;
     const double x41 = -x40;
+    points[12 * stride] = x41;
+    total = total + x41;
     const double x42 = 0.10915 * x6;
     const double x43 = x32 + x42;
     const double x44 = -x43;
+    points[13 * stride] = x44;
+    total = total + x44;
+    const double x45 = sine[3 * pitch];
     const double x46 = x45 * x23;
     const double x48 = x20 * x8;
     const double x49 = x18 * x21;
     const double x50 = x48 + x49;
+    const double x47 = cosine[3 * pitch];
     const double x51 = x47 * x50;
     const double x52 = x46 + x51;
     const double x53 = 0.09465 * x52;
     const double x54 = x53 - x40;
+    points[15 * stride] = x54;
+    total = total + x54;
     const double x55 = x45 * x30;
     const double x56 = x20 * x12;
     const double x57 = x18 * x28;
@@ -2893,6 +3148,8 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     const double x60 = x55 + x59;
     const double x61 = 0.09465 * x60;
     const double x62 = x61 - x43;
+    points[16 * stride] = x62;
+    total = total + x62;
     const double x63 = x45 * x36;
     const double x64 = x15 * x20;
     const double x65 = x7 * x18;
@@ -2901,25 +3158,19 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     const double x68 = x63 + x67;
     const double x69 = 0.09465 * x68;
     const double x70 = x38 + x69;
+    points[17 * stride] = x70;
+    total = total + x70;
     points[0] = 0.0;
     points[stride] = 0.0;
     points[2 * stride] = 0.0;
     points[3 * stride] = 0.0;
     points[4 * stride] = 0.0;
     points[5 * stride] = 0.089159;
-    points[6 * stride] = x10;
-    points[7 * stride] = x14;
-    points[8 * stride] = x17;
-    points[9 * stride] = x26;
-    points[10 * stride] = x33;
-    points[11 * stride] = x38;
-    points[12 * stride] = x41;
-    points[13 * stride] = x44;
-    points[14 * stride] = x38;
-    points[15 * stride] = x54;
-    points[16 * stride] = x62;
-    points[17 * stride] = x70;
-    return (((x10 + x14) + (x17 + x26)) + ((x33 + x38) + (x41 + x44))) + (((x54 + x62) + (x70 + x4)) + x5);
+    const double x4 = q[4 * stride];
+    total = total + x4;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_joint_points(
@@ -2927,9 +3178,9 @@ int ur5_joint_points(
     double *restrict points)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    ur5_joint_points_angles(1, q, angle);
+    ur5_joint_points_angles(1, 1, q, angle);
     ur5_sincos(4, angle, sine, cosine);
-    const double total = ur5_joint_points_lane(1, q, points, sine, cosine);
+    const double total = ur5_joint_points_lane(1, 1, q, points, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(points, 18);
@@ -2939,25 +3190,21 @@ int ur5_joint_points(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_joint_points_block(
+    size_t stride,
     const double *restrict q,
     double *restrict points,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[32], sine[32], cosine[32];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_joint_points_angles(8, q + lane, angle + lane);
+        ur5_joint_points_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 32; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(32, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_joint_points_lane(8, q + lane, points + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -2994,20 +3241,29 @@ static int ur5_joint_points_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double points_block[144];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_joint_points_block(q_block, points_block, outcome);
-        ur5_scatter(18, first, some, stride, points_block, points);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(18, stride, points + first + 8);
+            }
+            ur5_joint_points_block(stride, q + first, points + first, total);
+        } else {
+            double q_block[48];
+            double points_block[144];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_joint_points_block(8, q_block, points_block, total);
+            ur5_scatter(18, first, some, stride, points_block, points);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_joint_points_one(first + lane, stride, q, points);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_joint_points_one(first + lane, stride, q, points);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3064,48 +3320,57 @@ int ur5_joint_points_batch_soa(
 
 static inline UR5_INLINE void ur5_platform_jacobian_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_platform_jacobian_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict jacobian,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x5 = q[5 * stride];
-    const double x6 = sine[0];
+    (void)pitch;
     const double x7 = cosine[0];
-    const double x11 = sine[stride];
-    const double x16 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x24 = cosine[2 * stride];
-    const double x48 = sine[3 * stride];
-    const double x50 = cosine[3 * stride];
-    const double x82 = sine[4 * stride];
-    const double x87 = cosine[4 * stride];
     const double x8 = -x7;
+    jacobian[7 * stride] = x8;
+    jacobian[13 * stride] = x8;
+    jacobian[19 * stride] = x8;
+    double total = x8;
     const double x9 = 0.089159 * x7;
+    jacobian[9 * stride] = x9;
+    total = total + x9;
+    const double x6 = sine[0];
     const double x10 = 0.089159 * x6;
+    jacobian[10 * stride] = x10;
+    total = total + x10;
+    const double x11 = sine[pitch];
     const double x12 = 0.425 * x11;
     const double x13 = 0.089159 - x12;
     const double x14 = x7 * x13;
+    jacobian[15 * stride] = x14;
+    total = total + x14;
     const double x15 = x6 * x13;
+    jacobian[16 * stride] = x15;
+    total = total + x15;
+    const double x16 = cosine[pitch];
     const double x17 = x7 * x16;
     const double x18 = 0.425 * x17;
     const double x19 = x7 * x18;
@@ -3113,13 +3378,21 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x21 = 0.425 * x20;
     const double x22 = x6 * x21;
     const double x23 = x19 + x22;
+    jacobian[17 * stride] = x23;
+    total = total + x23;
+    const double x24 = cosine[2 * pitch];
     const double x25 = x11 * x24;
+    const double x26 = sine[2 * pitch];
     const double x27 = x16 * x26;
     const double x28 = x25 + x27;
     const double x29 = 0.39225 * x28;
     const double x30 = x13 - x29;
     const double x31 = x7 * x30;
+    jacobian[21 * stride] = x31;
+    total = total + x31;
     const double x32 = x6 * x30;
+    jacobian[22 * stride] = x32;
+    total = total + x32;
     const double x33 = x24 * x17;
     const double x34 = x7 * x11;
     const double x35 = x26 * x34;
@@ -3135,45 +3408,65 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x45 = x21 + x44;
     const double x46 = x6 * x45;
     const double x47 = x39 + x46;
+    jacobian[23 * stride] = x47;
+    total = total + x47;
+    const double x48 = sine[3 * pitch];
     const double x49 = x48 * x36;
     const double x51 = x26 * x17;
     const double x52 = x24 * x34;
     const double x53 = x51 + x52;
+    const double x50 = cosine[3 * pitch];
     const double x54 = x50 * x53;
     const double x55 = x49 + x54;
+    jacobian[24 * stride] = x55;
+    total = total + x55;
     const double x56 = x48 * x43;
     const double x57 = x26 * x20;
     const double x58 = x24 * x41;
     const double x59 = x57 + x58;
     const double x60 = x50 * x59;
     const double x61 = x56 + x60;
+    jacobian[25 * stride] = x61;
+    total = total + x61;
     const double x62 = x48 * x28;
     const double x63 = x11 * x26;
     const double x64 = x16 * x24;
     const double x65 = x63 - x64;
     const double x66 = x50 * x65;
     const double x67 = x62 + x66;
+    jacobian[26 * stride] = x67;
+    total = total + x67;
     const double x68 = 0.10915 * x7;
     const double x69 = x45 + x68;
     const double x70 = x67 * x69;
     const double x71 = x61 * x30;
     const double x72 = x70 + x71;
     const double x73 = -x72;
+    jacobian[27 * stride] = x73;
+    total = total + x73;
     const double x74 = x55 * x30;
     const double x75 = 0.10915 * x6;
     const double x76 = x38 - x75;
     const double x77 = x67 * x76;
     const double x78 = x74 + x77;
+    jacobian[28 * stride] = x78;
+    total = total + x78;
     const double x79 = x55 * x69;
     const double x80 = x61 * x76;
     const double x81 = x79 - x80;
+    jacobian[29 * stride] = x81;
+    total = total + x81;
     const double x83 = x50 * x36;
     const double x84 = x48 * x53;
     const double x85 = x83 - x84;
+    const double x82 = sine[4 * pitch];
     const double x86 = x82 * x85;
+    const double x87 = cosine[4 * pitch];
     const double x88 = x6 * x87;
     const double x89 = x86 - x88;
     const double x90 = -x89;
+    jacobian[30 * stride] = x90;
+    total = total + x90;
     const double x91 = x50 * x43;
     const double x92 = x48 * x59;
     const double x93 = x91 - x92;
@@ -3181,11 +3474,15 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x95 = x7 * x87;
     const double x96 = x94 + x95;
     const double x97 = -x96;
+    jacobian[31 * stride] = x97;
+    total = total + x97;
     const double x98 = x50 * x28;
     const double x99 = x48 * x65;
     const double x100 = x98 - x99;
     const double x101 = x82 * x100;
     const double x102 = -x101;
+    jacobian[32 * stride] = x102;
+    total = total + x102;
     const double x103 = 0.09465 * x61;
     const double x104 = x69 - x103;
     const double x105 = x101 * x104;
@@ -3193,53 +3490,38 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x107 = x30 + x106;
     const double x108 = x96 * x107;
     const double x109 = x105 + x108;
+    jacobian[33 * stride] = x109;
+    total = total + x109;
     const double x110 = x89 * x107;
     const double x111 = 0.09465 * x55;
     const double x112 = x76 - x111;
     const double x113 = x101 * x112;
     const double x114 = x110 + x113;
     const double x115 = -x114;
+    jacobian[34 * stride] = x115;
+    total = total + x115;
     const double x116 = x96 * x112;
     const double x117 = x89 * x104;
     const double x118 = x116 - x117;
+    jacobian[35 * stride] = x118;
+    total = total + x118;
     jacobian[0] = 0.0;
     jacobian[stride] = 0.0;
-    jacobian[2 * stride] = 1.0;
     jacobian[3 * stride] = 0.0;
     jacobian[4 * stride] = 0.0;
     jacobian[5 * stride] = 0.0;
-    jacobian[6 * stride] = x6;
-    jacobian[7 * stride] = x8;
     jacobian[8 * stride] = 0.0;
-    jacobian[9 * stride] = x9;
-    jacobian[10 * stride] = x10;
     jacobian[11 * stride] = 0.0;
-    jacobian[12 * stride] = x6;
-    jacobian[13 * stride] = x8;
     jacobian[14 * stride] = 0.0;
-    jacobian[15 * stride] = x14;
-    jacobian[16 * stride] = x15;
-    jacobian[17 * stride] = x23;
-    jacobian[18 * stride] = x6;
-    jacobian[19 * stride] = x8;
     jacobian[20 * stride] = 0.0;
-    jacobian[21 * stride] = x31;
-    jacobian[22 * stride] = x32;
-    jacobian[23 * stride] = x47;
-    jacobian[24 * stride] = x55;
-    jacobian[25 * stride] = x61;
-    jacobian[26 * stride] = x67;
-    jacobian[27 * stride] = x73;
-    jacobian[28 * stride] = x78;
-    jacobian[29 * stride] = x81;
-    jacobian[30 * stride] = x90;
-    jacobian[31 * stride] = x97;
-    jacobian[32 * stride] = x102;
-    jacobian[33 * stride] = x109;
-    jacobian[34 * stride] = x115;
-    jacobian[35 * stride] = x118;
-    return ((((x6 + x8) + (x9 + x10)) + ((x14 + x15) + (x23 + x31))) + (((x32 + x47) + (x55 + x61)) + ((x67 +
-        x73) + (x78 + x81)))) + (((x90 + x97) + (x102 + x109)) + ((x115 + x118) + x5));
+    jacobian[2 * stride] = 1.0;
+    jacobian[6 * stride] = x6;
+    jacobian[12 * stride] = x6;
+    jacobian[18 * stride] = x6;
+    total = total + x6;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_platform_jacobian(
@@ -3247,13 +3529,13 @@ int ur5_platform_jacobian(
     double *restrict jacobian)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_platform_jacobian_angles(1, q, angle);
+    ur5_platform_jacobian_angles(1, 1, q, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_platform_jacobian_lane(1, q, jacobian, sine, cosine);
+    const double total = ur5_platform_jacobian_lane(1, 1, q, jacobian, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(jacobian, 36);
@@ -3263,25 +3545,22 @@ int ur5_platform_jacobian(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_platform_jacobian_block(
+    size_t stride,
     const double *restrict q,
     double *restrict jacobian,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_platform_jacobian_angles(8, q + lane, angle + lane);
+        ur5_platform_jacobian_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_platform_jacobian_lane(8, q + lane, jacobian + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -3318,20 +3597,29 @@ static int ur5_platform_jacobian_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double jacobian_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_platform_jacobian_block(q_block, jacobian_block, outcome);
-        ur5_scatter(36, first, some, stride, jacobian_block, jacobian);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(36, stride, jacobian + first + 8);
+            }
+            ur5_platform_jacobian_block(stride, q + first, jacobian + first, total);
+        } else {
+            double q_block[48];
+            double jacobian_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_platform_jacobian_block(8, q_block, jacobian_block, total);
+            ur5_scatter(36, first, some, stride, jacobian_block, jacobian);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_platform_jacobian_one(first + lane, stride, q, jacobian);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_platform_jacobian_one(first + lane, stride, q, jacobian);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3388,30 +3676,38 @@ int ur5_platform_jacobian_batch_soa(
 
 static inline UR5_INLINE double ur5_joint_displacements_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict displacements)
 {
     (void)stride;
+    (void)pitch;
     const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = q[3 * stride];
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
     displacements[0] = x0;
+    double total = x0;
+    const double x1 = q[stride];
     displacements[stride] = x1;
+    total = total + x1;
+    const double x2 = q[2 * stride];
     displacements[2 * stride] = x2;
+    total = total + x2;
+    const double x3 = q[3 * stride];
     displacements[3 * stride] = x3;
+    total = total + x3;
+    const double x4 = q[4 * stride];
     displacements[4 * stride] = x4;
+    total = total + x4;
+    const double x5 = q[5 * stride];
     displacements[5 * stride] = x5;
-    return ((x0 + x1) + (x2 + x3)) + (x4 + x5);
+    total = total + x5;
+    return total;
 }
 
 int ur5_joint_displacements(
     const double *restrict q,
     double *restrict displacements)
 {
-    const double total = ur5_joint_displacements_lane(1, q, displacements);
+    const double total = ur5_joint_displacements_lane(1, 1, q, displacements);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(displacements, 6);
@@ -3421,17 +3717,15 @@ int ur5_joint_displacements(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_joint_displacements_block(
+    size_t stride,
     const double *restrict q,
     double *restrict displacements,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_joint_displacements_lane(8, q + lane, displacements + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_joint_displacements_lane(stride, 8, q + lane, displacements + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -3468,20 +3762,29 @@ static int ur5_joint_displacements_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double displacements_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_joint_displacements_block(q_block, displacements_block, outcome);
-        ur5_scatter(6, first, some, stride, displacements_block, displacements);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, displacements + first + 8);
+            }
+            ur5_joint_displacements_block(stride, q + first, displacements + first, total);
+        } else {
+            double q_block[48];
+            double displacements_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_joint_displacements_block(8, q_block, displacements_block, total);
+            ur5_scatter(6, first, some, stride, displacements_block, displacements);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_joint_displacements_one(first + lane, stride, q, displacements);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_joint_displacements_one(first + lane, stride, q, displacements);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3539,30 +3842,44 @@ int ur5_joint_displacements_batch_soa(
 
 static inline UR5_INLINE double ur5_joint_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = q[3 * stride];
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
+    (void)pitch;
     const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
     rates[0] = x6;
+    double total = x6;
+    const double x7 = v[stride];
     rates[stride] = x7;
+    total = total + x7;
+    const double x8 = v[2 * stride];
     rates[2 * stride] = x8;
+    total = total + x8;
+    const double x9 = v[3 * stride];
     rates[3 * stride] = x9;
+    total = total + x9;
+    const double x10 = v[4 * stride];
     rates[4 * stride] = x10;
+    total = total + x10;
+    const double x11 = v[5 * stride];
     rates[5 * stride] = x11;
-    return (((x6 + x7) + (x8 + x9)) + ((x10 + x11) + (x0 + x1))) + ((x2 + x3) + (x4 + x5));
+    total = total + x11;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x3 = q[3 * stride];
+    total = total + x3;
+    const double x4 = q[4 * stride];
+    total = total + x4;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_joint_rates(
@@ -3570,7 +3887,7 @@ int ur5_joint_rates(
     const double *restrict v,
     double *restrict rates)
 {
-    const double total = ur5_joint_rates_lane(1, q, v, rates);
+    const double total = ur5_joint_rates_lane(1, 1, q, v, rates);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(rates, 6);
@@ -3580,18 +3897,16 @@ int ur5_joint_rates(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_joint_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_joint_rates_lane(8, q + lane, v + lane, rates + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -3634,22 +3949,32 @@ static int ur5_joint_rates_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double rates_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_joint_rates_block(q_block, v_block, rates_block, outcome);
-        ur5_scatter(6, first, some, stride, rates_block, rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, rates + first + 8);
+            }
+            ur5_joint_rates_block(stride, q + first, v + first, rates + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double rates_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_joint_rates_block(8, q_block, v_block, rates_block, total);
+            ur5_scatter(6, first, some, stride, rates_block, rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_joint_rates_one(first + lane, stride, q, v, rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_joint_rates_one(first + lane, stride, q, v, rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3709,30 +4034,44 @@ int ur5_joint_rates_batch_soa(
 
 static inline UR5_INLINE double ur5_drive_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = q[3 * stride];
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
+    (void)pitch;
     const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
     rates[0] = x6;
+    double total = x6;
+    const double x7 = v[stride];
     rates[stride] = x7;
+    total = total + x7;
+    const double x8 = v[2 * stride];
     rates[2 * stride] = x8;
+    total = total + x8;
+    const double x9 = v[3 * stride];
     rates[3 * stride] = x9;
+    total = total + x9;
+    const double x10 = v[4 * stride];
     rates[4 * stride] = x10;
+    total = total + x10;
+    const double x11 = v[5 * stride];
     rates[5 * stride] = x11;
-    return (((x6 + x7) + (x8 + x9)) + ((x10 + x11) + (x0 + x1))) + ((x2 + x3) + (x4 + x5));
+    total = total + x11;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x3 = q[3 * stride];
+    total = total + x3;
+    const double x4 = q[4 * stride];
+    total = total + x4;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_drive_rates(
@@ -3740,7 +4079,7 @@ int ur5_drive_rates(
     const double *restrict v,
     double *restrict rates)
 {
-    const double total = ur5_drive_rates_lane(1, q, v, rates);
+    const double total = ur5_drive_rates_lane(1, 1, q, v, rates);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(rates, 6);
@@ -3750,18 +4089,16 @@ int ur5_drive_rates(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_drive_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_drive_rates_lane(8, q + lane, v + lane, rates + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -3804,22 +4141,32 @@ static int ur5_drive_rates_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double rates_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_drive_rates_block(q_block, v_block, rates_block, outcome);
-        ur5_scatter(6, first, some, stride, rates_block, rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, rates + first + 8);
+            }
+            ur5_drive_rates_block(stride, q + first, v + first, rates + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double rates_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_drive_rates_block(8, q_block, v_block, rates_block, total);
+            ur5_scatter(6, first, some, stride, rates_block, rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_drive_rates_one(first + lane, stride, q, v, rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_drive_rates_one(first + lane, stride, q, v, rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -3879,30 +4226,44 @@ int ur5_drive_rates_batch_soa(
 
 static inline UR5_INLINE double ur5_velocity_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     double *restrict v)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = q[3 * stride];
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
+    (void)pitch;
     const double x6 = y_dot[0];
-    const double x7 = y_dot[stride];
-    const double x8 = y_dot[2 * stride];
-    const double x9 = y_dot[3 * stride];
-    const double x10 = y_dot[4 * stride];
-    const double x11 = y_dot[5 * stride];
     v[0] = x6;
+    double total = x6;
+    const double x7 = y_dot[stride];
     v[stride] = x7;
+    total = total + x7;
+    const double x8 = y_dot[2 * stride];
     v[2 * stride] = x8;
+    total = total + x8;
+    const double x9 = y_dot[3 * stride];
     v[3 * stride] = x9;
+    total = total + x9;
+    const double x10 = y_dot[4 * stride];
     v[4 * stride] = x10;
+    total = total + x10;
+    const double x11 = y_dot[5 * stride];
     v[5 * stride] = x11;
-    return (((x6 + x7) + (x8 + x9)) + ((x10 + x11) + (x0 + x1))) + ((x2 + x3) + (x4 + x5));
+    total = total + x11;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x3 = q[3 * stride];
+    total = total + x3;
+    const double x4 = q[4 * stride];
+    total = total + x4;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_velocity(
@@ -3910,7 +4271,7 @@ int ur5_velocity(
     const double *restrict y_dot,
     double *restrict v)
 {
-    const double total = ur5_velocity_lane(1, q, y_dot, v);
+    const double total = ur5_velocity_lane(1, 1, q, y_dot, v);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(v, 6);
@@ -3920,18 +4281,16 @@ int ur5_velocity(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_velocity_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict y_dot,
     double *restrict v,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_velocity_lane(8, q + lane, y_dot + lane, v + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -3974,22 +4333,32 @@ static int ur5_velocity_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double y_dot_block[48];
-        double v_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, y_dot, y_dot_block);
-        ur5_velocity_block(q_block, y_dot_block, v_block, outcome);
-        ur5_scatter(6, first, some, stride, v_block, v);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, y_dot + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+            }
+            ur5_velocity_block(stride, q + first, y_dot + first, v + first, total);
+        } else {
+            double q_block[48];
+            double y_dot_block[48];
+            double v_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, y_dot, y_dot_block);
+            ur5_velocity_block(8, q_block, y_dot_block, v_block, total);
+            ur5_scatter(6, first, some, stride, v_block, v);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_velocity_one(first + lane, stride, q, y_dot, v);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_velocity_one(first + lane, stride, q, y_dot, v);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4049,60 +4418,68 @@ int ur5_velocity_batch_soa(
 
 static inline UR5_INLINE double ur5_null_space_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict null_space)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = q[3 * stride];
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
+    (void)pitch;
     null_space[0] = 1.0;
+    null_space[7 * stride] = 1.0;
+    null_space[14 * stride] = 1.0;
+    null_space[21 * stride] = 1.0;
+    null_space[28 * stride] = 1.0;
+    null_space[35 * stride] = 1.0;
     null_space[stride] = 0.0;
     null_space[2 * stride] = 0.0;
     null_space[3 * stride] = 0.0;
     null_space[4 * stride] = 0.0;
     null_space[5 * stride] = 0.0;
     null_space[6 * stride] = 0.0;
-    null_space[7 * stride] = 1.0;
     null_space[8 * stride] = 0.0;
     null_space[9 * stride] = 0.0;
     null_space[10 * stride] = 0.0;
     null_space[11 * stride] = 0.0;
     null_space[12 * stride] = 0.0;
     null_space[13 * stride] = 0.0;
-    null_space[14 * stride] = 1.0;
     null_space[15 * stride] = 0.0;
     null_space[16 * stride] = 0.0;
     null_space[17 * stride] = 0.0;
     null_space[18 * stride] = 0.0;
     null_space[19 * stride] = 0.0;
     null_space[20 * stride] = 0.0;
-    null_space[21 * stride] = 1.0;
     null_space[22 * stride] = 0.0;
     null_space[23 * stride] = 0.0;
     null_space[24 * stride] = 0.0;
     null_space[25 * stride] = 0.0;
     null_space[26 * stride] = 0.0;
     null_space[27 * stride] = 0.0;
-    null_space[28 * stride] = 1.0;
     null_space[29 * stride] = 0.0;
     null_space[30 * stride] = 0.0;
     null_space[31 * stride] = 0.0;
     null_space[32 * stride] = 0.0;
     null_space[33 * stride] = 0.0;
     null_space[34 * stride] = 0.0;
-    null_space[35 * stride] = 1.0;
-    return ((x0 + x1) + (x2 + x3)) + (x4 + x5);
+    const double x0 = q[0];
+    double total = x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x3 = q[3 * stride];
+    total = total + x3;
+    const double x4 = q[4 * stride];
+    total = total + x4;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_null_space(
     const double *restrict q,
     double *restrict null_space)
 {
-    const double total = ur5_null_space_lane(1, q, null_space);
+    const double total = ur5_null_space_lane(1, 1, q, null_space);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(null_space, 36);
@@ -4112,17 +4489,15 @@ int ur5_null_space(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_null_space_block(
+    size_t stride,
     const double *restrict q,
     double *restrict null_space,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_null_space_lane(8, q + lane, null_space + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_null_space_lane(stride, 8, q + lane, null_space + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -4159,20 +4534,29 @@ static int ur5_null_space_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double null_space_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_null_space_block(q_block, null_space_block, outcome);
-        ur5_scatter(36, first, some, stride, null_space_block, null_space);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(36, stride, null_space + first + 8);
+            }
+            ur5_null_space_block(stride, q + first, null_space + first, total);
+        } else {
+            double q_block[48];
+            double null_space_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_null_space_block(8, q_block, null_space_block, total);
+            ur5_scatter(36, first, some, stride, null_space_block, null_space);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_null_space_one(first + lane, stride, q, null_space);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_null_space_one(first + lane, stride, q, null_space);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4229,38 +4613,57 @@ int ur5_null_space_batch_soa(
 
 static inline UR5_INLINE double ur5_acceleration_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict y_ddot,
     double *restrict a)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x1 = q[stride];
-    const double x2 = q[2 * stride];
-    const double x3 = q[3 * stride];
-    const double x4 = q[4 * stride];
-    const double x5 = q[5 * stride];
-    const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
+    (void)pitch;
     const double x12 = y_ddot[0];
-    const double x13 = y_ddot[stride];
-    const double x14 = y_ddot[2 * stride];
-    const double x15 = y_ddot[3 * stride];
-    const double x16 = y_ddot[4 * stride];
-    const double x17 = y_ddot[5 * stride];
     a[0] = x12;
+    double total = x12;
+    const double x13 = y_ddot[stride];
     a[stride] = x13;
+    total = total + x13;
+    const double x14 = y_ddot[2 * stride];
     a[2 * stride] = x14;
+    total = total + x14;
+    const double x15 = y_ddot[3 * stride];
     a[3 * stride] = x15;
+    total = total + x15;
+    const double x16 = y_ddot[4 * stride];
     a[4 * stride] = x16;
+    total = total + x16;
+    const double x17 = y_ddot[5 * stride];
     a[5 * stride] = x17;
-    return ((((x12 + x13) + (x14 + x15)) + ((x16 + x17) + (x0 + x1))) + (((x2 + x3) + (x4 + x5)) + ((x6 + x7)
-        + (x8 + x9)))) + (x10 + x11);
+    total = total + x17;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x1 = q[stride];
+    total = total + x1;
+    const double x2 = q[2 * stride];
+    total = total + x2;
+    const double x3 = q[3 * stride];
+    total = total + x3;
+    const double x4 = q[4 * stride];
+    total = total + x4;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    const double x6 = v[0];
+    total = total + x6;
+    const double x7 = v[stride];
+    total = total + x7;
+    const double x8 = v[2 * stride];
+    total = total + x8;
+    const double x9 = v[3 * stride];
+    total = total + x9;
+    const double x10 = v[4 * stride];
+    total = total + x10;
+    const double x11 = v[5 * stride];
+    total = total + x11;
+    return total;
 }
 
 int ur5_acceleration(
@@ -4269,7 +4672,7 @@ int ur5_acceleration(
     const double *restrict y_ddot,
     double *restrict a)
 {
-    const double total = ur5_acceleration_lane(1, q, v, y_ddot, a);
+    const double total = ur5_acceleration_lane(1, 1, q, v, y_ddot, a);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(a, 6);
@@ -4279,19 +4682,17 @@ int ur5_acceleration(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_acceleration_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict y_ddot,
     double *restrict a,
-    int *restrict status)
+    double *restrict total)
 {
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_acceleration_lane(8, q + lane, v + lane, y_ddot + lane, a + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -4340,24 +4741,35 @@ static int ur5_acceleration_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double y_ddot_block[48];
-        double a_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, y_ddot, y_ddot_block);
-        ur5_acceleration_block(q_block, v_block, y_ddot_block, a_block, outcome);
-        ur5_scatter(6, first, some, stride, a_block, a);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, y_ddot + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+            }
+            ur5_acceleration_block(stride, q + first, v + first, y_ddot + first, a + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double y_ddot_block[48];
+            double a_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, y_ddot, y_ddot_block);
+            ur5_acceleration_block(8, q_block, v_block, y_ddot_block, a_block, total);
+            ur5_scatter(6, first, some, stride, a_block, a);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_acceleration_one(first + lane, stride, q, v, y_ddot, a);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_acceleration_one(first + lane, stride, q, v, y_ddot, a);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -4420,11 +4832,13 @@ int ur5_acceleration_batch_soa(
 
 static inline UR5_INLINE void ur5_momentum_screws_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x0 = q[0];
     const double x1 = q[stride];
@@ -4433,15 +4847,16 @@ static inline UR5_INLINE void ur5_momentum_screws_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
-    angle[5 * stride] = x5;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
+    angle[5 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_momentum_screws_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict momenta,
@@ -4451,43 +4866,42 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
 {
     (void)q;
     (void)stride;
-    const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x16 = sine[0];
+    (void)pitch;
     const double x12 = cosine[0];
-    const double x34 = sine[stride];
-    const double x31 = cosine[stride];
-    const double x150 = sine[2 * stride];
-    const double x148 = cosine[2 * stride];
-    const double x300 = sine[3 * stride];
-    const double x298 = cosine[3 * stride];
-    const double x456 = sine[4 * stride];
-    const double x453 = cosine[4 * stride];
-    const double x626 = sine[5 * stride];
-    const double x624 = cosine[5 * stride];
     const double x13 = 0.00193 * x12;
+    const double x6 = v[0];
     const double x14 = x6 * x13;
     const double x15 = 3.7 * x14;
+    momenta[0] = x15;
+    double total = x15;
+    const double x16 = sine[0];
     const double x17 = 0.00193 * x16;
     const double x18 = x6 * x17;
     const double x19 = 3.7 * x18;
+    momenta[stride] = x19;
+    total = total + x19;
     const double x20 = 0.2351313 * x18;
     const double x21 = -x20;
+    momenta[3 * stride] = x21;
+    total = total + x21;
     const double x22 = 0.2351313 * x14;
+    momenta[4 * stride] = x22;
+    total = total + x22;
     const double x23 = x17 * x19;
     const double x24 = x13 * x15;
     const double x25 = x23 + x24;
     const double x26 = 0.01040625 * x6;
     const double x27 = x25 + x26;
+    momenta[5 * stride] = x27;
+    total = total + x27;
     const double x28 = 0.089159 * x12;
+    const double x7 = v[stride];
     const double x29 = x7 * x28;
     const double x30 = x7 * x12;
+    const double x31 = cosine[pitch];
     const double x32 = 0.089159 * x31;
     const double x33 = 0.089159 - x32;
+    const double x34 = sine[pitch];
     const double x35 = 0.2125 * x34;
     const double x36 = x32 - x35;
     const double x37 = x33 + x36;
@@ -4504,6 +4918,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x48 = x38 + x47;
     const double x49 = x29 - x48;
     const double x50 = 8.393 * x49;
+    momenta[6 * stride] = x50;
+    total = total + x50;
     const double x51 = 0.089159 * x16;
     const double x52 = x7 * x51;
     const double x53 = x12 * x34;
@@ -4520,10 +4936,14 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x64 = x61 - x63;
     const double x65 = x52 + x64;
     const double x66 = 8.393 * x65;
+    momenta[7 * stride] = x66;
+    total = total + x66;
     const double x67 = x62 * x46;
     const double x68 = x30 * x60;
     const double x69 = x67 + x68;
     const double x70 = 8.393 * x69;
+    momenta[8 * stride] = x70;
+    total = total + x70;
     const double x71 = x46 * x70;
     const double x72 = x37 * x66;
     const double x73 = x71 - x72;
@@ -4549,6 +4969,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x93 = x6 * x92;
     const double x94 = x89 + x93;
     const double x95 = x73 + x94;
+    momenta[9 * stride] = x95;
+    total = total + x95;
     const double x96 = x37 * x50;
     const double x97 = x60 * x70;
     const double x98 = x96 - x97;
@@ -4574,6 +4996,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x118 = x6 * x117;
     const double x119 = x114 + x118;
     const double x120 = x98 + x119;
+    momenta[10 * stride] = x120;
+    total = total + x120;
     const double x121 = x60 * x66;
     const double x122 = x46 * x50;
     const double x123 = x121 - x122;
@@ -4594,14 +5018,19 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x138 = x6 * x137;
     const double x139 = x134 + x138;
     const double x140 = x123 + x139;
+    momenta[11 * stride] = x140;
+    total = total + x140;
     const double x141 = 0.425 * x34;
     const double x142 = 0.089159 - x141;
     const double x143 = x12 * x142;
+    const double x8 = v[2 * stride];
     const double x144 = x8 * x143;
     const double x145 = x29 + x144;
     const double x146 = x8 * x12;
     const double x147 = x30 + x146;
+    const double x148 = cosine[2 * pitch];
     const double x149 = x34 * x148;
+    const double x150 = sine[2 * pitch];
     const double x151 = x31 * x150;
     const double x152 = x149 + x151;
     const double x153 = 0.425 * x152;
@@ -4635,6 +5064,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x181 = x163 - x180;
     const double x182 = x145 - x181;
     const double x183 = 2.33 * x182;
+    momenta[12 * stride] = x183;
+    total = total + x183;
     const double x184 = x16 * x142;
     const double x185 = x8 * x184;
     const double x186 = x52 + x185;
@@ -4661,6 +5092,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x207 = x203 + x206;
     const double x208 = x186 - x207;
     const double x209 = 2.33 * x208;
+    momenta[13 * stride] = x209;
+    total = total + x209;
     const double x210 = x12 * x187;
     const double x211 = x16 * x164;
     const double x212 = x210 + x211;
@@ -4670,6 +5103,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x216 = x214 + x215;
     const double x217 = x213 - x216;
     const double x218 = 2.33 * x217;
+    momenta[14 * stride] = x218;
+    total = total + x218;
     const double x219 = x179 * x218;
     const double x220 = x162 * x209;
     const double x221 = x219 + x220;
@@ -4696,6 +5131,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x242 = x237 + x241;
     const double x243 = x221 - x242;
     const double x244 = -x243;
+    momenta[15 * stride] = x244;
+    total = total + x244;
     const double x245 = x162 * x183;
     const double x246 = x202 * x218;
     const double x247 = x245 + x246;
@@ -4721,6 +5158,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x267 = x6 * x266;
     const double x268 = x263 + x267;
     const double x269 = x247 + x268;
+    momenta[16 * stride] = x269;
+    total = total + x269;
     const double x270 = x202 * x209;
     const double x271 = x179 * x183;
     const double x272 = x270 - x271;
@@ -4742,14 +5181,19 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x288 = x283 + x287;
     const double x289 = x272 - x288;
     const double x290 = -x289;
+    momenta[17 * stride] = x290;
+    total = total + x290;
     const double x291 = 0.39225 * x152;
     const double x292 = x142 - x291;
     const double x293 = x12 * x292;
+    const double x9 = v[3 * stride];
     const double x294 = x9 * x293;
     const double x295 = x145 + x294;
     const double x296 = x9 * x12;
     const double x297 = x147 + x296;
+    const double x298 = cosine[3 * pitch];
     const double x299 = x298 * x152;
+    const double x300 = sine[3 * pitch];
     const double x301 = x300 * x156;
     const double x302 = x299 - x301;
     const double x303 = 0.81725 * x302;
@@ -4784,6 +5228,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x332 = x313 - x331;
     const double x333 = x295 - x332;
     const double x334 = 1.219 * x333;
+    momenta[18 * stride] = x334;
+    total = total + x334;
     const double x335 = x16 * x292;
     const double x336 = x9 * x335;
     const double x337 = x186 + x336;
@@ -4811,6 +5257,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x359 = x355 + x358;
     const double x360 = x337 - x359;
     const double x361 = 1.219 * x360;
+    momenta[19 * stride] = x361;
+    total = total + x361;
     const double x362 = x12 * x339;
     const double x363 = x16 * x315;
     const double x364 = x362 + x363;
@@ -4821,6 +5269,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x369 = x367 + x368;
     const double x370 = x366 - x369;
     const double x371 = 1.219 * x370;
+    momenta[20 * stride] = x371;
+    total = total + x371;
     const double x372 = x330 * x371;
     const double x373 = x312 * x361;
     const double x374 = x372 + x373;
@@ -4847,6 +5297,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x395 = x390 + x394;
     const double x396 = x374 - x395;
     const double x397 = -x396;
+    momenta[21 * stride] = x397;
+    total = total + x397;
     const double x398 = x312 * x334;
     const double x399 = x354 * x371;
     const double x400 = x398 + x399;
@@ -4872,6 +5324,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x420 = x6 * x419;
     const double x421 = x416 + x420;
     const double x422 = x400 + x421;
+    momenta[22 * stride] = x422;
+    total = total + x422;
     const double x423 = x354 * x361;
     const double x424 = x330 * x334;
     const double x425 = x423 - x424;
@@ -4893,17 +5347,22 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x441 = x436 + x440;
     const double x442 = x425 - x441;
     const double x443 = -x442;
+    momenta[23 * stride] = x443;
+    total = total + x443;
     const double x444 = 0.10915 * x12;
     const double x445 = x315 + x444;
     const double x446 = x306 * x445;
     const double x447 = x322 * x292;
     const double x448 = x446 + x447;
+    const double x10 = v[4 * stride];
     const double x449 = x10 * x448;
     const double x450 = x295 - x449;
     const double x451 = x10 * x322;
     const double x452 = x297 - x451;
+    const double x453 = cosine[4 * pitch];
     const double x454 = x453 * x302;
     const double x455 = 0.81725 * x454;
+    const double x456 = sine[4 * pitch];
     const double x457 = x456 * x302;
     const double x458 = 0.10915 * x457;
     const double x459 = x455 + x458;
@@ -4937,6 +5396,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x487 = x467 - x486;
     const double x488 = x450 - x487;
     const double x489 = 1.219 * x488;
+    momenta[24 * stride] = x489;
+    total = total + x489;
     const double x490 = x346 * x292;
     const double x491 = 0.10915 * x16;
     const double x492 = x339 - x491;
@@ -4967,6 +5428,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x517 = x513 + x516;
     const double x518 = x496 - x517;
     const double x519 = 1.219 * x518;
+    momenta[25 * stride] = x519;
+    total = total + x519;
     const double x520 = x322 * x492;
     const double x521 = x346 * x445;
     const double x522 = x520 - x521;
@@ -4977,6 +5440,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x527 = x525 + x526;
     const double x528 = x524 - x527;
     const double x529 = 1.219 * x528;
+    momenta[26 * stride] = x529;
+    total = total + x529;
     const double x530 = x485 * x529;
     const double x531 = x466 * x519;
     const double x532 = x530 + x531;
@@ -5005,6 +5470,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x555 = x548 + x554;
     const double x556 = x532 - x555;
     const double x557 = -x556;
+    momenta[27 * stride] = x557;
+    total = total + x557;
     const double x558 = x466 * x489;
     const double x559 = x512 * x529;
     const double x560 = x558 + x559;
@@ -5032,6 +5499,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x582 = x469 * x581;
     const double x583 = x576 + x582;
     const double x584 = x560 + x583;
+    momenta[28 * stride] = x584;
+    total = total + x584;
     const double x585 = x512 * x519;
     const double x586 = x485 * x489;
     const double x587 = x585 - x586;
@@ -5060,6 +5529,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x610 = x603 + x609;
     const double x611 = x587 - x610;
     const double x612 = -x611;
+    momenta[29 * stride] = x612;
+    total = total + x612;
     const double x613 = 0.09465 * x322;
     const double x614 = x445 - x613;
     const double x615 = x457 * x614;
@@ -5067,11 +5538,14 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x617 = x292 + x616;
     const double x618 = x476 * x617;
     const double x619 = x615 + x618;
+    const double x11 = v[5 * stride];
     const double x620 = x11 * x619;
     const double x621 = x450 + x620;
     const double x622 = x11 * x476;
     const double x623 = x452 + x622;
+    const double x624 = cosine[5 * pitch];
     const double x625 = x624 * x454;
+    const double x626 = sine[5 * pitch];
     const double x627 = x626 * x306;
     const double x628 = x625 - x627;
     const double x629 = 0.81725 * x628;
@@ -5108,6 +5582,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x660 = x641 - x659;
     const double x661 = x621 - x660;
     const double x662 = 0.1879 * x661;
+    momenta[30 * stride] = x662;
+    total = total + x662;
     const double x663 = x503 * x617;
     const double x664 = 0.09465 * x346;
     const double x665 = x492 - x664;
@@ -5137,6 +5613,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x689 = x685 + x688;
     const double x690 = x669 - x689;
     const double x691 = 0.1879 * x690;
+    momenta[31 * stride] = x691;
+    total = total + x691;
     const double x692 = x476 * x665;
     const double x693 = x503 * x614;
     const double x694 = x692 - x693;
@@ -5147,6 +5625,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x699 = x697 + x698;
     const double x700 = x696 - x699;
     const double x701 = 0.1879 * x700;
+    momenta[32 * stride] = x701;
+    total = total + x701;
     const double x702 = x658 * x701;
     const double x703 = x640 * x691;
     const double x704 = x702 + x703;
@@ -5175,6 +5655,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x727 = x720 + x726;
     const double x728 = x704 - x727;
     const double x729 = -x728;
+    momenta[33 * stride] = x729;
+    total = total + x729;
     const double x730 = x640 * x662;
     const double x731 = x684 * x701;
     const double x732 = x730 + x731;
@@ -5202,6 +5684,8 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x754 = x643 * x753;
     const double x755 = x748 + x754;
     const double x756 = x732 + x755;
+    momenta[34 * stride] = x756;
+    total = total + x756;
     const double x757 = x684 * x691;
     const double x758 = x658 * x662;
     const double x759 = x757 - x758;
@@ -5230,82 +5714,52 @@ static inline UR5_INLINE double ur5_momentum_screws_lane(
     const double x782 = x775 + x781;
     const double x783 = x759 - x782;
     const double x784 = -x783;
+    momenta[35 * stride] = x784;
+    total = total + x784;
     const double x785 = x15 + x50;
     const double x786 = x785 + x183;
     const double x787 = x786 + x334;
     const double x788 = x787 + x489;
     const double x789 = x788 + x662;
+    total_[0] = x789;
+    total = total + x789;
     const double x790 = x19 + x66;
     const double x791 = x790 + x209;
     const double x792 = x791 + x361;
     const double x793 = x792 + x519;
     const double x794 = x793 + x691;
+    total_[stride] = x794;
+    total = total + x794;
     const double x795 = x70 + x218;
     const double x796 = x795 + x371;
     const double x797 = x796 + x529;
     const double x798 = x797 + x701;
+    total_[2 * stride] = x798;
+    total = total + x798;
     const double x799 = x20 - x95;
     const double x800 = x799 + x243;
     const double x801 = x800 + x396;
     const double x802 = x801 + x556;
     const double x803 = x802 + x728;
     const double x804 = -x803;
+    total_[3 * stride] = x804;
+    total = total + x804;
     const double x805 = x22 + x120;
     const double x806 = x805 + x269;
     const double x807 = x806 + x422;
     const double x808 = x807 + x584;
     const double x809 = x808 + x756;
+    total_[4 * stride] = x809;
+    total = total + x809;
     const double x810 = x27 + x140;
     const double x811 = x810 - x289;
     const double x812 = x811 - x442;
     const double x813 = x812 - x611;
     const double x814 = x813 - x783;
-    momenta[0] = x15;
-    momenta[stride] = x19;
-    momenta[2 * stride] = 0.0;
-    momenta[3 * stride] = x21;
-    momenta[4 * stride] = x22;
-    momenta[5 * stride] = x27;
-    momenta[6 * stride] = x50;
-    momenta[7 * stride] = x66;
-    momenta[8 * stride] = x70;
-    momenta[9 * stride] = x95;
-    momenta[10 * stride] = x120;
-    momenta[11 * stride] = x140;
-    momenta[12 * stride] = x183;
-    momenta[13 * stride] = x209;
-    momenta[14 * stride] = x218;
-    momenta[15 * stride] = x244;
-    momenta[16 * stride] = x269;
-    momenta[17 * stride] = x290;
-    momenta[18 * stride] = x334;
-    momenta[19 * stride] = x361;
-    momenta[20 * stride] = x371;
-    momenta[21 * stride] = x397;
-    momenta[22 * stride] = x422;
-    momenta[23 * stride] = x443;
-    momenta[24 * stride] = x489;
-    momenta[25 * stride] = x519;
-    momenta[26 * stride] = x529;
-    momenta[27 * stride] = x557;
-    momenta[28 * stride] = x584;
-    momenta[29 * stride] = x612;
-    momenta[30 * stride] = x662;
-    momenta[31 * stride] = x691;
-    momenta[32 * stride] = x701;
-    momenta[33 * stride] = x729;
-    momenta[34 * stride] = x756;
-    momenta[35 * stride] = x784;
-    total_[0] = x789;
-    total_[stride] = x794;
-    total_[2 * stride] = x798;
-    total_[3 * stride] = x804;
-    total_[4 * stride] = x809;
     total_[5 * stride] = x814;
-    return (((((x15 + x19) + (x21 + x22)) + ((x27 + x50) + (x66 + x70))) + (((x95 + x120) + (x140 + x183)) +
-        ((x209 + x218) + (x244 + x269)))) + ((((x290 + x334) + (x361 + x371)) + ((x397 + x422) + (x443 +
-        x489))) + (((x519 + x529) + (x557 + x584)) + ((x612 + x662) + (x691 + x701))))) + ((((x729 + x756) +
-        (x784 + x789)) + ((x794 + x798) + (x804 + x809))) + x814);
+    total = total + x814;
+    momenta[2 * stride] = 0.0;
+    return total;
 }
 
 int ur5_momentum_screws(
@@ -5315,12 +5769,12 @@ int ur5_momentum_screws(
     double *restrict total_)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_momentum_screws_angles(1, q, v, angle);
+    ur5_momentum_screws_angles(1, 1, q, v, angle);
     angle[6] = angle[5];
     angle[7] = angle[5];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(2, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_momentum_screws_lane(1, q, v, momenta, total_, sine, cosine);
+    const double total = ur5_momentum_screws_lane(1, 1, q, v, momenta, total_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(momenta, 36);
@@ -5331,28 +5785,24 @@ int ur5_momentum_screws(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_momentum_screws_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict momenta,
     double *restrict total_,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[48], sine[48], cosine[48];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_momentum_screws_angles(8, q + lane, v + lane, angle + lane);
+        ur5_momentum_screws_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 48; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_momentum_screws_lane(8, q + lane, v + lane, momenta + lane, total_ + lane, sine +
-            lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ + lane,
+            sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -5401,24 +5851,35 @@ static int ur5_momentum_screws_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double momenta_block[288];
-        double total__block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_momentum_screws_block(q_block, v_block, momenta_block, total__block, outcome);
-        ur5_scatter(36, first, some, stride, momenta_block, momenta);
-        ur5_scatter(6, first, some, stride, total__block, total_);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(36, stride, momenta + first + 8);
+                ur5_prefetch(6, stride, total_ + first + 8);
+            }
+            ur5_momentum_screws_block(stride, q + first, v + first, momenta + first, total_ + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double momenta_block[288];
+            double total__block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_momentum_screws_block(8, q_block, v_block, momenta_block, total__block, total);
+            ur5_scatter(36, first, some, stride, momenta_block, momenta);
+            ur5_scatter(6, first, some, stride, total__block, total_);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_momentum_screws_one(first + lane, stride, q, v, momenta, total_);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_momentum_screws_one(first + lane, stride, q, v, momenta, total_);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -5482,12 +5943,14 @@ int ur5_momentum_screws_batch_soa(
 
 static inline UR5_INLINE void ur5_momentum_rates_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -5497,15 +5960,16 @@ static inline UR5_INLINE void ur5_momentum_rates_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x0;
-    angle[stride] = x1;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x4;
-    angle[5 * stride] = x5;
+    angle[pitch] = x1;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x4;
+    angle[5 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_momentum_rates_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -5515,1425 +5979,1458 @@ static inline UR5_INLINE double ur5_momentum_rates_lane(
 {
     (void)q;
     (void)stride;
-    const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = a[0];
-    const double x13 = a[stride];
-    const double x14 = a[2 * stride];
-    const double x15 = a[3 * stride];
-    const double x16 = a[4 * stride];
-    const double x17 = a[5 * stride];
+    (void)pitch;
     const double x22 = sine[0];
-    const double x18 = cosine[0];
-    const double x61 = sine[stride];
-    const double x58 = cosine[stride];
-    const double x272 = sine[2 * stride];
-    const double x270 = cosine[2 * stride];
-    const double x539 = sine[3 * stride];
-    const double x537 = cosine[3 * stride];
-    const double x818 = sine[4 * stride];
-    const double x815 = cosine[4 * stride];
-    const double x1118 = sine[5 * stride];
-    const double x1116 = cosine[5 * stride];
-    const double x19 = 0.00193 * x18;
-    const double x20 = x12 * x19;
-    const double x21 = 3.7 * x20;
-    const double x23 = 0.00193 * x22;
-    const double x24 = x6 * x23;
-    const double x25 = 3.7 * x24;
-    const double x26 = x6 * x25;
-    const double x27 = x21 - x26;
-    const double x28 = x6 * x19;
-    const double x29 = 3.7 * x28;
-    const double x30 = x6 * x29;
-    const double x31 = x12 * x23;
-    const double x32 = 3.7 * x31;
-    const double x33 = x30 + x32;
-    const double x34 = 0.2351313 * x28;
-    const double x35 = x6 * x34;
-    const double x36 = 0.2351313 * x31;
-    const double x37 = x35 + x36;
-    const double x38 = -x37;
-    const double x39 = 0.2351313 * x20;
-    const double x40 = 0.2351313 * x24;
-    const double x41 = x6 * x40;
-    const double x42 = x39 - x41;
-    const double x43 = x23 * x32;
-    const double x44 = x19 * x21;
-    const double x45 = x43 + x44;
-    const double x46 = 0.01040625 * x12;
-    const double x47 = x45 + x46;
-    const double x48 = 0.089159 * x18;
-    const double x49 = x13 * x48;
-    const double x50 = 0.089159 * x22;
-    const double x51 = x6 * x50;
-    const double x52 = x7 * x51;
-    const double x53 = x49 - x52;
-    const double x54 = x13 * x18;
-    const double x55 = x6 * x22;
-    const double x56 = x7 * x55;
-    const double x57 = x54 - x56;
-    const double x59 = 0.089159 * x58;
-    const double x60 = 0.089159 - x59;
-    const double x62 = 0.2125 * x61;
-    const double x63 = x59 - x62;
-    const double x64 = x60 + x63;
-    const double x65 = x57 * x64;
+    const double x61 = sine[pitch];
     const double x66 = x22 * x61;
-    const double x67 = 0.089159 * x66;
+    const double x58 = cosine[pitch];
     const double x68 = x22 * x58;
-    const double x69 = 0.2125 * x68;
-    const double x70 = 0.11336 * x18;
-    const double x71 = x69 + x70;
-    const double x72 = x67 + x71;
-    const double x73 = x67 - x72;
-    const double x74 = x12 * x73;
-    const double x75 = x65 + x74;
-    const double x76 = x53 - x75;
-    const double x77 = 8.393 * x76;
+    const double x18 = cosine[0];
+    const double x81 = x18 * x61;
+    const double x83 = x18 * x58;
+    const double x48 = 0.089159 * x18;
+    const double x50 = 0.089159 * x22;
+    const double x6 = v[0];
+    const double x55 = x6 * x22;
+    const double x13 = a[stride];
+    const double x54 = x13 * x18;
+    const double x7 = v[stride];
     const double x78 = x7 * x18;
     const double x79 = x7 * x22;
-    const double x80 = x79 * x73;
-    const double x81 = x18 * x61;
-    const double x82 = 0.089159 * x81;
-    const double x83 = x18 * x58;
+    const double x69 = 0.2125 * x68;
+    const double x70 = 0.11336 * x18;
     const double x84 = 0.2125 * x83;
-    const double x85 = 0.11336 * x22;
-    const double x86 = x84 - x85;
-    const double x87 = x82 + x86;
-    const double x88 = x82 - x87;
-    const double x89 = x78 * x88;
-    const double x90 = x80 + x89;
-    const double x91 = 8.393 * x90;
-    const double x92 = x78 * x91;
-    const double x93 = x7 * x50;
-    const double x94 = x6 * x88;
-    const double x95 = x79 * x64;
-    const double x96 = x94 - x95;
-    const double x97 = x93 + x96;
-    const double x98 = 8.393 * x97;
-    const double x99 = x6 * x98;
-    const double x100 = x92 + x99;
-    const double x101 = x77 - x100;
     const double x102 = x7 * x48;
-    const double x103 = x78 * x64;
-    const double x104 = x6 * x73;
-    const double x105 = x103 + x104;
-    const double x106 = x102 - x105;
-    const double x107 = 8.393 * x106;
-    const double x108 = x6 * x107;
-    const double x109 = x79 * x91;
-    const double x110 = x108 - x109;
-    const double x111 = x13 * x50;
+    const double x93 = x7 * x50;
+    const double x56 = x7 * x55;
+    const double x51 = x6 * x50;
     const double x112 = x6 * x48;
+    const double x49 = x13 * x48;
+    const double x111 = x13 * x50;
+    const double x85 = 0.11336 * x22;
+    const double x59 = 0.089159 * x58;
+    const double x62 = 0.2125 * x61;
+    const double x67 = 0.089159 * x66;
+    const double x57 = x54 - x56;
+    const double x52 = x7 * x51;
     const double x113 = x7 * x112;
+    const double x71 = x69 + x70;
+    const double x82 = 0.089159 * x81;
+    const double x86 = x84 - x85;
+    const double x60 = 0.089159 - x59;
+    const double x63 = x59 - x62;
+    const double x19 = 0.00193 * x18;
+    const double x23 = 0.00193 * x22;
+    const double x53 = x49 - x52;
     const double x114 = x111 + x113;
-    const double x115 = x12 * x88;
-    const double x116 = x13 * x22;
+    const double x72 = x67 + x71;
+    const double x12 = a[0];
+    const double x46 = 0.01040625 * x12;
+    const double x87 = x82 + x86;
+    const double x64 = x60 + x63;
+    const double x20 = x12 * x19;
+    const double x28 = x6 * x19;
+    const double x31 = x12 * x23;
+    const double x24 = x6 * x23;
+    const double x73 = x67 - x72;
+    const double x88 = x82 - x87;
+    const double x95 = x79 * x64;
+    const double x103 = x78 * x64;
+    const double x65 = x57 * x64;
+    const double x21 = 3.7 * x20;
+    const double x34 = 0.2351313 * x28;
+    const double x104 = x6 * x73;
+    const double x80 = x79 * x73;
+    const double x94 = x6 * x88;
+    const double x89 = x78 * x88;
+    const double x74 = x12 * x73;
+    const double x32 = 3.7 * x31;
+    const double x25 = 3.7 * x24;
+    const double x40 = 0.2351313 * x24;
+    const double x44 = x19 * x21;
+    const double x105 = x103 + x104;
+    const double x29 = 3.7 * x28;
+    const double x96 = x94 - x95;
+    const double x90 = x80 + x89;
+    const double x75 = x65 + x74;
+    const double x35 = x6 * x34;
+    const double x43 = x23 * x32;
+    const double x36 = 0.2351313 * x31;
+    const double x39 = 0.2351313 * x20;
     const double x117 = x6 * x18;
+    const double x116 = x13 * x22;
+    const double x97 = x93 + x96;
+    const double x106 = x102 - x105;
+    const double x91 = 8.393 * x90;
+    const double x115 = x12 * x88;
+    const double x76 = x53 - x75;
+    const double x26 = x6 * x25;
+    const double x41 = x6 * x40;
     const double x118 = x7 * x117;
+    const double x30 = x6 * x29;
+    const double x98 = 8.393 * x97;
+    const double x107 = 8.393 * x106;
+    const double x92 = x78 * x91;
+    const double x109 = x79 * x91;
+    const double x77 = 8.393 * x76;
+    const double x45 = x43 + x44;
+    const double x37 = x35 + x36;
     const double x119 = x116 + x118;
-    const double x120 = x119 * x64;
-    const double x121 = x115 - x120;
-    const double x122 = x114 + x121;
-    const double x123 = 8.393 * x122;
-    const double x124 = x110 + x123;
+    const double x27 = x21 - x26;
+    momentum_rates[0] = x27;
+    double total = x27;
+    const double x99 = x6 * x98;
+    const double x108 = x6 * x107;
+    const double x42 = x39 - x41;
+    momentum_rates[4 * stride] = x42;
+    total = total + x42;
+    const double x129 = x57 * x88;
     const double x125 = x79 * x98;
     const double x126 = x78 * x107;
-    const double x127 = x125 + x126;
+    const double x33 = x30 + x32;
+    momentum_rates[stride] = x33;
+    total = total + x33;
+    const double x120 = x119 * x64;
     const double x128 = x119 * x73;
-    const double x129 = x57 * x88;
-    const double x130 = x128 + x129;
-    const double x131 = 8.393 * x130;
-    const double x132 = x127 + x131;
-    const double x133 = x73 * x131;
-    const double x134 = x64 * x123;
-    const double x135 = x133 - x134;
+    const double x100 = x92 + x99;
+    const double x110 = x108 - x109;
+    const double x38 = -x37;
+    momentum_rates[3 * stride] = x38;
+    total = total + x38;
     const double x136 = 0.0151074 * x83;
-    const double x137 = x83 * x136;
+    const double x47 = x45 + x46;
+    momentum_rates[5 * stride] = x47;
+    total = total + x47;
     const double x138 = 0.13388583541666665 * x22;
-    const double x139 = x22 * x138;
-    const double x140 = x137 + x139;
     const double x141 = 0.13388583541666665 * x81;
-    const double x142 = x81 * x141;
-    const double x143 = x140 + x142;
-    const double x144 = x119 * x143;
-    const double x145 = x68 * x136;
-    const double x146 = x18 * x138;
-    const double x147 = x145 - x146;
-    const double x148 = x66 * x141;
-    const double x149 = x147 + x148;
-    const double x150 = x57 * x149;
-    const double x151 = x144 - x150;
-    const double x152 = x61 * x136;
-    const double x153 = x58 * x141;
-    const double x154 = x152 - x153;
-    const double x155 = x12 * x154;
-    const double x156 = x151 + x155;
-    const double x157 = x135 + x156;
-    const double x158 = x88 * x98;
-    const double x159 = x73 * x107;
-    const double x160 = x158 - x159;
     const double x161 = 0.0151074 * x61;
-    const double x162 = x83 * x161;
     const double x163 = 0.13388583541666665 * x58;
+    const double x121 = x115 - x120;
+    const double x158 = x88 * x98;
+    const double x180 = x88 * x91;
+    const double x137 = x83 * x136;
+    const double x145 = x68 * x136;
+    const double x139 = x22 * x138;
+    const double x146 = x18 * x138;
+    const double x142 = x81 * x141;
+    const double x148 = x66 * x141;
+    const double x162 = x83 * x161;
     const double x164 = x81 * x163;
-    const double x165 = x162 - x164;
-    const double x166 = x79 * x165;
     const double x167 = x68 * x161;
     const double x168 = x66 * x163;
-    const double x169 = x167 - x168;
-    const double x170 = x78 * x169;
-    const double x171 = x166 - x170;
+    const double x152 = x61 * x136;
+    const double x140 = x137 + x139;
+    const double x147 = x145 - x146;
+    const double x153 = x58 * x141;
     const double x172 = x61 * x161;
     const double x173 = x58 * x163;
+    const double x165 = x162 - x164;
+    const double x159 = x73 * x107;
+    const double x169 = x167 - x168;
+    const double x122 = x114 + x121;
+    const double x143 = x140 + x142;
+    const double x149 = x147 + x148;
+    const double x154 = x152 - x153;
+    const double x130 = x128 + x129;
     const double x174 = x172 + x173;
-    const double x175 = x6 * x174;
-    const double x176 = x171 + x175;
-    const double x177 = x160 + x176;
-    const double x178 = x78 * x177;
-    const double x179 = x64 * x107;
-    const double x180 = x88 * x91;
-    const double x181 = x179 - x180;
-    const double x182 = 0.0151074 * x68;
-    const double x183 = x83 * x182;
-    const double x184 = 0.13388583541666665 * x18;
-    const double x185 = x22 * x184;
-    const double x186 = x183 - x185;
-    const double x187 = 0.13388583541666665 * x66;
-    const double x188 = x81 * x187;
-    const double x189 = x186 + x188;
-    const double x190 = x79 * x189;
-    const double x191 = x68 * x182;
-    const double x192 = x18 * x184;
-    const double x193 = x191 + x192;
-    const double x194 = x66 * x187;
-    const double x195 = x193 + x194;
-    const double x196 = x78 * x195;
-    const double x197 = x190 - x196;
-    const double x198 = x61 * x182;
-    const double x199 = x58 * x187;
-    const double x200 = x198 - x199;
-    const double x201 = x6 * x200;
-    const double x202 = x197 + x201;
-    const double x203 = x181 + x202;
-    const double x204 = x6 * x203;
-    const double x205 = x178 + x204;
-    const double x206 = x93 * x91;
-    const double x207 = x205 - x206;
-    const double x208 = x157 - x207;
-    const double x209 = x73 * x91;
-    const double x210 = x64 * x98;
-    const double x211 = x209 - x210;
+    const double x166 = x79 * x165;
+    const double x160 = x158 - x159;
+    const double x170 = x78 * x169;
+    const double x123 = 8.393 * x122;
     const double x212 = x79 * x143;
     const double x213 = x78 * x149;
-    const double x214 = x212 - x213;
     const double x215 = x6 * x154;
-    const double x216 = x214 + x215;
-    const double x217 = x211 + x216;
-    const double x218 = x6 * x217;
-    const double x219 = x79 * x177;
-    const double x220 = x218 - x219;
-    const double x221 = x102 * x91;
-    const double x222 = x220 - x221;
-    const double x223 = x64 * x77;
-    const double x224 = x88 * x131;
-    const double x225 = x223 - x224;
-    const double x226 = x119 * x189;
-    const double x227 = x57 * x195;
-    const double x228 = x226 - x227;
-    const double x229 = x12 * x200;
-    const double x230 = x228 + x229;
-    const double x231 = x225 + x230;
-    const double x232 = x222 + x231;
-    const double x233 = x79 * x203;
-    const double x234 = x78 * x217;
-    const double x235 = x233 + x234;
-    const double x236 = x102 * x98;
-    const double x237 = x93 * x107;
-    const double x238 = x236 - x237;
-    const double x239 = x235 + x238;
-    const double x240 = x88 * x123;
-    const double x241 = x73 * x77;
-    const double x242 = x240 - x241;
+    const double x131 = 8.393 * x130;
+    const double x175 = x6 * x174;
+    const double x144 = x119 * x143;
+    const double x150 = x57 * x149;
+    const double x171 = x166 - x170;
     const double x243 = x119 * x165;
     const double x244 = x57 * x169;
+    const double x214 = x212 - x213;
+    const double x134 = x64 * x123;
+    const double x133 = x73 * x131;
+    const double x224 = x88 * x131;
+    const double x240 = x88 * x123;
+    const double x151 = x144 - x150;
+    const double x176 = x171 + x175;
+    const double x155 = x12 * x154;
     const double x245 = x243 - x244;
+    const double x216 = x214 + x215;
     const double x246 = x12 * x174;
+    const double x135 = x133 - x134;
+    const double x127 = x125 + x126;
+    const double x101 = x77 - x100;
+    momentum_rates[6 * stride] = x101;
+    total = total + x101;
+    const double x182 = 0.0151074 * x68;
+    const double x184 = 0.13388583541666665 * x18;
+    const double x187 = 0.13388583541666665 * x66;
+    const double x179 = x64 * x107;
+    const double x177 = x160 + x176;
+    const double x237 = x93 * x107;
+    const double x156 = x151 + x155;
     const double x247 = x245 + x246;
-    const double x248 = x242 + x247;
-    const double x249 = x239 + x248;
-    const double x250 = 0.425 * x61;
-    const double x251 = 0.089159 - x250;
-    const double x252 = x18 * x251;
-    const double x253 = x14 * x252;
-    const double x254 = x53 + x253;
-    const double x255 = 0.425 * x83;
-    const double x256 = x18 * x255;
-    const double x257 = 0.425 * x68;
-    const double x258 = x22 * x257;
-    const double x259 = x256 + x258;
-    const double x260 = x259 * x78;
-    const double x261 = x22 * x251;
-    const double x262 = x6 * x261;
-    const double x263 = x260 + x262;
-    const double x264 = x8 * x263;
-    const double x265 = x254 - x264;
-    const double x266 = x14 * x18;
-    const double x267 = x57 + x266;
-    const double x268 = x8 * x55;
-    const double x269 = x267 - x268;
+    const double x124 = x110 + x123;
+    momentum_rates[7 * stride] = x124;
+    total = total + x124;
+    const double x183 = x83 * x182;
+    const double x185 = x22 * x184;
+    const double x192 = x18 * x184;
+    const double x191 = x68 * x182;
+    const double x188 = x81 * x187;
+    const double x194 = x66 * x187;
+    const double x198 = x61 * x182;
+    const double x199 = x58 * x187;
+    const double x181 = x179 - x180;
+    const double x178 = x78 * x177;
+    const double x186 = x183 - x185;
+    const double x219 = x79 * x177;
+    const double x193 = x191 + x192;
+    const double x157 = x135 + x156;
+    const double x132 = x127 + x131;
+    momentum_rates[8 * stride] = x132;
+    total = total + x132;
+    const double x270 = cosine[2 * pitch];
+    const double x291 = x270 * x68;
+    const double x272 = sine[2 * pitch];
+    const double x295 = x272 * x68;
+    const double x292 = x272 * x66;
     const double x271 = x61 * x270;
     const double x273 = x58 * x272;
-    const double x274 = x271 + x273;
-    const double x275 = 0.425 * x274;
     const double x276 = x61 * x272;
     const double x277 = x58 * x270;
-    const double x278 = x276 - x277;
-    const double x279 = 0.089159 * x278;
-    const double x280 = x275 + x279;
-    const double x281 = x251 + x280;
-    const double x282 = 0.66725 * x274;
-    const double x283 = x279 + x282;
-    const double x284 = x281 - x283;
-    const double x285 = x269 * x284;
-    const double x286 = x18 * x79;
-    const double x287 = x22 * x78;
-    const double x288 = x286 - x287;
-    const double x289 = x8 * x288;
-    const double x290 = x12 - x289;
-    const double x291 = x270 * x68;
-    const double x292 = x272 * x66;
+    const double x250 = 0.425 * x61;
+    const double x255 = 0.425 * x83;
+    const double x257 = 0.425 * x68;
+    const double x14 = a[2 * stride];
+    const double x266 = x14 * x18;
     const double x293 = x291 - x292;
-    const double x294 = 0.425 * x293;
-    const double x295 = x272 * x68;
+    const double x286 = x18 * x79;
+    const double x274 = x271 + x273;
+    const double x287 = x22 * x78;
+    const double x278 = x276 - x277;
+    const double x251 = 0.089159 - x250;
+    const double x256 = x18 * x255;
+    const double x258 = x22 * x257;
+    const double x267 = x57 + x266;
+    const double x8 = v[2 * stride];
+    const double x268 = x8 * x55;
+    const double x9 = v[3 * stride];
+    const double x535 = x9 * x55;
+    const double x275 = 0.425 * x274;
+    const double x288 = x286 - x287;
+    const double x279 = 0.089159 * x278;
+    const double x252 = x18 * x251;
+    const double x261 = x22 * x251;
+    const double x259 = x256 + x258;
+    const double x282 = 0.66725 * x274;
+    const double x269 = x267 - x268;
+    const double x189 = x186 + x188;
     const double x296 = x270 * x66;
+    const double x289 = x8 * x288;
+    const double x280 = x275 + x279;
+    const double x253 = x14 * x252;
+    const double x262 = x6 * x261;
+    const double x260 = x259 * x78;
+    const double x283 = x279 + x282;
+    const double x195 = x193 + x194;
+    const double x190 = x79 * x189;
     const double x297 = x295 + x296;
+    const double x290 = x12 - x289;
+    const double x281 = x251 + x280;
+    const double x254 = x53 + x253;
+    const double x200 = x198 - x199;
+    const double x263 = x260 + x262;
+    const double x209 = x73 * x91;
+    const double x196 = x78 * x195;
+    const double x210 = x64 * x98;
+    const double x226 = x119 * x189;
+    const double x294 = 0.425 * x293;
     const double x298 = 0.089159 * x297;
-    const double x299 = x294 + x298;
-    const double x300 = x257 - x299;
     const double x301 = 0.66725 * x293;
     const double x302 = 0.0265 * x18;
+    const double x264 = x8 * x263;
+    const double x284 = x281 - x283;
+    const double x197 = x190 - x196;
+    const double x201 = x6 * x200;
+    const double x211 = x209 - x210;
+    const double x227 = x57 * x195;
+    const double x299 = x294 + x298;
+    const double x229 = x12 * x200;
     const double x303 = x301 + x302;
-    const double x304 = x298 + x303;
-    const double x305 = x300 + x304;
-    const double x306 = x290 * x305;
-    const double x307 = x285 - x306;
-    const double x308 = x265 - x307;
-    const double x309 = 2.33 * x308;
+    const double x265 = x254 - x264;
+    const double x285 = x269 * x284;
+    const double x241 = x73 * x77;
+    const double x202 = x197 + x201;
+    const double x217 = x211 + x216;
+    const double x228 = x226 - x227;
     const double x310 = x8 * x18;
+    const double x300 = x257 - x299;
+    const double x304 = x298 + x303;
+    const double x223 = x64 * x77;
+    const double x236 = x102 * x98;
+    const double x206 = x93 * x91;
+    const double x203 = x181 + x202;
+    const double x378 = x252 * x78;
+    const double x218 = x6 * x217;
     const double x311 = x78 + x310;
+    const double x234 = x78 * x217;
+    const double x305 = x300 + x304;
+    const double x230 = x228 + x229;
     const double x312 = x8 * x259;
+    const double x221 = x102 * x91;
+    const double x204 = x6 * x203;
     const double x313 = x8 * x22;
-    const double x314 = x79 + x313;
-    const double x315 = x314 * x305;
+    const double x233 = x79 * x203;
+    const double x242 = x240 - x241;
+    const double x225 = x223 - x224;
+    const double x306 = x290 * x305;
+    const double x238 = x236 - x237;
+    const double x220 = x218 - x219;
+    const double x205 = x178 + x204;
     const double x316 = x270 * x83;
-    const double x317 = x272 * x81;
-    const double x318 = x316 - x317;
-    const double x319 = 0.425 * x318;
+    const double x314 = x79 + x313;
+    const double x235 = x233 + x234;
+    const double x248 = x242 + x247;
+    const double x307 = x285 - x306;
+    const double x231 = x225 + x230;
+    const double x222 = x220 - x221;
+    const double x207 = x205 - x206;
     const double x320 = x272 * x83;
+    const double x315 = x314 * x305;
+    const double x239 = x235 + x238;
+    const double x308 = x265 - x307;
+    const double x232 = x222 + x231;
+    momentum_rates[10 * stride] = x232;
+    total = total + x232;
+    const double x208 = x157 - x207;
+    momentum_rates[9 * stride] = x208;
+    total = total + x208;
+    const double x317 = x272 * x81;
     const double x321 = x270 * x81;
-    const double x322 = x320 + x321;
-    const double x323 = 0.089159 * x322;
-    const double x324 = x319 + x323;
-    const double x325 = x255 - x324;
-    const double x326 = 0.66725 * x318;
-    const double x327 = 0.0265 * x22;
-    const double x328 = x326 - x327;
-    const double x329 = x323 + x328;
-    const double x330 = x325 + x329;
-    const double x331 = x311 * x330;
-    const double x332 = x315 + x331;
-    const double x333 = x312 - x332;
-    const double x334 = 2.33 * x333;
-    const double x335 = x311 * x334;
     const double x336 = x8 * x261;
-    const double x337 = x93 + x336;
-    const double x338 = x6 * x330;
-    const double x339 = x314 * x284;
-    const double x340 = x338 + x339;
-    const double x341 = x337 - x340;
-    const double x342 = 2.33 * x341;
-    const double x343 = x6 * x342;
-    const double x344 = x335 + x343;
-    const double x345 = x309 - x344;
+    const double x381 = x22 * x93;
+    const double x327 = 0.0265 * x22;
+    const double x309 = 2.33 * x308;
+    const double x249 = x239 + x248;
+    momentum_rates[11 * stride] = x249;
+    total = total + x249;
     const double x346 = x8 * x252;
-    const double x347 = x102 + x346;
-    const double x348 = x311 * x284;
-    const double x349 = x6 * x305;
-    const double x350 = x348 - x349;
-    const double x351 = x347 - x350;
-    const double x352 = 2.33 * x351;
-    const double x353 = x6 * x352;
-    const double x354 = x314 * x334;
-    const double x355 = x353 - x354;
-    const double x356 = x14 * x261;
-    const double x357 = x114 + x356;
+    const double x380 = x18 * x102;
+    const double x318 = x316 - x317;
+    const double x322 = x320 + x321;
+    const double x377 = x261 * x79;
+    const double x364 = x14 * x22;
+    const double x337 = x93 + x336;
     const double x358 = x6 * x252;
     const double x359 = x259 * x79;
-    const double x360 = x358 - x359;
-    const double x361 = x8 * x360;
-    const double x362 = x357 + x361;
-    const double x363 = x290 * x330;
-    const double x364 = x14 * x22;
-    const double x365 = x119 + x364;
-    const double x366 = x8 * x117;
-    const double x367 = x365 + x366;
-    const double x368 = x367 * x284;
-    const double x369 = x363 + x368;
-    const double x370 = x362 - x369;
-    const double x371 = 2.33 * x370;
-    const double x372 = x355 + x371;
-    const double x373 = x314 * x342;
-    const double x374 = x311 * x352;
-    const double x375 = x373 + x374;
-    const double x376 = x14 * x259;
-    const double x377 = x261 * x79;
-    const double x378 = x252 * x78;
-    const double x379 = x377 + x378;
-    const double x380 = x18 * x102;
-    const double x381 = x22 * x93;
+    const double x347 = x102 + x346;
     const double x382 = x380 + x381;
+    const double x366 = x8 * x117;
+    const double x319 = 0.425 * x318;
+    const double x379 = x377 + x378;
+    const double x365 = x119 + x364;
+    const double x323 = 0.089159 * x322;
+    const double x326 = 0.66725 * x318;
+    const double x356 = x14 * x261;
+    const double x360 = x358 - x359;
+    const double x376 = x14 * x259;
+    const double x636 = x9 * x117;
+    const double x339 = x314 * x284;
     const double x383 = x379 - x382;
-    const double x384 = x8 * x383;
-    const double x385 = x376 + x384;
-    const double x386 = x367 * x305;
-    const double x387 = x269 * x330;
-    const double x388 = x386 + x387;
-    const double x389 = x385 - x388;
-    const double x390 = 2.33 * x389;
-    const double x391 = x375 + x390;
-    const double x392 = x330 * x342;
-    const double x393 = x305 * x352;
-    const double x394 = x392 - x393;
+    const double x367 = x365 + x366;
+    const double x324 = x319 + x323;
+    const double x328 = x326 - x327;
+    const double x357 = x114 + x356;
+    const double x361 = x8 * x360;
+    const double x348 = x311 * x284;
+    const double x349 = x6 * x305;
     const double x395 = 0.004095 * x274;
-    const double x396 = x318 * x395;
+    const double x384 = x8 * x383;
     const double x397 = 0.031216803515624995 * x278;
+    const double x325 = x255 - x324;
+    const double x329 = x323 + x328;
+    const double x368 = x367 * x284;
+    const double x362 = x357 + x361;
+    const double x386 = x367 * x305;
+    const double x350 = x348 - x349;
+    const double x396 = x318 * x395;
+    const double x385 = x376 + x384;
     const double x398 = x322 * x397;
-    const double x399 = x396 + x398;
-    const double x400 = x314 * x399;
     const double x401 = x293 * x395;
+    const double x330 = x325 + x329;
     const double x402 = x297 * x397;
-    const double x403 = x401 + x402;
-    const double x404 = x311 * x403;
-    const double x405 = x400 - x404;
     const double x406 = x274 * x395;
     const double x407 = x278 * x397;
+    const double x351 = x347 - x350;
+    const double x399 = x396 + x398;
+    const double x331 = x311 * x330;
+    const double x338 = x6 * x330;
+    const double x403 = x401 + x402;
+    const double x363 = x290 * x330;
+    const double x352 = 2.33 * x351;
+    const double x387 = x269 * x330;
     const double x408 = x406 + x407;
-    const double x409 = x6 * x408;
-    const double x410 = x405 + x409;
-    const double x411 = x394 - x410;
-    const double x412 = x311 * x411;
-    const double x413 = x284 * x352;
-    const double x414 = x330 * x334;
-    const double x415 = x413 + x414;
+    const double x400 = x314 * x399;
+    const double x506 = x367 * x399;
+    const double x332 = x315 + x331;
     const double x416 = 0.004095 * x293;
+    const double x340 = x338 + x339;
+    const double x404 = x311 * x403;
+    const double x369 = x363 + x368;
+    const double x388 = x386 + x387;
+    const double x393 = x305 * x352;
+    const double x409 = x6 * x408;
+    const double x413 = x284 * x352;
+    const double x333 = x312 - x332;
     const double x417 = x318 * x416;
+    const double x341 = x337 - x340;
+    const double x405 = x400 - x404;
+    const double x370 = x362 - x369;
+    const double x389 = x385 - x388;
+    const double x507 = x269 * x403;
+    const double x509 = x290 * x408;
+    const double x353 = x6 * x352;
+    const double x334 = 2.33 * x333;
     const double x418 = 0.031216803515624995 * x18;
+    const double x342 = 2.33 * x341;
+    const double x410 = x405 + x409;
+    const double x371 = 2.33 * x370;
+    const double x390 = 2.33 * x389;
+    const double x508 = x506 - x507;
+    const double x374 = x311 * x352;
+    const double x414 = x330 * x334;
+    const double x335 = x311 * x334;
     const double x419 = x22 * x418;
-    const double x420 = x417 - x419;
-    const double x421 = 0.031216803515624995 * x297;
-    const double x422 = x322 * x421;
-    const double x423 = x420 + x422;
-    const double x424 = x314 * x423;
-    const double x425 = x293 * x416;
     const double x426 = x18 * x418;
+    const double x421 = 0.031216803515624995 * x297;
+    const double x425 = x293 * x416;
+    const double x392 = x330 * x342;
+    const double x343 = x6 * x342;
+    const double x354 = x314 * x334;
+    const double x415 = x413 + x414;
+    const double x373 = x314 * x342;
+    const double x420 = x417 - x419;
+    const double x510 = x508 + x509;
+    const double x422 = x322 * x421;
     const double x427 = x425 + x426;
-    const double x428 = x297 * x421;
-    const double x429 = x427 + x428;
-    const double x430 = x311 * x429;
-    const double x431 = x424 - x430;
+    const double x394 = x392 - x393;
+    const double x344 = x335 + x343;
     const double x432 = x274 * x416;
+    const double x355 = x353 - x354;
+    const double x375 = x373 + x374;
+    const double x423 = x420 + x422;
+    const double x411 = x394 - x410;
+    const double x345 = x309 - x344;
+    momentum_rates[12 * stride] = x345;
+    total = total + x345;
+    const double x447 = 0.004095 * x318;
+    const double x449 = 0.031216803515624995 * x22;
+    const double x452 = 0.031216803515624995 * x322;
+    const double x428 = x297 * x421;
     const double x433 = x278 * x421;
+    const double x424 = x314 * x423;
+    const double x473 = x367 * x423;
+    const double x412 = x311 * x411;
+    const double x489 = x314 * x411;
+    const double x448 = x318 * x447;
+    const double x450 = x22 * x449;
+    const double x457 = x18 * x449;
+    const double x453 = x322 * x452;
+    const double x429 = x427 + x428;
     const double x434 = x432 + x433;
-    const double x435 = x6 * x434;
-    const double x436 = x431 + x435;
-    const double x437 = x415 + x436;
-    const double x438 = x6 * x437;
-    const double x439 = x412 - x438;
     const double x440 = x337 * x334;
     const double x441 = x312 * x342;
-    const double x442 = x440 - x441;
-    const double x443 = x439 + x442;
     const double x444 = x305 * x390;
-    const double x445 = x284 * x371;
-    const double x446 = x444 + x445;
-    const double x447 = 0.004095 * x318;
-    const double x448 = x318 * x447;
-    const double x449 = 0.031216803515624995 * x22;
-    const double x450 = x22 * x449;
+    const double x471 = x330 * x390;
     const double x451 = x448 + x450;
-    const double x452 = 0.031216803515624995 * x322;
-    const double x453 = x322 * x452;
-    const double x454 = x451 + x453;
-    const double x455 = x367 * x454;
+    const double x503 = x330 * x371;
+    const double x445 = x284 * x371;
+    const double x430 = x311 * x429;
+    const double x435 = x6 * x434;
+    const double x474 = x269 * x429;
+    const double x476 = x290 * x434;
+    const double x442 = x440 - x441;
+    const double x372 = x355 + x371;
+    momentum_rates[13 * stride] = x372;
+    total = total + x372;
     const double x456 = x293 * x447;
-    const double x457 = x18 * x449;
-    const double x458 = x456 - x457;
     const double x459 = x297 * x452;
-    const double x460 = x458 + x459;
-    const double x461 = x269 * x460;
-    const double x462 = x455 - x461;
+    const double x454 = x451 + x453;
     const double x463 = x274 * x447;
     const double x464 = x278 * x452;
-    const double x465 = x463 + x464;
-    const double x466 = x290 * x465;
-    const double x467 = x462 + x466;
-    const double x468 = x446 - x467;
-    const double x469 = x443 - x468;
-    const double x470 = x284 * x309;
-    const double x471 = x330 * x390;
-    const double x472 = x470 + x471;
-    const double x473 = x367 * x423;
-    const double x474 = x269 * x429;
+    const double x431 = x424 - x430;
     const double x475 = x473 - x474;
-    const double x476 = x290 * x434;
-    const double x477 = x475 + x476;
-    const double x478 = x472 + x477;
-    const double x479 = x305 * x334;
-    const double x480 = x284 * x342;
-    const double x481 = x479 + x480;
-    const double x482 = x314 * x454;
-    const double x483 = x311 * x460;
-    const double x484 = x482 - x483;
-    const double x485 = x6 * x465;
-    const double x486 = x484 + x485;
-    const double x487 = x481 - x486;
-    const double x488 = x6 * x487;
-    const double x489 = x314 * x411;
-    const double x490 = x488 - x489;
-    const double x491 = x312 * x352;
-    const double x492 = x347 * x334;
-    const double x493 = x491 - x492;
-    const double x494 = x490 - x493;
-    const double x495 = x478 - x494;
-    const double x496 = x314 * x437;
-    const double x497 = x311 * x487;
-    const double x498 = x496 - x497;
-    const double x499 = x347 * x342;
-    const double x500 = x337 * x352;
-    const double x501 = x499 - x500;
-    const double x502 = x498 + x501;
-    const double x503 = x330 * x371;
-    const double x504 = x305 * x309;
-    const double x505 = x503 - x504;
-    const double x506 = x367 * x399;
-    const double x507 = x269 * x403;
-    const double x508 = x506 - x507;
-    const double x509 = x290 * x408;
-    const double x510 = x508 + x509;
-    const double x511 = x505 - x510;
-    const double x512 = x502 - x511;
-    const double x513 = 0.39225 * x274;
-    const double x514 = x251 - x513;
-    const double x515 = x18 * x514;
-    const double x516 = x15 * x515;
-    const double x517 = x265 + x516;
+    const double x446 = x444 + x445;
+    const double x391 = x375 + x390;
+    momentum_rates[14 * stride] = x391;
+    total = total + x391;
     const double x518 = 0.39225 * x318;
-    const double x519 = x255 + x518;
-    const double x520 = x18 * x519;
     const double x521 = 0.39225 * x293;
-    const double x522 = x257 + x521;
-    const double x523 = x22 * x522;
-    const double x524 = x520 + x523;
-    const double x525 = x524 * x311;
-    const double x526 = x22 * x514;
-    const double x527 = x6 * x526;
-    const double x528 = x525 + x527;
-    const double x529 = x18 * x312;
-    const double x530 = x528 - x529;
-    const double x531 = x9 * x530;
-    const double x532 = x517 - x531;
+    const double x513 = 0.39225 * x274;
+    const double x15 = a[3 * stride];
     const double x533 = x15 * x18;
+    const double x529 = x18 * x312;
+    const double x458 = x456 - x457;
+    const double x482 = x314 * x454;
+    const double x465 = x463 + x464;
+    const double x480 = x284 * x342;
+    const double x519 = x255 + x518;
+    const double x522 = x257 + x521;
+    const double x514 = x251 - x513;
     const double x534 = x269 + x533;
-    const double x535 = x9 * x55;
+    const double x479 = x305 * x334;
+    const double x460 = x458 + x459;
+    const double x436 = x431 + x435;
+    const double x485 = x6 * x465;
+    const double x455 = x367 * x454;
+    const double x520 = x18 * x519;
+    const double x523 = x22 * x522;
+    const double x515 = x18 * x514;
+    const double x526 = x22 * x514;
     const double x536 = x534 - x535;
+    const double x483 = x311 * x460;
+    const double x481 = x479 + x480;
+    const double x437 = x415 + x436;
+    const double x537 = cosine[3 * pitch];
     const double x538 = x537 * x274;
-    const double x540 = x539 * x278;
-    const double x541 = x538 - x540;
-    const double x542 = 0.81725 * x541;
+    const double x539 = sine[3 * pitch];
     const double x543 = x539 * x274;
+    const double x524 = x520 + x523;
+    const double x516 = x15 * x515;
+    const double x527 = x6 * x526;
+    const double x461 = x269 * x460;
+    const double x484 = x482 - x483;
+    const double x466 = x290 * x465;
+    const double x438 = x6 * x437;
+    const double x496 = x314 * x437;
+    const double x470 = x284 * x309;
+    const double x525 = x524 * x311;
+    const double x517 = x265 + x516;
+    const double x499 = x347 * x342;
+    const double x462 = x455 - x461;
+    const double x486 = x484 + x485;
+    const double x504 = x305 * x309;
+    const double x492 = x347 * x334;
+    const double x491 = x312 * x352;
+    const double x500 = x337 * x352;
+    const double x528 = x525 + x527;
+    const double x477 = x475 + x476;
+    const double x540 = x539 * x278;
+    const double x439 = x412 - x438;
     const double x544 = x537 * x278;
+    const double x487 = x481 - x486;
+    const double x467 = x462 + x466;
+    const double x472 = x470 + x471;
+    const double x505 = x503 - x504;
+    const double x530 = x528 - x529;
+    const double x493 = x491 - x492;
+    const double x541 = x538 - x540;
+    const double x501 = x499 - x500;
     const double x545 = x543 + x544;
-    const double x546 = 0.089159 * x545;
-    const double x547 = x542 + x546;
-    const double x548 = x514 + x547;
-    const double x549 = 0.072819 * x545;
-    const double x550 = x542 + x549;
-    const double x551 = x548 - x550;
-    const double x552 = x536 * x551;
-    const double x553 = x18 * x314;
-    const double x554 = x22 * x311;
-    const double x555 = x553 - x554;
-    const double x556 = x9 * x555;
-    const double x557 = x290 - x556;
+    const double x488 = x6 * x487;
+    const double x497 = x311 * x487;
+    const double x443 = x439 + x442;
     const double x558 = x537 * x293;
     const double x559 = x539 * x297;
-    const double x560 = x558 - x559;
-    const double x561 = 0.81725 * x560;
     const double x562 = x539 * x293;
     const double x563 = x537 * x297;
-    const double x564 = x562 + x563;
-    const double x565 = 0.089159 * x564;
-    const double x566 = x561 + x565;
-    const double x567 = x522 - x566;
-    const double x568 = 0.10735 * x18;
-    const double x569 = x561 + x568;
-    const double x570 = 0.072819 * x564;
-    const double x571 = x569 + x570;
-    const double x572 = x567 + x571;
-    const double x573 = x557 * x572;
-    const double x574 = x552 - x573;
-    const double x575 = x532 - x574;
-    const double x576 = 1.219 * x575;
+    const double x553 = x18 * x314;
+    const double x554 = x22 * x311;
     const double x577 = x9 * x18;
+    const double x542 = 0.81725 * x541;
+    const double x546 = 0.089159 * x545;
+    const double x568 = 0.10735 * x18;
+    const double x560 = x558 - x559;
+    const double x549 = 0.072819 * x545;
+    const double x564 = x562 + x563;
+    const double x531 = x9 * x530;
+    const double x555 = x553 - x554;
+    const double x490 = x488 - x489;
+    const double x498 = x496 - x497;
+    const double x547 = x542 + x546;
+    const double x468 = x446 - x467;
+    const double x561 = 0.81725 * x560;
     const double x578 = x311 + x577;
-    const double x579 = x9 * x524;
-    const double x580 = x312 + x579;
-    const double x581 = x9 * x22;
-    const double x582 = x314 + x581;
-    const double x583 = x582 * x572;
+    const double x565 = 0.089159 * x564;
+    const double x570 = 0.072819 * x564;
+    const double x556 = x9 * x555;
+    const double x550 = x542 + x549;
+    const double x532 = x517 - x531;
+    const double x548 = x514 + x547;
+    const double x478 = x472 + x477;
+    const double x569 = x561 + x568;
+    const double x511 = x505 - x510;
+    const double x566 = x561 + x565;
+    const double x494 = x490 - x493;
+    const double x557 = x290 - x556;
+    const double x502 = x498 + x501;
+    const double x469 = x443 - x468;
+    momentum_rates[15 * stride] = x469;
+    total = total + x469;
     const double x584 = x537 * x318;
     const double x585 = x539 * x322;
-    const double x586 = x584 - x585;
-    const double x587 = 0.81725 * x586;
     const double x588 = x539 * x318;
     const double x589 = x537 * x322;
-    const double x590 = x588 + x589;
-    const double x591 = 0.089159 * x590;
-    const double x592 = x587 + x591;
-    const double x593 = x519 - x592;
-    const double x594 = 0.10735 * x22;
-    const double x595 = x587 - x594;
-    const double x596 = 0.072819 * x590;
-    const double x597 = x595 + x596;
-    const double x598 = x593 + x597;
-    const double x599 = x578 * x598;
-    const double x600 = x583 + x599;
-    const double x601 = x580 - x600;
-    const double x602 = 1.219 * x601;
-    const double x603 = x578 * x602;
-    const double x604 = x9 * x526;
-    const double x605 = x337 + x604;
-    const double x606 = x6 * x598;
-    const double x607 = x582 * x551;
-    const double x608 = x606 + x607;
-    const double x609 = x605 - x608;
-    const double x610 = 1.219 * x609;
-    const double x611 = x6 * x610;
-    const double x612 = x603 + x611;
-    const double x613 = x576 - x612;
-    const double x614 = x9 * x515;
-    const double x615 = x347 + x614;
-    const double x616 = x578 * x551;
-    const double x617 = x6 * x572;
-    const double x618 = x616 - x617;
-    const double x619 = x615 - x618;
-    const double x620 = 1.219 * x619;
-    const double x621 = x6 * x620;
-    const double x622 = x582 * x602;
-    const double x623 = x621 - x622;
-    const double x624 = x15 * x526;
-    const double x625 = x362 + x624;
-    const double x626 = x6 * x515;
-    const double x627 = x524 * x314;
-    const double x628 = x626 - x627;
-    const double x629 = x22 * x312;
-    const double x630 = x628 + x629;
-    const double x631 = x9 * x630;
-    const double x632 = x625 + x631;
-    const double x633 = x557 * x598;
-    const double x634 = x15 * x22;
-    const double x635 = x367 + x634;
-    const double x636 = x9 * x117;
-    const double x637 = x635 + x636;
-    const double x638 = x637 * x551;
-    const double x639 = x633 + x638;
-    const double x640 = x632 - x639;
-    const double x641 = 1.219 * x640;
-    const double x642 = x623 + x641;
-    const double x643 = x582 * x610;
-    const double x644 = x578 * x620;
-    const double x645 = x643 + x644;
-    const double x646 = x15 * x524;
-    const double x647 = x385 + x646;
-    const double x648 = x526 * x314;
+    const double x581 = x9 * x22;
     const double x649 = x515 * x311;
-    const double x650 = x648 + x649;
-    const double x651 = x18 * x347;
+    const double x579 = x9 * x524;
+    const double x594 = 0.10735 * x22;
+    const double x629 = x22 * x312;
+    const double x567 = x522 - x566;
+    const double x586 = x584 - x585;
+    const double x571 = x569 + x570;
+    const double x590 = x588 + x589;
+    const double x582 = x314 + x581;
+    const double x551 = x548 - x550;
+    const double x580 = x312 + x579;
+    const double x495 = x478 - x494;
+    momentum_rates[16 * stride] = x495;
+    total = total + x495;
+    const double x512 = x502 - x511;
+    momentum_rates[17 * stride] = x512;
+    total = total + x512;
+    const double x604 = x9 * x526;
+    const double x587 = 0.81725 * x586;
     const double x652 = x22 * x337;
+    const double x591 = 0.089159 * x590;
+    const double x614 = x9 * x515;
+    const double x626 = x6 * x515;
+    const double x651 = x18 * x347;
+    const double x648 = x526 * x314;
+    const double x627 = x524 * x314;
+    const double x596 = 0.072819 * x590;
+    const double x595 = x587 - x594;
+    const double x605 = x337 + x604;
+    const double x592 = x587 + x591;
+    const double x615 = x347 + x614;
+    const double x624 = x15 * x526;
     const double x653 = x651 + x652;
+    const double x650 = x648 + x649;
+    const double x628 = x626 - x627;
+    const double x646 = x15 * x524;
+    const double x597 = x595 + x596;
+    const double x572 = x567 + x571;
+    const double x593 = x519 - x592;
+    const double x607 = x582 * x551;
+    const double x625 = x362 + x624;
+    const double x616 = x578 * x551;
     const double x654 = x650 - x653;
+    const double x630 = x628 + x629;
+    const double x647 = x385 + x646;
+    const double x552 = x536 * x551;
+    const double x634 = x15 * x22;
+    const double x598 = x593 + x597;
+    const double x583 = x582 * x572;
+    const double x617 = x6 * x572;
+    const double x573 = x557 * x572;
     const double x655 = x9 * x654;
+    const double x631 = x9 * x630;
+    const double x635 = x367 + x634;
+    const double x599 = x578 * x598;
+    const double x606 = x6 * x598;
+    const double x618 = x616 - x617;
+    const double x633 = x557 * x598;
     const double x656 = x647 + x655;
-    const double x657 = x637 * x572;
+    const double x632 = x625 + x631;
     const double x658 = x536 * x598;
-    const double x659 = x657 + x658;
-    const double x660 = x656 - x659;
-    const double x661 = 1.219 * x660;
-    const double x662 = x645 + x661;
-    const double x663 = x598 * x610;
-    const double x664 = x572 * x620;
-    const double x665 = x663 - x664;
+    const double x574 = x552 - x573;
+    const double x637 = x635 + x636;
+    const double x600 = x583 + x599;
+    const double x608 = x606 + x607;
+    const double x619 = x615 - x618;
+    const double x575 = x532 - x574;
     const double x666 = 0.002013889583333333 * x541;
-    const double x667 = x586 * x666;
-    const double x668 = 0.002013889583333333 * x545;
-    const double x669 = x590 * x668;
-    const double x670 = x667 + x669;
-    const double x671 = x582 * x670;
-    const double x672 = x560 * x666;
-    const double x673 = x564 * x668;
-    const double x674 = x672 + x673;
-    const double x675 = x578 * x674;
-    const double x676 = x671 - x675;
-    const double x677 = x541 * x666;
-    const double x678 = x545 * x668;
-    const double x679 = x677 + x678;
-    const double x680 = x6 * x679;
-    const double x681 = x676 + x680;
-    const double x682 = x665 - x681;
-    const double x683 = x578 * x682;
-    const double x684 = x551 * x620;
-    const double x685 = x598 * x602;
-    const double x686 = x684 + x685;
+    const double x601 = x580 - x600;
+    const double x609 = x605 - x608;
+    const double x620 = 1.219 * x619;
+    const double x638 = x637 * x551;
+    const double x657 = x637 * x572;
+    const double x576 = 1.219 * x575;
     const double x687 = 0.002013889583333333 * x560;
-    const double x688 = x586 * x687;
+    const double x668 = 0.002013889583333333 * x545;
+    const double x667 = x586 * x666;
+    const double x672 = x560 * x666;
+    const double x677 = x541 * x666;
+    const double x602 = 1.219 * x601;
     const double x689 = 0.0021942 * x18;
+    const double x610 = 1.219 * x609;
+    const double x639 = x633 + x638;
+    const double x688 = x586 * x687;
+    const double x669 = x590 * x668;
+    const double x673 = x564 * x668;
+    const double x678 = x545 * x668;
+    const double x659 = x657 + x658;
+    const double x664 = x572 * x620;
+    const double x684 = x551 * x620;
+    const double x663 = x598 * x610;
+    const double x685 = x598 * x602;
+    const double x640 = x632 - x639;
+    const double x670 = x667 + x669;
+    const double x674 = x672 + x673;
+    const double x679 = x677 + x678;
+    const double x660 = x656 - x659;
+    const double x603 = x578 * x602;
     const double x690 = x22 * x689;
-    const double x691 = x688 - x690;
-    const double x692 = 0.002013889583333333 * x564;
-    const double x693 = x590 * x692;
-    const double x694 = x691 + x693;
-    const double x695 = x582 * x694;
-    const double x696 = x560 * x687;
     const double x697 = x18 * x689;
+    const double x692 = 0.002013889583333333 * x564;
+    const double x696 = x560 * x687;
+    const double x671 = x582 * x670;
+    const double x675 = x578 * x674;
+    const double x680 = x6 * x679;
+    const double x665 = x663 - x664;
+    const double x686 = x684 + x685;
+    const double x691 = x688 - x690;
+    const double x641 = 1.219 * x640;
+    const double x693 = x590 * x692;
+    const double x661 = 1.219 * x660;
+    const double x777 = x637 * x670;
+    const double x676 = x671 - x675;
+    const double x778 = x536 * x674;
+    const double x780 = x557 * x679;
+    const double x611 = x6 * x610;
     const double x698 = x696 + x697;
-    const double x699 = x564 * x692;
-    const double x700 = x698 + x699;
-    const double x701 = x578 * x700;
-    const double x702 = x695 - x701;
+    const double x621 = x6 * x620;
+    const double x694 = x691 + x693;
+    const double x622 = x582 * x602;
+    const double x643 = x582 * x610;
+    const double x681 = x676 + x680;
+    const double x779 = x777 - x778;
+    const double x644 = x578 * x620;
+    const double x612 = x603 + x611;
     const double x703 = x541 * x687;
+    const double x695 = x582 * x694;
+    const double x744 = x637 * x694;
+    const double x623 = x621 - x622;
+    const double x682 = x665 - x681;
+    const double x781 = x779 + x780;
+    const double x645 = x643 + x644;
+    const double x613 = x576 - x612;
+    momentum_rates[18 * stride] = x613;
+    total = total + x613;
+    const double x718 = 0.002013889583333333 * x586;
+    const double x720 = 0.0021942 * x22;
+    const double x723 = 0.002013889583333333 * x590;
+    const double x699 = x564 * x692;
     const double x704 = x545 * x692;
-    const double x705 = x703 + x704;
-    const double x706 = x6 * x705;
-    const double x707 = x702 + x706;
-    const double x708 = x686 + x707;
-    const double x709 = x6 * x708;
-    const double x710 = x683 - x709;
+    const double x683 = x578 * x682;
+    const double x760 = x582 * x682;
     const double x711 = x605 * x602;
     const double x712 = x580 * x610;
-    const double x713 = x711 - x712;
-    const double x714 = x710 + x713;
-    const double x715 = x572 * x661;
-    const double x716 = x551 * x641;
-    const double x717 = x715 + x716;
-    const double x718 = 0.002013889583333333 * x586;
     const double x719 = x586 * x718;
-    const double x720 = 0.0021942 * x22;
     const double x721 = x22 * x720;
-    const double x722 = x719 + x721;
-    const double x723 = 0.002013889583333333 * x590;
-    const double x724 = x590 * x723;
-    const double x725 = x722 + x724;
-    const double x726 = x637 * x725;
-    const double x727 = x560 * x718;
     const double x728 = x18 * x720;
-    const double x729 = x727 - x728;
+    const double x724 = x590 * x723;
+    const double x700 = x698 + x699;
+    const double x705 = x703 + x704;
+    const double x715 = x572 * x661;
+    const double x742 = x598 * x661;
+    const double x774 = x598 * x641;
+    const double x716 = x551 * x641;
+    const double x722 = x719 + x721;
+    const double x713 = x711 - x712;
+    const double x642 = x623 + x641;
+    momentum_rates[19 * stride] = x642;
+    total = total + x642;
+    const double x727 = x560 * x718;
     const double x730 = x564 * x723;
-    const double x731 = x729 + x730;
-    const double x732 = x536 * x731;
-    const double x733 = x726 - x732;
     const double x734 = x541 * x718;
     const double x735 = x545 * x723;
-    const double x736 = x734 + x735;
-    const double x737 = x557 * x736;
-    const double x738 = x733 + x737;
-    const double x739 = x717 - x738;
-    const double x740 = x714 - x739;
-    const double x741 = x551 * x576;
-    const double x742 = x598 * x661;
-    const double x743 = x741 + x742;
-    const double x744 = x637 * x694;
+    const double x701 = x578 * x700;
+    const double x706 = x6 * x705;
+    const double x725 = x722 + x724;
     const double x745 = x536 * x700;
-    const double x746 = x744 - x745;
     const double x747 = x557 * x705;
-    const double x748 = x746 + x747;
-    const double x749 = x743 + x748;
-    const double x750 = x572 * x602;
-    const double x751 = x551 * x610;
-    const double x752 = x750 + x751;
-    const double x753 = x582 * x725;
-    const double x754 = x578 * x731;
-    const double x755 = x753 - x754;
-    const double x756 = x6 * x736;
-    const double x757 = x755 + x756;
-    const double x758 = x752 - x757;
-    const double x759 = x6 * x758;
-    const double x760 = x582 * x682;
-    const double x761 = x759 - x760;
-    const double x762 = x580 * x620;
-    const double x763 = x615 * x602;
-    const double x764 = x762 - x763;
-    const double x765 = x761 - x764;
-    const double x766 = x749 - x765;
-    const double x767 = x582 * x708;
-    const double x768 = x578 * x758;
-    const double x769 = x767 - x768;
-    const double x770 = x615 * x610;
-    const double x771 = x605 * x620;
-    const double x772 = x770 - x771;
-    const double x773 = x769 + x772;
-    const double x774 = x598 * x641;
-    const double x775 = x572 * x576;
-    const double x776 = x774 - x775;
-    const double x777 = x637 * x670;
-    const double x778 = x536 * x674;
-    const double x779 = x777 - x778;
-    const double x780 = x557 * x679;
-    const double x781 = x779 + x780;
-    const double x782 = x776 - x781;
-    const double x783 = x773 - x782;
+    const double x729 = x727 - x728;
+    const double x717 = x715 + x716;
+    const double x662 = x645 + x661;
+    momentum_rates[20 * stride] = x662;
+    total = total + x662;
     const double x784 = 0.10915 * x18;
-    const double x785 = x522 + x784;
-    const double x786 = x545 * x785;
-    const double x787 = x564 * x514;
-    const double x788 = x786 + x787;
-    const double x789 = x16 * x788;
-    const double x790 = x532 - x789;
     const double x791 = 0.10915 * x22;
+    const double x787 = x564 * x514;
+    const double x797 = x590 * x514;
+    const double x753 = x582 * x725;
+    const double x736 = x734 + x735;
+    const double x731 = x729 + x730;
+    const double x702 = x695 - x701;
+    const double x802 = x545 * x605;
+    const double x785 = x522 + x784;
     const double x792 = x519 - x791;
+    const double x803 = x564 * x580;
+    const double x751 = x551 * x610;
+    const double x750 = x572 * x602;
+    const double x756 = x6 * x736;
+    const double x754 = x578 * x731;
+    const double x707 = x702 + x706;
+    const double x726 = x637 * x725;
+    const double x786 = x545 * x785;
     const double x793 = x564 * x792;
     const double x794 = x590 * x785;
-    const double x795 = x793 - x794;
-    const double x796 = x795 * x578;
-    const double x797 = x590 * x514;
     const double x798 = x545 * x792;
-    const double x799 = x797 + x798;
-    const double x800 = x6 * x799;
-    const double x801 = x796 - x800;
-    const double x802 = x545 * x605;
-    const double x803 = x564 * x580;
-    const double x804 = x802 - x803;
-    const double x805 = x801 + x804;
-    const double x806 = x10 * x805;
-    const double x807 = x790 + x806;
+    const double x752 = x750 + x751;
+    const double x732 = x536 * x731;
+    const double x755 = x753 - x754;
+    const double x708 = x686 + x707;
+    const double x746 = x744 - x745;
+    const double x788 = x786 + x787;
+    const double x16 = a[4 * stride];
     const double x808 = x16 * x564;
-    const double x809 = x536 - x808;
+    const double x795 = x793 - x794;
+    const double x799 = x797 + x798;
+    const double x804 = x802 - x803;
+    const double x733 = x726 - x732;
+    const double x757 = x755 + x756;
+    const double x709 = x6 * x708;
+    const double x767 = x582 * x708;
+    const double x789 = x16 * x788;
+    const double x737 = x557 * x736;
+    const double x796 = x795 * x578;
+    const double x800 = x6 * x799;
+    const double x741 = x551 * x576;
+    const double x770 = x615 * x610;
+    const double x758 = x752 - x757;
+    const double x775 = x572 * x576;
+    const double x763 = x615 * x602;
+    const double x790 = x532 - x789;
+    const double x762 = x580 * x620;
+    const double x771 = x605 * x620;
+    const double x801 = x796 - x800;
+    const double x748 = x746 + x747;
     const double x810 = x6 * x590;
-    const double x811 = x545 * x582;
-    const double x812 = x810 - x811;
-    const double x813 = x10 * x812;
-    const double x814 = x809 - x813;
+    const double x809 = x536 - x808;
+    const double x759 = x6 * x758;
+    const double x768 = x578 * x758;
+    const double x710 = x683 - x709;
+    const double x815 = cosine[4 * pitch];
     const double x816 = x815 * x541;
-    const double x817 = 0.81725 * x816;
-    const double x819 = x818 * x541;
-    const double x820 = 0.10915 * x819;
-    const double x821 = x817 + x820;
-    const double x822 = x546 + x821;
-    const double x823 = x514 + x822;
-    const double x824 = 0.12549 * x819;
-    const double x825 = x817 + x824;
-    const double x826 = 0.003691 * x545;
-    const double x827 = x825 - x826;
-    const double x828 = x823 - x827;
-    const double x829 = x814 * x828;
-    const double x830 = x16 * x545;
-    const double x831 = x557 + x830;
-    const double x832 = x564 * x582;
-    const double x833 = x590 * x578;
-    const double x834 = x832 + x833;
-    const double x835 = x10 * x834;
-    const double x836 = x831 + x835;
+    const double x811 = x545 * x582;
+    const double x805 = x801 + x804;
+    const double x738 = x733 + x737;
+    const double x743 = x741 + x742;
+    const double x776 = x774 - x775;
+    const double x761 = x759 - x760;
+    const double x769 = x767 - x768;
+    const double x764 = x762 - x763;
+    const double x772 = x770 - x771;
+    const double x812 = x810 - x811;
+    const double x10 = v[4 * stride];
+    const double x806 = x10 * x805;
+    const double x714 = x710 + x713;
     const double x837 = x815 * x560;
+    const double x818 = sine[4 * pitch];
     const double x838 = x18 * x818;
-    const double x839 = x837 - x838;
-    const double x840 = 0.81725 * x839;
     const double x841 = x818 * x560;
     const double x842 = x18 * x815;
+    const double x819 = x818 * x541;
+    const double x817 = 0.81725 * x816;
+    const double x826 = 0.003691 * x545;
+    const double x832 = x564 * x582;
+    const double x833 = x590 * x578;
+    const double x830 = x16 * x545;
+    const double x839 = x837 - x838;
+    const double x813 = x10 * x812;
     const double x843 = x841 + x842;
+    const double x820 = 0.10915 * x819;
+    const double x824 = 0.12549 * x819;
+    const double x807 = x790 + x806;
+    const double x739 = x717 - x738;
+    const double x834 = x832 + x833;
+    const double x831 = x557 + x830;
+    const double x840 = 0.81725 * x839;
+    const double x814 = x809 - x813;
     const double x844 = 0.10915 * x843;
-    const double x845 = x840 + x844;
-    const double x846 = x565 + x845;
-    const double x847 = x785 - x846;
+    const double x821 = x817 + x820;
     const double x848 = 0.12549 * x843;
-    const double x849 = x840 + x848;
-    const double x850 = 0.003691 * x564;
-    const double x851 = x849 - x850;
-    const double x852 = x847 + x851;
-    const double x853 = x836 * x852;
-    const double x854 = x829 - x853;
-    const double x855 = x807 - x854;
-    const double x856 = 1.219 * x855;
-    const double x857 = x10 * x564;
-    const double x858 = x578 - x857;
-    const double x859 = x10 * x795;
-    const double x860 = x580 - x859;
-    const double x861 = x10 * x590;
-    const double x862 = x582 + x861;
-    const double x863 = x862 * x852;
+    const double x825 = x817 + x824;
+    const double x749 = x743 + x748;
+    const double x835 = x10 * x834;
+    const double x782 = x776 - x781;
+    const double x765 = x761 - x764;
+    const double x773 = x769 + x772;
+    const double x845 = x840 + x844;
+    const double x822 = x546 + x821;
+    const double x740 = x714 - x739;
+    momentum_rates[21 * stride] = x740;
+    total = total + x740;
     const double x864 = x815 * x586;
     const double x865 = x22 * x818;
-    const double x866 = x864 + x865;
-    const double x867 = 0.81725 * x866;
     const double x868 = x818 * x586;
     const double x869 = x22 * x815;
-    const double x870 = x868 - x869;
-    const double x871 = 0.10915 * x870;
-    const double x872 = x867 + x871;
-    const double x873 = x591 + x872;
-    const double x874 = x792 - x873;
-    const double x875 = 0.12549 * x870;
-    const double x876 = x867 + x875;
-    const double x877 = 0.003691 * x590;
-    const double x878 = x876 - x877;
-    const double x879 = x874 + x878;
-    const double x880 = x858 * x879;
-    const double x881 = x863 + x880;
-    const double x882 = x860 - x881;
-    const double x883 = 1.219 * x882;
-    const double x884 = x858 * x883;
-    const double x885 = x10 * x545;
-    const double x886 = x6 + x885;
-    const double x887 = x10 * x799;
-    const double x888 = x605 + x887;
-    const double x889 = x886 * x879;
-    const double x890 = x862 * x828;
-    const double x891 = x889 + x890;
-    const double x892 = x888 - x891;
-    const double x893 = 1.219 * x892;
-    const double x894 = x886 * x893;
-    const double x895 = x884 + x894;
-    const double x896 = x856 - x895;
-    const double x897 = x10 * x788;
-    const double x898 = x615 - x897;
-    const double x899 = x858 * x828;
-    const double x900 = x886 * x852;
-    const double x901 = x899 - x900;
-    const double x902 = x898 - x901;
-    const double x903 = 1.219 * x902;
-    const double x904 = x886 * x903;
-    const double x905 = x862 * x883;
-    const double x906 = x904 - x905;
-    const double x907 = x16 * x799;
-    const double x908 = x632 + x907;
-    const double x909 = x6 * x788;
-    const double x910 = x795 * x582;
-    const double x911 = x909 - x910;
+    const double x849 = x840 + x848;
+    const double x850 = 0.003691 * x564;
+    const double x846 = x565 + x845;
+    const double x857 = x10 * x564;
+    const double x861 = x10 * x590;
+    const double x823 = x514 + x822;
+    const double x866 = x864 + x865;
+    const double x827 = x825 - x826;
+    const double x859 = x10 * x795;
     const double x912 = x590 * x580;
-    const double x913 = x545 * x615;
-    const double x914 = x912 - x913;
-    const double x915 = x911 - x914;
-    const double x916 = x10 * x915;
-    const double x917 = x908 - x916;
-    const double x918 = x836 * x879;
-    const double x919 = x16 * x590;
-    const double x920 = x637 + x919;
+    const double x851 = x849 - x850;
+    const double x847 = x785 - x846;
+    const double x858 = x578 - x857;
+    const double x862 = x582 + x861;
+    const double x836 = x831 + x835;
+    const double x867 = 0.81725 * x866;
+    const double x828 = x823 - x827;
+    const double x860 = x580 - x859;
+    const double x766 = x749 - x765;
+    momentum_rates[22 * stride] = x766;
+    total = total + x766;
+    const double x870 = x868 - x869;
+    const double x852 = x847 + x851;
+    const double x783 = x773 - x782;
+    momentum_rates[23 * stride] = x783;
+    total = total + x783;
+    const double x877 = 0.003691 * x590;
+    const double x885 = x10 * x545;
+    const double x887 = x10 * x799;
+    const double x940 = x590 * x605;
+    const double x897 = x10 * x788;
+    const double x936 = x799 * x582;
+    const double x871 = 0.10915 * x870;
+    const double x875 = 0.12549 * x870;
+    const double x910 = x795 * x582;
+    const double x909 = x6 * x788;
+    const double x886 = x6 + x885;
+    const double x937 = x788 * x578;
+    const double x888 = x605 + x887;
+    const double x898 = x615 - x897;
+    const double x863 = x862 * x852;
+    const double x872 = x867 + x871;
+    const double x876 = x867 + x875;
+    const double x890 = x862 * x828;
+    const double x911 = x909 - x910;
+    const double x899 = x858 * x828;
+    const double x938 = x936 - x937;
+    const double x900 = x886 * x852;
+    const double x907 = x16 * x799;
+    const double x934 = x16 * x795;
+    const double x873 = x591 + x872;
+    const double x878 = x876 - x877;
+    const double x829 = x814 * x828;
     const double x921 = x545 * x578;
     const double x922 = x6 * x564;
-    const double x923 = x921 + x922;
-    const double x924 = x10 * x923;
-    const double x925 = x920 - x924;
-    const double x926 = x925 * x828;
-    const double x927 = x918 + x926;
-    const double x928 = x917 - x927;
-    const double x929 = 1.219 * x928;
-    const double x930 = x906 + x929;
-    const double x931 = x862 * x893;
-    const double x932 = x858 * x903;
-    const double x933 = x931 + x932;
-    const double x934 = x16 * x795;
-    const double x935 = x656 - x934;
-    const double x936 = x799 * x582;
-    const double x937 = x788 * x578;
-    const double x938 = x936 - x937;
+    const double x913 = x545 * x615;
     const double x939 = x564 * x615;
-    const double x940 = x590 * x605;
+    const double x919 = x16 * x590;
+    const double x901 = x899 - x900;
+    const double x874 = x792 - x873;
+    const double x908 = x632 + x907;
+    const double x935 = x656 - x934;
+    const double x853 = x836 * x852;
+    const double x923 = x921 + x922;
+    const double x914 = x912 - x913;
     const double x941 = x939 - x940;
+    const double x920 = x637 + x919;
+    const double x902 = x898 - x901;
+    const double x879 = x874 + x878;
+    const double x854 = x829 - x853;
+    const double x924 = x10 * x923;
+    const double x915 = x911 - x914;
     const double x942 = x938 + x941;
+    const double x903 = 1.219 * x902;
+    const double x880 = x858 * x879;
+    const double x889 = x886 * x879;
+    const double x918 = x836 * x879;
+    const double x855 = x807 - x854;
+    const double x925 = x920 - x924;
+    const double x916 = x10 * x915;
     const double x943 = x10 * x942;
-    const double x944 = x935 + x943;
-    const double x945 = x925 * x852;
-    const double x946 = x814 * x879;
-    const double x947 = x945 + x946;
-    const double x948 = x944 - x947;
-    const double x949 = 1.219 * x948;
-    const double x950 = x933 + x949;
-    const double x951 = x879 * x893;
-    const double x952 = x852 * x903;
-    const double x953 = x951 - x952;
+    const double x904 = x886 * x903;
+    const double x881 = x863 + x880;
+    const double x891 = x889 + x890;
+    const double x932 = x858 * x903;
+    const double x856 = 1.219 * x855;
     const double x954 = 0.0018310395833333333 * x816;
-    const double x955 = x866 * x954;
     const double x956 = 0.0018310395833333333 * x819;
-    const double x957 = x870 * x956;
-    const double x958 = x955 + x957;
     const double x959 = 0.0021942 * x545;
-    const double x960 = x590 * x959;
-    const double x961 = x958 + x960;
-    const double x962 = x862 * x961;
+    const double x917 = x908 - x916;
+    const double x944 = x935 + x943;
+    const double x882 = x860 - x881;
+    const double x892 = x888 - x891;
+    const double x926 = x925 * x828;
+    const double x945 = x925 * x852;
+    const double x955 = x866 * x954;
+    const double x957 = x870 * x956;
     const double x963 = x839 * x954;
     const double x964 = x843 * x956;
-    const double x965 = x963 + x964;
-    const double x966 = x564 * x959;
-    const double x967 = x965 + x966;
-    const double x968 = x858 * x967;
-    const double x969 = x962 - x968;
+    const double x960 = x590 * x959;
     const double x970 = x816 * x954;
     const double x971 = x819 * x956;
-    const double x972 = x970 + x971;
+    const double x966 = x564 * x959;
     const double x973 = x545 * x959;
-    const double x974 = x972 + x973;
-    const double x975 = x886 * x974;
-    const double x976 = x969 + x975;
-    const double x977 = x953 - x976;
-    const double x978 = x858 * x977;
+    const double x883 = 1.219 * x882;
+    const double x958 = x955 + x957;
+    const double x893 = 1.219 * x892;
+    const double x965 = x963 + x964;
+    const double x946 = x814 * x879;
+    const double x927 = x918 + x926;
+    const double x972 = x970 + x971;
+    const double x952 = x852 * x903;
+    const double x884 = x858 * x883;
+    const double x961 = x958 + x960;
+    const double x951 = x879 * x893;
+    const double x967 = x965 + x966;
+    const double x947 = x945 + x946;
     const double x979 = x828 * x903;
+    const double x974 = x972 + x973;
+    const double x928 = x917 - x927;
+    const double x894 = x886 * x893;
     const double x980 = x879 * x883;
+    const double x962 = x862 * x961;
+    const double x953 = x951 - x952;
+    const double x968 = x858 * x967;
+    const double x948 = x944 - x947;
+    const double x1076 = x925 * x961;
+    const double x975 = x886 * x974;
+    const double x929 = 1.219 * x928;
+    const double x1077 = x814 * x967;
+    const double x1079 = x836 * x974;
+    const double x905 = x862 * x883;
+    const double x931 = x862 * x893;
+    const double x969 = x962 - x968;
+    const double x949 = 1.219 * x948;
+    const double x895 = x884 + x894;
     const double x981 = x979 + x980;
+    const double x1078 = x1076 - x1077;
+    const double x906 = x904 - x905;
+    const double x933 = x931 + x932;
+    const double x976 = x969 + x975;
+    const double x896 = x856 - x895;
+    momentum_rates[24 * stride] = x896;
+    total = total + x896;
     const double x982 = 0.0018310395833333333 * x839;
-    const double x983 = x866 * x982;
     const double x984 = 0.0018310395833333333 * x843;
-    const double x985 = x870 * x984;
-    const double x986 = x983 + x985;
+    const double x1015 = 0.0018310395833333333 * x866;
     const double x987 = 0.0021942 * x564;
-    const double x988 = x590 * x987;
-    const double x989 = x986 + x988;
-    const double x990 = x862 * x989;
-    const double x991 = x839 * x982;
-    const double x992 = x843 * x984;
-    const double x993 = x991 + x992;
-    const double x994 = x564 * x987;
-    const double x995 = x993 + x994;
-    const double x996 = x858 * x995;
-    const double x997 = x990 - x996;
-    const double x998 = x816 * x982;
-    const double x999 = x819 * x984;
-    const double x1000 = x998 + x999;
-    const double x1001 = x545 * x987;
-    const double x1002 = x1000 + x1001;
-    const double x1003 = x886 * x1002;
-    const double x1004 = x997 + x1003;
-    const double x1005 = x981 + x1004;
-    const double x1006 = x886 * x1005;
-    const double x1007 = x978 - x1006;
     const double x1008 = x888 * x883;
     const double x1009 = x860 * x893;
-    const double x1010 = x1008 - x1009;
-    const double x1011 = x1007 + x1010;
+    const double x977 = x953 - x976;
     const double x1012 = x852 * x949;
-    const double x1013 = x828 * x929;
-    const double x1014 = x1012 + x1013;
-    const double x1015 = 0.0018310395833333333 * x866;
-    const double x1016 = x866 * x1015;
-    const double x1017 = 0.0018310395833333333 * x870;
-    const double x1018 = x870 * x1017;
-    const double x1019 = x1016 + x1018;
-    const double x1020 = 0.0021942 * x590;
-    const double x1021 = x590 * x1020;
-    const double x1022 = x1019 + x1021;
-    const double x1023 = x925 * x1022;
-    const double x1024 = x839 * x1015;
-    const double x1025 = x843 * x1017;
-    const double x1026 = x1024 + x1025;
-    const double x1027 = x564 * x1020;
-    const double x1028 = x1026 + x1027;
-    const double x1029 = x814 * x1028;
-    const double x1030 = x1023 - x1029;
-    const double x1031 = x816 * x1015;
-    const double x1032 = x819 * x1017;
-    const double x1033 = x1031 + x1032;
-    const double x1034 = x545 * x1020;
-    const double x1035 = x1033 + x1034;
-    const double x1036 = x836 * x1035;
-    const double x1037 = x1030 + x1036;
-    const double x1038 = x1014 - x1037;
-    const double x1039 = x1011 - x1038;
-    const double x1040 = x828 * x856;
     const double x1041 = x879 * x949;
-    const double x1042 = x1040 + x1041;
-    const double x1043 = x925 * x989;
-    const double x1044 = x814 * x995;
-    const double x1045 = x1043 - x1044;
-    const double x1046 = x836 * x1002;
-    const double x1047 = x1045 + x1046;
-    const double x1048 = x1042 + x1047;
-    const double x1049 = x852 * x883;
+    const double x983 = x866 * x982;
+    const double x985 = x870 * x984;
+    const double x991 = x839 * x982;
+    const double x992 = x843 * x984;
+    const double x1016 = x866 * x1015;
+    const double x988 = x590 * x987;
+    const double x998 = x816 * x982;
+    const double x999 = x819 * x984;
+    const double x994 = x564 * x987;
+    const double x1001 = x545 * x987;
+    const double x986 = x983 + x985;
+    const double x978 = x858 * x977;
+    const double x993 = x991 + x992;
+    const double x1059 = x862 * x977;
+    const double x1073 = x879 * x929;
+    const double x1013 = x828 * x929;
+    const double x1000 = x998 + x999;
+    const double x1080 = x1078 + x1079;
+    const double x1010 = x1008 - x1009;
+    const double x989 = x986 + x988;
+    const double x930 = x906 + x929;
+    momentum_rates[25 * stride] = x930;
+    total = total + x930;
+    const double x1017 = 0.0018310395833333333 * x870;
+    const double x1020 = 0.0021942 * x590;
+    const double x1024 = x839 * x1015;
+    const double x995 = x993 + x994;
+    const double x1002 = x1000 + x1001;
+    const double x1014 = x1012 + x1013;
+    const double x950 = x933 + x949;
+    momentum_rates[26 * stride] = x950;
+    total = total + x950;
+    const double x1083 = 0.09465 * x564;
+    const double x1031 = x816 * x1015;
+    const double x1018 = x870 * x1017;
+    const double x1025 = x843 * x1017;
+    const double x1021 = x590 * x1020;
+    const double x1032 = x819 * x1017;
+    const double x1027 = x564 * x1020;
+    const double x1034 = x545 * x1020;
+    const double x990 = x862 * x989;
+    const double x1086 = 0.09465 * x545;
+    const double x1084 = x785 - x1083;
+    const double x1019 = x1016 + x1018;
+    const double x1026 = x1024 + x1025;
+    const double x996 = x858 * x995;
+    const double x1033 = x1031 + x1032;
+    const double x1003 = x886 * x1002;
     const double x1050 = x828 * x893;
+    const double x1049 = x852 * x883;
+    const double x1043 = x925 * x989;
+    const double x1092 = 0.09465 * x590;
+    const double x1087 = x514 + x1086;
+    const double x1085 = x819 * x1084;
+    const double x1095 = x870 * x1084;
+    const double x1022 = x1019 + x1021;
+    const double x1028 = x1026 + x1027;
+    const double x1035 = x1033 + x1034;
+    const double x997 = x990 - x996;
     const double x1051 = x1049 + x1050;
+    const double x1093 = x792 - x1092;
+    const double x1088 = x843 * x1087;
+    const double x1098 = x870 * x1087;
+    const double x1044 = x814 * x995;
     const double x1052 = x862 * x1022;
     const double x1053 = x858 * x1028;
-    const double x1054 = x1052 - x1053;
     const double x1055 = x886 * x1035;
-    const double x1056 = x1054 + x1055;
-    const double x1057 = x1051 - x1056;
-    const double x1058 = x886 * x1057;
-    const double x1059 = x862 * x977;
-    const double x1060 = x1058 - x1059;
-    const double x1061 = x860 * x903;
-    const double x1062 = x898 * x883;
-    const double x1063 = x1061 - x1062;
-    const double x1064 = x1060 - x1063;
-    const double x1065 = x1048 - x1064;
-    const double x1066 = x862 * x1005;
-    const double x1067 = x858 * x1057;
-    const double x1068 = x1066 - x1067;
-    const double x1069 = x898 * x893;
-    const double x1070 = x888 * x903;
-    const double x1071 = x1069 - x1070;
-    const double x1072 = x1068 + x1071;
-    const double x1073 = x879 * x929;
-    const double x1074 = x852 * x856;
-    const double x1075 = x1073 - x1074;
-    const double x1076 = x925 * x961;
-    const double x1077 = x814 * x967;
-    const double x1078 = x1076 - x1077;
-    const double x1079 = x836 * x974;
-    const double x1080 = x1078 + x1079;
-    const double x1081 = x1075 - x1080;
-    const double x1082 = x1072 - x1081;
-    const double x1083 = 0.09465 * x564;
-    const double x1084 = x785 - x1083;
-    const double x1085 = x819 * x1084;
-    const double x1086 = 0.09465 * x545;
-    const double x1087 = x514 + x1086;
-    const double x1088 = x843 * x1087;
-    const double x1089 = x1085 + x1088;
-    const double x1090 = x17 * x1089;
-    const double x1091 = x807 + x1090;
-    const double x1092 = 0.09465 * x590;
-    const double x1093 = x792 - x1092;
+    const double x1004 = x997 + x1003;
+    const double x1023 = x925 * x1022;
     const double x1094 = x843 * x1093;
-    const double x1095 = x870 * x1084;
-    const double x1096 = x1094 - x1095;
-    const double x1097 = x1096 * x858;
-    const double x1098 = x870 * x1087;
     const double x1099 = x819 * x1093;
-    const double x1100 = x1098 + x1099;
-    const double x1101 = x1100 * x886;
-    const double x1102 = x1097 - x1101;
+    const double x1089 = x1085 + x1088;
+    const double x1029 = x814 * x1028;
+    const double x1045 = x1043 - x1044;
     const double x1103 = x819 * x888;
+    const double x1054 = x1052 - x1053;
+    const double x1005 = x981 + x1004;
     const double x1104 = x843 * x860;
+    const double x1096 = x1094 - x1095;
+    const double x1100 = x1098 + x1099;
+    const double x17 = a[5 * stride];
+    const double x1090 = x17 * x1089;
+    const double x1046 = x836 * x1002;
+    const double x1030 = x1023 - x1029;
+    const double x1036 = x836 * x1035;
+    const double x1056 = x1054 + x1055;
+    const double x1006 = x886 * x1005;
     const double x1105 = x1103 - x1104;
-    const double x1106 = x1102 + x1105;
-    const double x1107 = x11 * x1106;
-    const double x1108 = x1091 - x1107;
-    const double x1109 = x17 * x843;
-    const double x1110 = x814 + x1109;
+    const double x1097 = x1096 * x858;
+    const double x1101 = x1100 * x886;
+    const double x1091 = x807 + x1090;
+    const double x1066 = x862 * x1005;
+    const double x1040 = x828 * x856;
+    const double x1069 = x898 * x893;
+    const double x1057 = x1051 - x1056;
+    const double x1074 = x852 * x856;
+    const double x1062 = x898 * x883;
+    const double x1061 = x860 * x903;
+    const double x1102 = x1097 - x1101;
+    const double x1070 = x888 * x903;
+    const double x1047 = x1045 + x1046;
+    const double x1007 = x978 - x1006;
     const double x1111 = x870 * x886;
     const double x1112 = x819 * x862;
-    const double x1113 = x1111 - x1112;
-    const double x1114 = x11 * x1113;
-    const double x1115 = x1110 + x1114;
+    const double x1109 = x17 * x843;
+    const double x1058 = x886 * x1057;
+    const double x1067 = x858 * x1057;
+    const double x1106 = x1102 + x1105;
+    const double x1037 = x1030 + x1036;
+    const double x1042 = x1040 + x1041;
+    const double x1075 = x1073 - x1074;
+    const double x1063 = x1061 - x1062;
+    const double x1071 = x1069 - x1070;
+    const double x1110 = x814 + x1109;
+    const double x1060 = x1058 - x1059;
+    const double x1068 = x1066 - x1067;
+    const double x11 = v[5 * stride];
+    const double x1107 = x11 * x1106;
+    const double x1011 = x1007 + x1010;
+    const double x1116 = cosine[5 * pitch];
     const double x1117 = x1116 * x816;
+    const double x1118 = sine[5 * pitch];
     const double x1119 = x1118 * x545;
-    const double x1120 = x1117 - x1119;
-    const double x1121 = 0.81725 * x1120;
-    const double x1122 = x820 + x1121;
-    const double x1123 = x1118 * x816;
-    const double x1124 = x1116 * x545;
-    const double x1125 = x1123 + x1124;
-    const double x1126 = 0.005491 * x1125;
-    const double x1127 = x1122 - x1126;
-    const double x1128 = x1087 + x1127;
-    const double x1129 = 0.190291 * x819;
-    const double x1130 = x1121 + x1129;
-    const double x1131 = x1126 - x1130;
-    const double x1132 = x1128 + x1131;
-    const double x1133 = x1115 * x1132;
-    const double x1134 = x17 * x819;
-    const double x1135 = x836 - x1134;
-    const double x1136 = x843 * x862;
-    const double x1137 = x870 * x858;
-    const double x1138 = x1136 + x1137;
-    const double x1139 = x11 * x1138;
-    const double x1140 = x1135 - x1139;
     const double x1141 = x1116 * x839;
     const double x1142 = x1118 * x564;
-    const double x1143 = x1141 - x1142;
-    const double x1144 = 0.81725 * x1143;
-    const double x1145 = x844 + x1144;
+    const double x1123 = x1118 * x816;
+    const double x1124 = x1116 * x545;
     const double x1146 = x1118 * x839;
     const double x1147 = x1116 * x564;
+    const double x1129 = 0.190291 * x819;
+    const double x1136 = x843 * x862;
+    const double x1120 = x1117 - x1119;
+    const double x1137 = x870 * x858;
+    const double x1143 = x1141 - x1142;
+    const double x1113 = x1111 - x1112;
+    const double x1125 = x1123 + x1124;
+    const double x1134 = x17 * x819;
     const double x1148 = x1146 + x1147;
-    const double x1149 = 0.005491 * x1148;
-    const double x1150 = x1145 - x1149;
-    const double x1151 = x1084 - x1150;
-    const double x1152 = 0.190291 * x843;
-    const double x1153 = x1144 + x1152;
-    const double x1154 = x1149 - x1153;
-    const double x1155 = x1151 - x1154;
-    const double x1156 = x1140 * x1155;
-    const double x1157 = x1133 - x1156;
-    const double x1158 = x1108 - x1157;
-    const double x1159 = 0.1879 * x1158;
-    const double x1160 = x11 * x843;
-    const double x1161 = x858 + x1160;
-    const double x1162 = x11 * x1096;
-    const double x1163 = x860 + x1162;
-    const double x1164 = x11 * x870;
-    const double x1165 = x862 - x1164;
-    const double x1166 = x1165 * x1155;
+    const double x1108 = x1091 - x1107;
+    const double x1038 = x1014 - x1037;
+    const double x1121 = 0.81725 * x1120;
+    const double x1138 = x1136 + x1137;
+    const double x1144 = 0.81725 * x1143;
+    const double x1114 = x11 * x1113;
+    const double x1126 = 0.005491 * x1125;
+    const double x1135 = x836 - x1134;
+    const double x1048 = x1042 + x1047;
+    const double x1081 = x1075 - x1080;
+    const double x1064 = x1060 - x1063;
+    const double x1122 = x820 + x1121;
+    const double x1130 = x1121 + x1129;
+    const double x1139 = x11 * x1138;
+    const double x1115 = x1110 + x1114;
+    const double x1072 = x1068 + x1071;
+    const double x1039 = x1011 - x1038;
+    momentum_rates[27 * stride] = x1039;
+    total = total + x1039;
     const double x1167 = x1116 * x866;
-    const double x1168 = x1118 * x590;
-    const double x1169 = x1167 - x1168;
-    const double x1170 = 0.81725 * x1169;
-    const double x1171 = x871 + x1170;
     const double x1172 = x1118 * x866;
-    const double x1173 = x1116 * x590;
-    const double x1174 = x1172 + x1173;
-    const double x1175 = 0.005491 * x1174;
-    const double x1176 = x1171 - x1175;
-    const double x1177 = x1093 - x1176;
-    const double x1178 = 0.190291 * x870;
-    const double x1179 = x1170 + x1178;
-    const double x1180 = x1175 - x1179;
-    const double x1181 = x1177 - x1180;
-    const double x1182 = x1161 * x1181;
-    const double x1183 = x1166 + x1182;
-    const double x1184 = x1163 - x1183;
-    const double x1185 = 0.1879 * x1184;
-    const double x1186 = x1161 * x1185;
-    const double x1187 = x11 * x819;
-    const double x1188 = x886 - x1187;
-    const double x1189 = x11 * x1100;
-    const double x1190 = x888 - x1189;
-    const double x1191 = x1188 * x1181;
-    const double x1192 = x1165 * x1132;
-    const double x1193 = x1191 + x1192;
-    const double x1194 = x1190 - x1193;
-    const double x1195 = 0.1879 * x1194;
-    const double x1196 = x1188 * x1195;
-    const double x1197 = x1186 + x1196;
-    const double x1198 = x1159 - x1197;
-    const double x1199 = x11 * x1089;
-    const double x1200 = x898 + x1199;
-    const double x1201 = x1161 * x1132;
-    const double x1202 = x1188 * x1155;
-    const double x1203 = x1201 - x1202;
-    const double x1204 = x1200 - x1203;
-    const double x1205 = 0.1879 * x1204;
-    const double x1206 = x1188 * x1205;
-    const double x1207 = x1165 * x1185;
-    const double x1208 = x1206 - x1207;
-    const double x1209 = x17 * x1100;
-    const double x1210 = x917 - x1209;
-    const double x1211 = x1089 * x886;
-    const double x1212 = x1096 * x862;
-    const double x1213 = x1211 - x1212;
+    const double x1145 = x844 + x1144;
+    const double x1149 = 0.005491 * x1148;
+    const double x1152 = 0.190291 * x843;
+    const double x1127 = x1122 - x1126;
+    const double x1131 = x1126 - x1130;
+    const double x1160 = x11 * x843;
+    const double x1164 = x11 * x870;
+    const double x1162 = x11 * x1096;
     const double x1214 = x870 * x860;
-    const double x1215 = x819 * x898;
-    const double x1216 = x1214 - x1215;
-    const double x1217 = x1213 - x1216;
-    const double x1218 = x11 * x1217;
-    const double x1219 = x1210 + x1218;
-    const double x1220 = x1140 * x1181;
-    const double x1221 = x17 * x870;
-    const double x1222 = x925 - x1221;
-    const double x1223 = x819 * x858;
+    const double x1140 = x1135 - x1139;
+    const double x1150 = x1145 - x1149;
+    const double x1153 = x1144 + x1152;
+    const double x1128 = x1087 + x1127;
+    const double x1065 = x1048 - x1064;
+    momentum_rates[28 * stride] = x1065;
+    total = total + x1065;
+    const double x1168 = x1118 * x590;
+    const double x1173 = x1116 * x590;
+    const double x1161 = x858 + x1160;
+    const double x1165 = x862 - x1164;
+    const double x1163 = x860 + x1162;
+    const double x1151 = x1084 - x1150;
+    const double x1154 = x1149 - x1153;
+    const double x1132 = x1128 + x1131;
+    const double x1082 = x1072 - x1081;
+    momentum_rates[29 * stride] = x1082;
+    total = total + x1082;
+    const double x1169 = x1167 - x1168;
+    const double x1174 = x1172 + x1173;
+    const double x1178 = 0.190291 * x870;
+    const double x1187 = x11 * x819;
     const double x1224 = x843 * x886;
-    const double x1225 = x1223 + x1224;
-    const double x1226 = x11 * x1225;
-    const double x1227 = x1222 + x1226;
-    const double x1228 = x1227 * x1132;
-    const double x1229 = x1220 + x1228;
-    const double x1230 = x1219 - x1229;
-    const double x1231 = 0.1879 * x1230;
-    const double x1232 = x1208 + x1231;
-    const double x1233 = x1165 * x1195;
-    const double x1234 = x1161 * x1205;
-    const double x1235 = x1233 + x1234;
-    const double x1236 = x17 * x1096;
-    const double x1237 = x944 + x1236;
-    const double x1238 = x1100 * x862;
-    const double x1239 = x1089 * x858;
-    const double x1240 = x1238 - x1239;
-    const double x1241 = x843 * x898;
+    const double x1223 = x819 * x858;
+    const double x1155 = x1151 - x1154;
+    const double x1189 = x11 * x1100;
     const double x1242 = x870 * x888;
+    const double x1170 = 0.81725 * x1169;
+    const double x1175 = 0.005491 * x1174;
+    const double x1192 = x1165 * x1132;
+    const double x1188 = x886 - x1187;
+    const double x1199 = x11 * x1089;
+    const double x1201 = x1161 * x1132;
+    const double x1166 = x1165 * x1155;
+    const double x1238 = x1100 * x862;
+    const double x1212 = x1096 * x862;
+    const double x1171 = x871 + x1170;
+    const double x1179 = x1170 + x1178;
+    const double x1211 = x1089 * x886;
+    const double x1202 = x1188 * x1155;
+    const double x1239 = x1089 * x858;
+    const double x1190 = x888 - x1189;
+    const double x1200 = x898 + x1199;
+    const double x1209 = x17 * x1100;
+    const double x1236 = x17 * x1096;
+    const double x1176 = x1171 - x1175;
+    const double x1180 = x1175 - x1179;
+    const double x1213 = x1211 - x1212;
+    const double x1203 = x1201 - x1202;
+    const double x1240 = x1238 - x1239;
+    const double x1133 = x1115 * x1132;
+    const double x1225 = x1223 + x1224;
+    const double x1215 = x819 * x898;
+    const double x1241 = x843 * x898;
+    const double x1177 = x1093 - x1176;
+    const double x1221 = x17 * x870;
+    const double x1156 = x1140 * x1155;
+    const double x1204 = x1200 - x1203;
+    const double x1210 = x917 - x1209;
+    const double x1237 = x944 + x1236;
+    const double x1226 = x11 * x1225;
+    const double x1216 = x1214 - x1215;
     const double x1243 = x1241 - x1242;
+    const double x1181 = x1177 - x1180;
+    const double x1222 = x925 - x1221;
+    const double x1157 = x1133 - x1156;
+    const double x1205 = 0.1879 * x1204;
+    const double x1217 = x1213 - x1216;
     const double x1244 = x1240 + x1243;
-    const double x1245 = x11 * x1244;
-    const double x1246 = x1237 - x1245;
-    const double x1247 = x1227 * x1155;
+    const double x1182 = x1161 * x1181;
+    const double x1191 = x1188 * x1181;
+    const double x1227 = x1222 + x1226;
+    const double x1220 = x1140 * x1181;
+    const double x1158 = x1108 - x1157;
     const double x1248 = x1115 * x1181;
-    const double x1249 = x1247 + x1248;
-    const double x1250 = x1246 - x1249;
-    const double x1251 = 0.1879 * x1250;
-    const double x1252 = x1235 + x1251;
-    const double x1253 = x1181 * x1195;
-    const double x1254 = x1155 * x1205;
-    const double x1255 = x1253 - x1254;
+    const double x1206 = x1188 * x1205;
+    const double x1218 = x11 * x1217;
+    const double x1245 = x11 * x1244;
+    const double x1183 = x1166 + x1182;
+    const double x1193 = x1191 + x1192;
+    const double x1228 = x1227 * x1132;
+    const double x1247 = x1227 * x1155;
+    const double x1159 = 0.1879 * x1158;
     const double x1256 = 8.062475833333332e-05 * x1120;
-    const double x1257 = x1169 * x1256;
     const double x1258 = 0.0001321171875 * x819;
-    const double x1259 = x870 * x1258;
-    const double x1260 = x1257 + x1259;
     const double x1261 = 8.062475833333332e-05 * x1125;
-    const double x1262 = x1174 * x1261;
-    const double x1263 = x1260 + x1262;
-    const double x1264 = x1165 * x1263;
+    const double x1219 = x1210 + x1218;
+    const double x1184 = x1163 - x1183;
+    const double x1194 = x1190 - x1193;
+    const double x1246 = x1237 - x1245;
+    const double x1229 = x1220 + x1228;
+    const double x1249 = x1247 + x1248;
+    const double x1257 = x1169 * x1256;
+    const double x1259 = x870 * x1258;
     const double x1265 = x1143 * x1256;
     const double x1266 = x843 * x1258;
-    const double x1267 = x1265 + x1266;
-    const double x1268 = x1148 * x1261;
-    const double x1269 = x1267 + x1268;
-    const double x1270 = x1161 * x1269;
-    const double x1271 = x1264 - x1270;
+    const double x1262 = x1174 * x1261;
     const double x1272 = x1120 * x1256;
     const double x1273 = x819 * x1258;
-    const double x1274 = x1272 + x1273;
+    const double x1268 = x1148 * x1261;
     const double x1275 = x1125 * x1261;
-    const double x1276 = x1274 + x1275;
-    const double x1277 = x1188 * x1276;
-    const double x1278 = x1271 + x1277;
-    const double x1279 = x1255 - x1278;
-    const double x1280 = x1161 * x1279;
+    const double x1185 = 0.1879 * x1184;
+    const double x1260 = x1257 + x1259;
+    const double x1195 = 0.1879 * x1194;
+    const double x1267 = x1265 + x1266;
+    const double x1254 = x1155 * x1205;
+    const double x1230 = x1219 - x1229;
+    const double x1274 = x1272 + x1273;
+    const double x1250 = x1246 - x1249;
+    const double x1234 = x1161 * x1205;
+    const double x1186 = x1161 * x1185;
+    const double x1263 = x1260 + x1262;
+    const double x1253 = x1181 * x1195;
+    const double x1269 = x1267 + x1268;
     const double x1281 = x1132 * x1205;
+    const double x1231 = 0.1879 * x1230;
+    const double x1276 = x1274 + x1275;
+    const double x1251 = 0.1879 * x1250;
+    const double x1196 = x1188 * x1195;
     const double x1282 = x1181 * x1185;
-    const double x1283 = x1281 + x1282;
-    const double x1284 = 8.062475833333332e-05 * x1143;
-    const double x1285 = x1169 * x1284;
-    const double x1286 = 0.0001321171875 * x843;
-    const double x1287 = x870 * x1286;
-    const double x1288 = x1285 + x1287;
-    const double x1289 = 8.062475833333332e-05 * x1148;
-    const double x1290 = x1174 * x1289;
-    const double x1291 = x1288 + x1290;
-    const double x1292 = x1165 * x1291;
-    const double x1293 = x1143 * x1284;
-    const double x1294 = x843 * x1286;
-    const double x1295 = x1293 + x1294;
-    const double x1296 = x1148 * x1289;
-    const double x1297 = x1295 + x1296;
-    const double x1298 = x1161 * x1297;
-    const double x1299 = x1292 - x1298;
-    const double x1300 = x1120 * x1284;
-    const double x1301 = x819 * x1286;
-    const double x1302 = x1300 + x1301;
-    const double x1303 = x1125 * x1289;
-    const double x1304 = x1302 + x1303;
-    const double x1305 = x1188 * x1304;
-    const double x1306 = x1299 + x1305;
-    const double x1307 = x1283 + x1306;
-    const double x1308 = x1188 * x1307;
-    const double x1309 = x1280 - x1308;
-    const double x1310 = x1190 * x1185;
-    const double x1311 = x1163 * x1195;
-    const double x1312 = x1310 - x1311;
-    const double x1313 = x1309 + x1312;
-    const double x1314 = x1155 * x1251;
-    const double x1315 = x1132 * x1231;
-    const double x1316 = x1314 + x1315;
-    const double x1317 = 8.062475833333332e-05 * x1169;
-    const double x1318 = x1169 * x1317;
-    const double x1319 = 0.0001321171875 * x870;
-    const double x1320 = x870 * x1319;
-    const double x1321 = x1318 + x1320;
-    const double x1322 = 8.062475833333332e-05 * x1174;
-    const double x1323 = x1174 * x1322;
-    const double x1324 = x1321 + x1323;
-    const double x1325 = x1227 * x1324;
-    const double x1326 = x1143 * x1317;
-    const double x1327 = x843 * x1319;
-    const double x1328 = x1326 + x1327;
-    const double x1329 = x1148 * x1322;
-    const double x1330 = x1328 + x1329;
-    const double x1331 = x1115 * x1330;
-    const double x1332 = x1325 - x1331;
-    const double x1333 = x1120 * x1317;
-    const double x1334 = x819 * x1319;
-    const double x1335 = x1333 + x1334;
-    const double x1336 = x1125 * x1322;
-    const double x1337 = x1335 + x1336;
-    const double x1338 = x1140 * x1337;
-    const double x1339 = x1332 + x1338;
-    const double x1340 = x1316 - x1339;
-    const double x1341 = x1313 - x1340;
-    const double x1342 = x1132 * x1159;
-    const double x1343 = x1181 * x1251;
-    const double x1344 = x1342 + x1343;
-    const double x1345 = x1227 * x1291;
-    const double x1346 = x1115 * x1297;
-    const double x1347 = x1345 - x1346;
-    const double x1348 = x1140 * x1304;
-    const double x1349 = x1347 + x1348;
-    const double x1350 = x1344 + x1349;
-    const double x1351 = x1155 * x1185;
-    const double x1352 = x1132 * x1195;
-    const double x1353 = x1351 + x1352;
-    const double x1354 = x1165 * x1324;
-    const double x1355 = x1161 * x1330;
-    const double x1356 = x1354 - x1355;
-    const double x1357 = x1188 * x1337;
-    const double x1358 = x1356 + x1357;
-    const double x1359 = x1353 - x1358;
-    const double x1360 = x1188 * x1359;
-    const double x1361 = x1165 * x1279;
-    const double x1362 = x1360 - x1361;
-    const double x1363 = x1163 * x1205;
-    const double x1364 = x1200 * x1185;
-    const double x1365 = x1363 - x1364;
-    const double x1366 = x1362 - x1365;
-    const double x1367 = x1350 - x1366;
-    const double x1368 = x1165 * x1307;
-    const double x1369 = x1161 * x1359;
-    const double x1370 = x1368 - x1369;
-    const double x1371 = x1200 * x1195;
-    const double x1372 = x1190 * x1205;
-    const double x1373 = x1371 - x1372;
-    const double x1374 = x1370 + x1373;
-    const double x1375 = x1181 * x1231;
-    const double x1376 = x1155 * x1159;
-    const double x1377 = x1375 - x1376;
+    const double x1264 = x1165 * x1263;
+    const double x1255 = x1253 - x1254;
+    const double x1270 = x1161 * x1269;
     const double x1378 = x1227 * x1263;
     const double x1379 = x1115 * x1269;
-    const double x1380 = x1378 - x1379;
+    const double x1277 = x1188 * x1276;
     const double x1381 = x1140 * x1276;
-    const double x1382 = x1380 + x1381;
-    const double x1383 = x1377 - x1382;
-    const double x1384 = x1374 - x1383;
-    momentum_rates[0] = x27;
-    momentum_rates[stride] = x33;
-    momentum_rates[2 * stride] = 0.0;
-    momentum_rates[3 * stride] = x38;
-    momentum_rates[4 * stride] = x42;
-    momentum_rates[5 * stride] = x47;
-    momentum_rates[6 * stride] = x101;
-    momentum_rates[7 * stride] = x124;
-    momentum_rates[8 * stride] = x132;
-    momentum_rates[9 * stride] = x208;
-    momentum_rates[10 * stride] = x232;
-    momentum_rates[11 * stride] = x249;
-    momentum_rates[12 * stride] = x345;
-    momentum_rates[13 * stride] = x372;
-    momentum_rates[14 * stride] = x391;
-    momentum_rates[15 * stride] = x469;
-    momentum_rates[16 * stride] = x495;
-    momentum_rates[17 * stride] = x512;
-    momentum_rates[18 * stride] = x613;
-    momentum_rates[19 * stride] = x642;
-    momentum_rates[20 * stride] = x662;
-    momentum_rates[21 * stride] = x740;
-    momentum_rates[22 * stride] = x766;
-    momentum_rates[23 * stride] = x783;
-    momentum_rates[24 * stride] = x896;
-    momentum_rates[25 * stride] = x930;
-    momentum_rates[26 * stride] = x950;
-    momentum_rates[27 * stride] = x1039;
-    momentum_rates[28 * stride] = x1065;
-    momentum_rates[29 * stride] = x1082;
+    const double x1207 = x1165 * x1185;
+    const double x1233 = x1165 * x1195;
+    const double x1197 = x1186 + x1196;
+    const double x1283 = x1281 + x1282;
+    const double x1271 = x1264 - x1270;
+    const double x1380 = x1378 - x1379;
+    const double x1208 = x1206 - x1207;
+    const double x1235 = x1233 + x1234;
+    const double x1198 = x1159 - x1197;
     momentum_rates[30 * stride] = x1198;
+    total = total + x1198;
+    const double x1284 = 8.062475833333332e-05 * x1143;
+    const double x1286 = 0.0001321171875 * x843;
+    const double x1289 = 8.062475833333332e-05 * x1148;
+    const double x1278 = x1271 + x1277;
+    const double x1310 = x1190 * x1185;
+    const double x1372 = x1190 * x1205;
+    const double x1363 = x1163 * x1205;
+    const double x1311 = x1163 * x1195;
+    const double x1314 = x1155 * x1251;
+    const double x1285 = x1169 * x1284;
+    const double x1287 = x870 * x1286;
+    const double x1293 = x1143 * x1284;
+    const double x1294 = x843 * x1286;
+    const double x1290 = x1174 * x1289;
+    const double x1300 = x1120 * x1284;
+    const double x1301 = x819 * x1286;
+    const double x1296 = x1148 * x1289;
+    const double x1303 = x1125 * x1289;
+    const double x1279 = x1255 - x1278;
+    const double x1288 = x1285 + x1287;
+    const double x1343 = x1181 * x1251;
+    const double x1295 = x1293 + x1294;
+    const double x1375 = x1181 * x1231;
+    const double x1315 = x1132 * x1231;
+    const double x1302 = x1300 + x1301;
+    const double x1382 = x1380 + x1381;
+    const double x1312 = x1310 - x1311;
+    const double x1280 = x1161 * x1279;
+    const double x1291 = x1288 + x1290;
+    const double x1361 = x1165 * x1279;
+    const double x1297 = x1295 + x1296;
+    const double x1232 = x1208 + x1231;
     momentum_rates[31 * stride] = x1232;
+    total = total + x1232;
+    const double x1317 = 8.062475833333332e-05 * x1169;
+    const double x1319 = 0.0001321171875 * x870;
+    const double x1304 = x1302 + x1303;
+    const double x1316 = x1314 + x1315;
+    const double x1252 = x1235 + x1251;
     momentum_rates[32 * stride] = x1252;
+    total = total + x1252;
+    const double x1322 = 8.062475833333332e-05 * x1174;
+    const double x1292 = x1165 * x1291;
+    const double x1298 = x1161 * x1297;
+    const double x1352 = x1132 * x1195;
+    const double x1318 = x1169 * x1317;
+    const double x1326 = x1143 * x1317;
+    const double x1320 = x870 * x1319;
+    const double x1327 = x843 * x1319;
+    const double x1333 = x1120 * x1317;
+    const double x1334 = x819 * x1319;
+    const double x1323 = x1174 * x1322;
+    const double x1329 = x1148 * x1322;
+    const double x1336 = x1125 * x1322;
+    const double x1299 = x1292 - x1298;
+    const double x1305 = x1188 * x1304;
+    const double x1321 = x1318 + x1320;
+    const double x1328 = x1326 + x1327;
+    const double x1351 = x1155 * x1185;
+    const double x1335 = x1333 + x1334;
+    const double x1345 = x1227 * x1291;
+    const double x1346 = x1115 * x1297;
+    const double x1348 = x1140 * x1304;
+    const double x1342 = x1132 * x1159;
+    const double x1306 = x1299 + x1305;
+    const double x1324 = x1321 + x1323;
+    const double x1330 = x1328 + x1329;
+    const double x1353 = x1351 + x1352;
+    const double x1337 = x1335 + x1336;
+    const double x1371 = x1200 * x1195;
+    const double x1347 = x1345 - x1346;
+    const double x1364 = x1200 * x1185;
+    const double x1376 = x1155 * x1159;
+    const double x1307 = x1283 + x1306;
+    const double x1354 = x1165 * x1324;
+    const double x1355 = x1161 * x1330;
+    const double x1325 = x1227 * x1324;
+    const double x1357 = x1188 * x1337;
+    const double x1331 = x1115 * x1330;
+    const double x1338 = x1140 * x1337;
+    const double x1349 = x1347 + x1348;
+    const double x1344 = x1342 + x1343;
+    const double x1308 = x1188 * x1307;
+    const double x1368 = x1165 * x1307;
+    const double x1356 = x1354 - x1355;
+    const double x1373 = x1371 - x1372;
+    const double x1365 = x1363 - x1364;
+    const double x1332 = x1325 - x1331;
+    const double x1377 = x1375 - x1376;
+    const double x1350 = x1344 + x1349;
+    const double x1309 = x1280 - x1308;
+    const double x1358 = x1356 + x1357;
+    const double x1339 = x1332 + x1338;
+    const double x1383 = x1377 - x1382;
+    const double x1313 = x1309 + x1312;
+    const double x1359 = x1353 - x1358;
+    const double x1340 = x1316 - x1339;
+    const double x1360 = x1188 * x1359;
+    const double x1369 = x1161 * x1359;
+    const double x1341 = x1313 - x1340;
     momentum_rates[33 * stride] = x1341;
+    total = total + x1341;
+    const double x1362 = x1360 - x1361;
+    const double x1370 = x1368 - x1369;
+    const double x1366 = x1362 - x1365;
+    const double x1374 = x1370 + x1373;
+    const double x1367 = x1350 - x1366;
     momentum_rates[34 * stride] = x1367;
+    total = total + x1367;
+    const double x1384 = x1374 - x1383;
     momentum_rates[35 * stride] = x1384;
-    return (((((x27 + x33) + (x38 + x42)) + ((x47 + x101) + (x124 + x132))) + (((x208 + x232) + (x249 + x345))
-        + ((x372 + x391) + (x469 + x495)))) + ((((x512 + x613) + (x642 + x662)) + ((x740 + x766) + (x783 +
-        x896))) + (((x930 + x950) + (x1039 + x1065)) + ((x1082 + x1198) + (x1232 + x1252))))) + ((x1341 +
-        x1367) + x1384);
+    total = total + x1384;
+    momentum_rates[2 * stride] = 0.0;
+    return total;
 }
 
 int ur5_momentum_rates(
@@ -6943,12 +7440,12 @@ int ur5_momentum_rates(
     double *restrict momentum_rates)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_momentum_rates_angles(1, q, v, a, angle);
+    ur5_momentum_rates_angles(1, 1, q, v, a, angle);
     angle[6] = angle[5];
     angle[7] = angle[5];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(2, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_momentum_rates_lane(1, q, v, a, momentum_rates, sine, cosine);
+    const double total = ur5_momentum_rates_lane(1, 1, q, v, a, momentum_rates, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(momentum_rates, 36);
@@ -6958,28 +7455,24 @@ int ur5_momentum_rates(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_momentum_rates_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict momentum_rates,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[48], sine[48], cosine[48];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_momentum_rates_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        ur5_momentum_rates_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 48; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_momentum_rates_lane(8, q + lane, v + lane, a + lane, momentum_rates + lane, sine +
-            lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates + lane,
+            sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -7028,24 +7521,35 @@ static int ur5_momentum_rates_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double a_block[48];
-        double momentum_rates_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, a, a_block);
-        ur5_momentum_rates_block(q_block, v_block, a_block, momentum_rates_block, outcome);
-        ur5_scatter(36, first, some, stride, momentum_rates_block, momentum_rates);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+                ur5_prefetch(36, stride, momentum_rates + first + 8);
+            }
+            ur5_momentum_rates_block(stride, q + first, v + first, a + first, momentum_rates + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double a_block[48];
+            double momentum_rates_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, a, a_block);
+            ur5_momentum_rates_block(8, q_block, v_block, a_block, momentum_rates_block, total);
+            ur5_scatter(36, first, some, stride, momentum_rates_block, momentum_rates);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_momentum_rates_one(first + lane, stride, q, v, a, momentum_rates);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_momentum_rates_one(first + lane, stride, q, v, a, momentum_rates);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -7109,11 +7613,13 @@ int ur5_momentum_rates_batch_soa(
 
 static inline UR5_INLINE void ur5_energy_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
@@ -7121,14 +7627,15 @@ static inline UR5_INLINE void ur5_energy_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x1;
-    angle[stride] = x2;
-    angle[2 * stride] = x3;
-    angle[3 * stride] = x4;
-    angle[4 * stride] = x5;
+    angle[pitch] = x2;
+    angle[2 * pitch] = x3;
+    angle[3 * pitch] = x4;
+    angle[4 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_energy_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict energy,
@@ -7136,241 +7643,245 @@ static inline UR5_INLINE double ur5_energy_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
+    (void)pitch;
     const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
     const double x18 = sine[0];
-    const double x21 = cosine[0];
-    const double x48 = sine[stride];
-    const double x41 = cosine[stride];
-    const double x82 = sine[2 * stride];
-    const double x79 = cosine[2 * stride];
-    const double x126 = sine[3 * stride];
-    const double x122 = cosine[3 * stride];
-    const double x171 = sine[4 * stride];
-    const double x169 = cosine[4 * stride];
-    const double x12 = x6 * x6;
-    const double x13 = 0.16673279803888333 * x12;
-    const double x14 = 0.005203125 * x6;
-    const double x15 = x6 * x14;
-    const double x16 = x13 + x15;
-    const double x17 = x7 * x7;
     const double x19 = x6 * x18;
-    const double x20 = x19 * x19;
+    const double x21 = cosine[0];
     const double x22 = x6 * x21;
-    const double x23 = x22 * x22;
-    const double x24 = x20 + x23;
-    const double x25 = x17 + x24;
-    const double x26 = 1.4004879791666667 * x25;
-    const double x27 = 1.4004879791666667 * x19;
+    const double x7 = v[stride];
     const double x28 = 0.349300285625 * x7;
-    const double x29 = x27 - x28;
-    const double x30 = x19 * x29;
-    const double x31 = 0.0075537 * x22;
-    const double x32 = x22 * x31;
-    const double x33 = x30 + x32;
-    const double x34 = 0.349300285625 * x19;
     const double x35 = 0.0075537 * x7;
-    const double x36 = x34 + x35;
-    const double x37 = x7 * x36;
-    const double x38 = x33 - x37;
-    const double x39 = x26 - x38;
-    const double x40 = x16 + x39;
     const double x42 = 0.425 * x7;
-    const double x43 = x41 * x42;
+    const double x8 = v[2 * stride];
     const double x44 = x7 + x8;
-    const double x45 = 3.18890355 * x44;
-    const double x46 = x43 * x45;
-    const double x47 = 0.425 * x22;
+    const double x17 = x7 * x7;
+    const double x12 = x6 * x6;
+    const double x14 = 0.005203125 * x6;
+    const double x27 = 1.4004879791666667 * x19;
+    const double x48 = sine[pitch];
     const double x49 = x48 * x19;
-    const double x50 = x41 * x22;
-    const double x51 = x49 - x50;
-    const double x52 = 3.18890355 * x51;
-    const double x53 = x47 * x52;
-    const double x54 = x46 - x53;
-    const double x55 = x40 + x54;
-    const double x56 = x44 * x44;
+    const double x41 = cosine[pitch];
     const double x57 = x41 * x19;
+    const double x50 = x41 * x22;
     const double x58 = x48 * x22;
-    const double x59 = x57 + x58;
-    const double x60 = x59 * x59;
-    const double x61 = x51 * x51;
-    const double x62 = x60 + x61;
-    const double x63 = x56 + x62;
-    const double x64 = 0.569926637259375 * x63;
-    const double x65 = 0.569926637259375 * x59;
+    const double x20 = x19 * x19;
+    const double x23 = x22 * x22;
+    const double x31 = 0.0075537 * x22;
+    const double x34 = 0.349300285625 * x19;
+    const double x29 = x27 - x28;
+    const double x43 = x41 * x42;
     const double x66 = 0.12652256366625 * x44;
-    const double x67 = x65 - x66;
-    const double x68 = x59 * x67;
-    const double x69 = 0.0020475 * x51;
-    const double x70 = x51 * x69;
-    const double x71 = x68 + x70;
-    const double x72 = 0.12652256366625 * x59;
-    const double x73 = 0.0020475 * x44;
-    const double x74 = x72 + x73;
-    const double x75 = x44 * x74;
-    const double x76 = x71 - x75;
-    const double x77 = x64 - x76;
-    const double x78 = x55 + x77;
-    const double x80 = x48 * x42;
-    const double x81 = x79 * x80;
+    const double x51 = x49 - x50;
+    const double x59 = x57 + x58;
     const double x83 = 0.39225 * x44;
-    const double x84 = x43 + x83;
-    const double x85 = x82 * x84;
-    const double x86 = x81 + x85;
-    const double x87 = x9 + x44;
-    const double x88 = 0.30177469 * x87;
-    const double x89 = x86 * x88;
-    const double x90 = 0.39225 * x51;
-    const double x91 = x47 - x90;
-    const double x92 = x79 * x59;
+    const double x24 = x20 + x23;
+    const double x32 = x22 * x31;
+    const double x36 = x34 + x35;
+    const double x30 = x19 * x29;
+    const double x80 = x48 * x42;
+    const double x73 = 0.0020475 * x44;
+    const double x82 = sine[2 * pitch];
     const double x93 = x82 * x51;
-    const double x94 = x92 - x93;
-    const double x95 = 0.30177469 * x94;
-    const double x96 = x91 * x95;
-    const double x97 = x89 + x96;
-    const double x98 = x78 - x97;
-    const double x99 = x87 * x87;
+    const double x65 = 0.569926637259375 * x59;
+    const double x79 = cosine[2 * pitch];
+    const double x92 = x79 * x59;
     const double x100 = x82 * x59;
     const double x101 = x79 * x51;
+    const double x25 = x17 + x24;
+    const double x33 = x30 + x32;
+    const double x37 = x7 * x36;
+    const double x60 = x59 * x59;
+    const double x61 = x51 * x51;
+    const double x67 = x65 - x66;
+    const double x69 = 0.0020475 * x51;
+    const double x72 = 0.12652256366625 * x59;
+    const double x84 = x43 + x83;
+    const double x9 = v[3 * stride];
+    const double x87 = x9 + x44;
+    const double x94 = x92 - x93;
     const double x102 = x100 + x101;
-    const double x103 = x102 * x102;
-    const double x104 = x94 * x94;
-    const double x105 = x103 + x104;
-    const double x106 = x99 + x105;
-    const double x107 = 0.015446080714983334 * x106;
+    const double x13 = 0.16673279803888333 * x12;
+    const double x15 = x6 * x14;
+    const double x26 = 1.4004879791666667 * x25;
+    const double x38 = x33 - x37;
+    const double x45 = 3.18890355 * x44;
+    const double x47 = 0.425 * x22;
+    const double x52 = 3.18890355 * x51;
+    const double x56 = x44 * x44;
+    const double x62 = x60 + x61;
+    const double x68 = x59 * x67;
+    const double x70 = x51 * x69;
+    const double x74 = x72 + x73;
+    const double x81 = x79 * x80;
+    const double x85 = x82 * x84;
+    const double x16 = x13 + x15;
     const double x108 = 0.015446080714983334 * x102;
     const double x109 = 0.01643350047875 * x87;
+    const double x39 = x26 - x38;
+    const double x46 = x43 * x45;
+    const double x53 = x47 * x52;
+    const double x63 = x56 + x62;
+    const double x71 = x68 + x70;
+    const double x75 = x44 * x74;
+    const double x86 = x81 + x85;
+    const double x90 = 0.39225 * x51;
+    const double x103 = x102 * x102;
+    const double x104 = x94 * x94;
     const double x110 = x108 + x109;
-    const double x111 = x102 * x110;
     const double x112 = 0.0010971 * x94;
-    const double x113 = x94 * x112;
-    const double x114 = x111 + x113;
     const double x115 = 0.01643350047875 * x102;
     const double x116 = 0.0010971 * x87;
-    const double x117 = x115 - x116;
-    const double x118 = x87 * x117;
-    const double x119 = x114 + x118;
-    const double x120 = x107 - x119;
-    const double x121 = x98 + x120;
     const double x123 = 0.10915 * x102;
-    const double x124 = x86 + x123;
-    const double x125 = x122 * x124;
-    const double x127 = x126 * x91;
-    const double x128 = x125 - x127;
+    const double x10 = v[4 * stride];
     const double x129 = x10 + x102;
-    const double x130 = 0.0703297078 * x129;
-    const double x131 = x128 * x130;
+    const double x40 = x16 + x39;
+    const double x122 = cosine[3 * pitch];
+    const double x137 = x122 * x94;
+    const double x126 = sine[3 * pitch];
+    const double x145 = x126 * x94;
+    const double x138 = x126 * x87;
+    const double x146 = x122 * x87;
+    const double x54 = x46 - x53;
+    const double x64 = 0.569926637259375 * x63;
+    const double x76 = x71 - x75;
     const double x132 = x82 * x80;
     const double x133 = x79 * x84;
-    const double x134 = x132 - x133;
-    const double x135 = 0.10915 * x94;
-    const double x136 = x134 - x135;
-    const double x137 = x122 * x94;
-    const double x138 = x126 * x87;
+    const double x88 = 0.30177469 * x87;
+    const double x91 = x47 - x90;
     const double x139 = x137 + x138;
-    const double x140 = 0.0703297078 * x139;
-    const double x141 = x136 * x140;
-    const double x142 = x131 - x141;
-    const double x143 = x121 + x142;
-    const double x144 = x129 * x129;
-    const double x145 = x126 * x94;
-    const double x146 = x122 * x87;
     const double x147 = x145 - x146;
-    const double x148 = x147 * x147;
-    const double x149 = x139 * x139;
-    const double x150 = x148 + x149;
-    const double x151 = x144 + x150;
-    const double x152 = 0.0027403000421732334 * x151;
+    const double x95 = 0.30177469 * x94;
+    const double x99 = x87 * x87;
+    const double x105 = x103 + x104;
+    const double x111 = x102 * x110;
+    const double x113 = x94 * x112;
+    const double x117 = x115 - x116;
+    const double x124 = x86 + x123;
+    const double x55 = x40 + x54;
     const double x153 = 0.0027403000421732334 * x147;
     const double x154 = 0.003292500193635 * x129;
+    const double x169 = cosine[4 * pitch];
+    const double x170 = x169 * x139;
+    const double x171 = sine[4 * pitch];
+    const double x175 = x171 * x139;
+    const double x172 = x171 * x129;
+    const double x77 = x64 - x76;
+    const double x134 = x132 - x133;
+    const double x89 = x86 * x88;
+    const double x96 = x91 * x95;
+    const double x127 = x126 * x91;
+    const double x106 = x99 + x105;
+    const double x114 = x111 + x113;
+    const double x118 = x87 * x117;
+    const double x125 = x122 * x124;
+    const double x135 = 0.10915 * x94;
+    const double x148 = x147 * x147;
+    const double x149 = x139 * x139;
     const double x155 = x153 - x154;
-    const double x156 = x147 * x155;
     const double x157 = 0.0010971 * x139;
-    const double x158 = x139 * x157;
-    const double x159 = x156 + x158;
     const double x160 = 0.003292500193635 * x147;
     const double x161 = 0.0010971 * x129;
-    const double x162 = x160 + x161;
-    const double x163 = x129 * x162;
-    const double x164 = x159 - x163;
-    const double x165 = x152 - x164;
-    const double x166 = x143 + x165;
-    const double x167 = x11 - x147;
-    const double x168 = x167 * x167;
-    const double x170 = x169 * x139;
-    const double x172 = x171 * x129;
     const double x173 = x170 - x172;
-    const double x174 = x173 * x173;
-    const double x175 = x171 * x139;
+    const double x78 = x55 + x77;
     const double x176 = x169 * x129;
-    const double x177 = x175 + x176;
-    const double x178 = x177 * x177;
-    const double x179 = x174 + x178;
-    const double x180 = x168 + x179;
-    const double x181 = 6.605859375e-05 * x180;
-    const double x182 = 6.605859375e-05 * x173;
-    const double x183 = x173 * x182;
-    const double x184 = 6.605859375e-05 * x177;
-    const double x185 = x177 * x184;
-    const double x186 = x183 + x185;
-    const double x187 = 6.605859375e-05 * x167;
-    const double x188 = x167 * x187;
-    const double x189 = x186 - x188;
-    const double x190 = x181 - x189;
-    const double x191 = x166 + x190;
-    const double x192 = 0.5 * x191;
     const double x193 = 1.7835125 * x18;
-    const double x194 = 0.748311487 - x193;
-    const double x195 = 9.81 * x194;
-    const double x196 = 2.306638053 + x195;
+    const double x97 = x89 + x96;
     const double x197 = 0.425 * x18;
-    const double x198 = 0.089159 - x197;
-    const double x199 = 2.33 * x198;
+    const double x107 = 0.015446080714983334 * x106;
+    const double x119 = x114 + x118;
+    const double x128 = x125 - x127;
+    const double x130 = 0.0703297078 * x129;
+    const double x136 = x134 - x135;
+    const double x177 = x175 + x176;
+    const double x140 = 0.0703297078 * x139;
+    const double x144 = x129 * x129;
+    const double x150 = x148 + x149;
+    const double x156 = x147 * x155;
+    const double x158 = x139 * x157;
+    const double x11 = v[5 * stride];
+    const double x167 = x11 - x147;
+    const double x162 = x160 + x161;
+    const double x174 = x173 * x173;
+    const double x178 = x177 * x177;
+    const double x182 = 6.605859375e-05 * x173;
+    const double x184 = 6.605859375e-05 * x177;
+    const double x194 = 0.748311487 - x193;
+    const double x98 = x78 - x97;
     const double x200 = x18 * x41;
     const double x201 = x21 * x48;
-    const double x202 = x200 + x201;
-    const double x203 = 0.5644425 * x202;
-    const double x204 = x199 - x203;
-    const double x205 = 9.81 * x204;
-    const double x206 = x196 + x205;
-    const double x207 = 0.39225 * x202;
-    const double x208 = x198 - x207;
-    const double x209 = 1.219 * x208;
-    const double x210 = x82 * x202;
     const double x211 = x18 * x48;
     const double x212 = x21 * x41;
+    const double x198 = 0.089159 - x197;
+    const double x120 = x107 - x119;
+    const double x131 = x128 * x130;
+    const double x141 = x136 * x140;
+    const double x151 = x144 + x150;
+    const double x159 = x156 + x158;
+    const double x202 = x200 + x201;
+    const double x163 = x129 * x162;
     const double x213 = x211 - x212;
-    const double x214 = x79 * x213;
-    const double x215 = x210 + x214;
-    const double x216 = 0.01991846 * x215;
-    const double x217 = x209 + x216;
-    const double x218 = 9.81 * x217;
-    const double x219 = x206 + x218;
+    const double x199 = 2.33 * x198;
+    const double x168 = x167 * x167;
+    const double x179 = x174 + x178;
+    const double x183 = x173 * x182;
+    const double x185 = x177 * x184;
+    const double x187 = 6.605859375e-05 * x167;
     const double x220 = x79 * x202;
+    const double x207 = 0.39225 * x202;
     const double x221 = x82 * x213;
+    const double x210 = x82 * x202;
+    const double x214 = x79 * x213;
+    const double x203 = 0.5644425 * x202;
+    const double x195 = 9.81 * x194;
+    const double x121 = x98 + x120;
+    const double x142 = x131 - x141;
+    const double x152 = 0.0027403000421732334 * x151;
+    const double x208 = x198 - x207;
     const double x222 = x220 - x221;
+    const double x164 = x159 - x163;
+    const double x215 = x210 + x214;
+    const double x204 = x199 - x203;
+    const double x180 = x168 + x179;
+    const double x186 = x183 + x185;
+    const double x188 = x167 * x187;
+    const double x196 = 2.306638053 + x195;
+    const double x209 = 1.219 * x208;
     const double x223 = x126 * x222;
-    const double x224 = 0.01991846 * x223;
+    const double x143 = x121 + x142;
+    const double x216 = 0.01991846 * x215;
     const double x225 = 0.11318415 * x215;
-    const double x226 = x224 - x225;
-    const double x227 = x209 - x226;
-    const double x228 = 9.81 * x227;
-    const double x229 = x219 + x228;
     const double x230 = 0.09465 * x215;
-    const double x231 = x208 + x230;
-    const double x232 = 0.1879 * x231;
+    const double x205 = 9.81 * x204;
+    const double x165 = x152 - x164;
+    const double x181 = 6.605859375e-05 * x180;
+    const double x189 = x186 - x188;
+    const double x224 = 0.01991846 * x223;
     const double x233 = 0.0152463939 * x223;
+    const double x217 = x209 + x216;
+    const double x231 = x208 + x230;
+    const double x206 = x196 + x205;
+    const double x166 = x143 + x165;
+    const double x190 = x181 - x189;
+    const double x226 = x224 - x225;
+    const double x218 = 9.81 * x217;
+    const double x232 = 0.1879 * x231;
+    const double x191 = x166 + x190;
+    const double x227 = x209 - x226;
+    const double x219 = x206 + x218;
     const double x234 = x232 - x233;
-    const double x235 = 9.81 * x234;
-    const double x236 = x229 + x235;
+    const double x192 = 0.5 * x191;
     energy[0] = x192;
+    double total = x192;
+    const double x228 = 9.81 * x227;
+    const double x235 = 9.81 * x234;
+    const double x229 = x219 + x228;
+    const double x236 = x229 + x235;
     energy[stride] = x236;
-    return (x192 + x236) + x0;
+    total = total + x236;
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_energy(
@@ -7379,13 +7890,13 @@ int ur5_energy(
     double *restrict energy)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_energy_angles(1, q, v, angle);
+    ur5_energy_angles(1, 1, q, v, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_energy_lane(1, q, v, energy, sine, cosine);
+    const double total = ur5_energy_lane(1, 1, q, v, energy, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(energy, 2);
@@ -7395,26 +7906,23 @@ int ur5_energy(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_energy_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict energy,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_energy_angles(8, q + lane, v + lane, angle + lane);
+        ur5_energy_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_energy_lane(8, q + lane, v + lane, energy + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -7457,22 +7965,32 @@ static int ur5_energy_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double energy_block[16];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_energy_block(q_block, v_block, energy_block, outcome);
-        ur5_scatter(2, first, some, stride, energy_block, energy);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(2, stride, energy + first + 8);
+            }
+            ur5_energy_block(stride, q + first, v + first, energy + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double energy_block[16];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_energy_block(8, q_block, v_block, energy_block, total);
+            ur5_scatter(2, first, some, stride, energy_block, energy);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_energy_one(first + lane, stride, q, v, energy);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_energy_one(first + lane, stride, q, v, energy);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -7532,50 +8050,47 @@ int ur5_energy_batch_soa(
 
 static inline UR5_INLINE void ur5_mass_matrix_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x4;
-    angle[stride] = x5;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x1;
+    angle[pitch] = x5;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x1;
 }
 
 static inline UR5_INLINE double ur5_mass_matrix_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict mass_matrix,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x10 = sine[0];
+    (void)pitch;
     const double x6 = cosine[0];
-    const double x14 = sine[stride];
-    const double x11 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x34 = cosine[2 * stride];
-    const double x27 = sine[3 * stride];
-    const double x30 = cosine[3 * stride];
-    const double x101 = sine[4 * stride];
-    const double x25 = cosine[4 * stride];
     const double x7 = 0.003838243803185 * x6;
     const double x8 = 0.0026742414484232334 * x6;
     const double x9 = x6 * x8;
+    const double x11 = cosine[pitch];
     const double x12 = 6.605859375e-05 * x11;
     const double x13 = x11 * x12;
+    const double x14 = sine[pitch];
     const double x15 = 6.605859375e-05 * x14;
     const double x16 = x14 * x15;
     const double x17 = x13 + x16;
     const double x18 = 0.0010971 + x17;
+    const double x10 = sine[0];
     const double x19 = x10 * x18;
     const double x20 = x10 * x19;
     const double x21 = x9 + x20;
@@ -7583,14 +8098,18 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x23 = x7 + x22;
     const double x24 = x23 + 0.15603449803888333;
     const double x28 = 0.0351648539 * x10;
+    const double x27 = sine[3 * pitch];
     const double x29 = x27 * x28;
+    const double x30 = cosine[3 * pitch];
     const double x31 = 0.150887345 * x30;
     const double x32 = x29 + x31;
+    const double x26 = sine[2 * pitch];
     const double x33 = x26 * x32;
     const double x35 = x30 * x28;
     const double x36 = 0.150887345 * x27;
     const double x37 = x35 - x36;
     const double x38 = 1.594451775 + x37;
+    const double x34 = cosine[2 * pitch];
     const double x39 = x34 * x38;
     const double x40 = x33 - x39;
     const double x41 = 0.425 * x40;
@@ -7652,6 +8171,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x97 = x41 - x96;
     const double x98 = x41 + x97;
     const double x99 = 1.4004879791666667 - x98;
+    const double x25 = cosine[4 * pitch];
     const double x100 = x25 * x99;
     const double x102 = x26 * x68;
     const double x103 = x34 * x80;
@@ -7667,6 +8187,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x113 = x111 + x112;
     const double x114 = 0.425 * x113;
     const double x115 = x110 + x114;
+    const double x101 = sine[4 * pitch];
     const double x116 = x101 * x115;
     const double x117 = x100 - x116;
     const double x118 = x25 * x117;
@@ -7685,6 +8206,8 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x131 = x118 - x130;
     const double x132 = 0.005203125 + x131;
     const double x133 = x24 + x132;
+    mass_matrix[0] = x133;
+    double total = x133;
     const double x134 = 0.003292500193635 * x6;
     const double x135 = x10 * x48;
     const double x136 = x134 - x135;
@@ -7715,8 +8238,14 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x161 = 0.349300285625 - x160;
     const double x162 = x101 * x161;
     const double x163 = x155 + x162;
+    mass_matrix[stride] = x163;
+    mass_matrix[6 * stride] = x163;
+    total = total + x163;
     const double x164 = x101 * x158;
     const double x165 = x155 - x164;
+    mass_matrix[2 * stride] = x165;
+    mass_matrix[12 * stride] = x165;
+    total = total + x165;
     const double x166 = x34 * x149;
     const double x167 = x166 + x156;
     const double x168 = x101 * x167;
@@ -7725,7 +8254,12 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x171 = x25 * x170;
     const double x172 = x168 + x171;
     const double x173 = -x172;
+    mass_matrix[3 * stride] = x173;
+    mass_matrix[18 * stride] = x173;
+    total = total + x173;
     const double x174 = x17 + 0.003771341448423233;
+    mass_matrix[28 * stride] = x174;
+    total = total + x174;
     const double x175 = x174 + x7;
     const double x176 = x27 * x175;
     const double x177 = x176 + x74;
@@ -7744,6 +8278,9 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x190 = x188 - x189;
     const double x191 = x25 * x190;
     const double x192 = x185 + x191;
+    mass_matrix[4 * stride] = x192;
+    mass_matrix[24 * stride] = x192;
+    total = total + x192;
     const double x193 = 0.0001321171875 * x10;
     const double x194 = x30 * x193;
     const double x195 = x34 * x194;
@@ -7757,15 +8294,33 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x203 = x25 * x202;
     const double x204 = x199 + x203;
     const double x205 = -x204;
+    mass_matrix[5 * stride] = x205;
+    mass_matrix[30 * stride] = x205;
+    total = total + x205;
     const double x206 = x99 + x127;
+    mass_matrix[7 * stride] = x206;
+    total = total + x206;
     const double x207 = x68 + x92;
+    mass_matrix[14 * stride] = x207;
+    total = total + x207;
     const double x208 = x207 - x41;
+    mass_matrix[8 * stride] = x208;
+    mass_matrix[13 * stride] = x208;
+    total = total + x208;
     const double x209 = x43 + x61;
+    mass_matrix[21 * stride] = x209;
+    total = total + x209;
     const double x210 = x209 + x42;
+    mass_matrix[15 * stride] = x210;
+    mass_matrix[20 * stride] = x210;
+    total = total + x210;
     const double x211 = x34 * x37;
     const double x212 = x33 - x211;
     const double x213 = 0.425 * x212;
     const double x214 = x210 - x213;
+    mass_matrix[9 * stride] = x214;
+    mass_matrix[19 * stride] = x214;
+    total = total + x214;
     const double x215 = 0.0351648539 * x6;
     const double x216 = x30 * x215;
     const double x217 = x26 * x216;
@@ -7777,47 +8332,31 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x223 = 0.39225 * x218;
     const double x224 = x222 - x223;
     const double x225 = x221 - x224;
-    const double x226 = 0.0001321171875 * x6;
-    const double x227 = -x224;
-    const double x228 = -x222;
-    mass_matrix[0] = x133;
-    mass_matrix[stride] = x163;
-    mass_matrix[2 * stride] = x165;
-    mass_matrix[3 * stride] = x173;
-    mass_matrix[4 * stride] = x192;
-    mass_matrix[5 * stride] = x205;
-    mass_matrix[6 * stride] = x163;
-    mass_matrix[7 * stride] = x206;
-    mass_matrix[8 * stride] = x208;
-    mass_matrix[9 * stride] = x214;
     mass_matrix[10 * stride] = x225;
-    mass_matrix[11 * stride] = x226;
-    mass_matrix[12 * stride] = x165;
-    mass_matrix[13 * stride] = x208;
-    mass_matrix[14 * stride] = x207;
-    mass_matrix[15 * stride] = x210;
-    mass_matrix[16 * stride] = x227;
-    mass_matrix[17 * stride] = x226;
-    mass_matrix[18 * stride] = x173;
-    mass_matrix[19 * stride] = x214;
-    mass_matrix[20 * stride] = x210;
-    mass_matrix[21 * stride] = x209;
-    mass_matrix[22 * stride] = x228;
-    mass_matrix[23 * stride] = x226;
-    mass_matrix[24 * stride] = x192;
     mass_matrix[25 * stride] = x225;
-    mass_matrix[26 * stride] = x227;
-    mass_matrix[27 * stride] = x228;
-    mass_matrix[28 * stride] = x174;
-    mass_matrix[29 * stride] = 0.0;
-    mass_matrix[30 * stride] = x205;
+    total = total + x225;
+    const double x226 = 0.0001321171875 * x6;
+    mass_matrix[11 * stride] = x226;
+    mass_matrix[17 * stride] = x226;
+    mass_matrix[23 * stride] = x226;
     mass_matrix[31 * stride] = x226;
     mass_matrix[32 * stride] = x226;
     mass_matrix[33 * stride] = x226;
+    total = total + x226;
+    const double x227 = -x224;
+    mass_matrix[16 * stride] = x227;
+    mass_matrix[26 * stride] = x227;
+    total = total + x227;
+    const double x228 = -x222;
+    mass_matrix[22 * stride] = x228;
+    mass_matrix[27 * stride] = x228;
+    total = total + x228;
+    mass_matrix[29 * stride] = 0.0;
     mass_matrix[34 * stride] = 0.0;
     mass_matrix[35 * stride] = 0.0001321171875;
-    return ((((x133 + x163) + (x165 + x173)) + ((x192 + x205) + (x206 + x208))) + (((x214 + x225) + (x226 +
-        x207)) + ((x210 + x227) + (x209 + x228)))) + (x174 + x0);
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_mass_matrix(
@@ -7825,13 +8364,13 @@ int ur5_mass_matrix(
     double *restrict mass_matrix)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_mass_matrix_angles(1, q, angle);
+    ur5_mass_matrix_angles(1, 1, q, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_mass_matrix_lane(1, q, mass_matrix, sine, cosine);
+    const double total = ur5_mass_matrix_lane(1, 1, q, mass_matrix, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(mass_matrix, 36);
@@ -7841,25 +8380,22 @@ int ur5_mass_matrix(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_mass_matrix_block(
+    size_t stride,
     const double *restrict q,
     double *restrict mass_matrix,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_mass_matrix_angles(8, q + lane, angle + lane);
+        ur5_mass_matrix_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_mass_matrix_lane(8, q + lane, mass_matrix + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
+            lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -7896,20 +8432,29 @@ static int ur5_mass_matrix_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double mass_matrix_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_mass_matrix_block(q_block, mass_matrix_block, outcome);
-        ur5_scatter(36, first, some, stride, mass_matrix_block, mass_matrix);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(36, stride, mass_matrix + first + 8);
+            }
+            ur5_mass_matrix_block(stride, q + first, mass_matrix + first, total);
+        } else {
+            double q_block[48];
+            double mass_matrix_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_mass_matrix_block(8, q_block, mass_matrix_block, total);
+            ur5_scatter(36, first, some, stride, mass_matrix_block, mass_matrix);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_mass_matrix_one(first + lane, stride, q, mass_matrix);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_mass_matrix_one(first + lane, stride, q, mass_matrix);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -7966,11 +8511,13 @@ int ur5_mass_matrix_batch_soa(
 
 static inline UR5_INLINE void ur5_bias_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
@@ -7978,14 +8525,15 @@ static inline UR5_INLINE void ur5_bias_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x1;
-    angle[stride] = x2;
-    angle[2 * stride] = x3;
-    angle[3 * stride] = x4;
-    angle[4 * stride] = x5;
+    angle[pitch] = x2;
+    angle[2 * pitch] = x3;
+    angle[3 * pitch] = x4;
+    angle[4 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_bias_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
@@ -7993,305 +8541,313 @@ static inline UR5_INLINE double ur5_bias_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
+    (void)pitch;
     const double x6 = v[0];
+    const double x13 = cosine[0];
+    const double x14 = x6 * x13;
+    const double x12 = sine[0];
+    const double x17 = x6 * x12;
     const double x7 = v[stride];
     const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = sine[0];
-    const double x13 = cosine[0];
-    const double x22 = sine[stride];
-    const double x21 = cosine[stride];
-    const double x35 = sine[2 * stride];
-    const double x36 = cosine[2 * stride];
-    const double x66 = sine[3 * stride];
-    const double x68 = cosine[3 * stride];
-    const double x133 = sine[4 * stride];
-    const double x135 = cosine[4 * stride];
-    const double x14 = x6 * x13;
-    const double x15 = x7 * x14;
-    const double x16 = 0.0151074 * x15;
-    const double x17 = x6 * x12;
-    const double x18 = x17 * x14;
-    const double x19 = 0.349300285625 * x18;
-    const double x20 = x16 + x19;
-    const double x23 = x22 * x17;
-    const double x24 = x21 * x14;
-    const double x25 = x23 - x24;
     const double x26 = x7 + x8;
-    const double x27 = x25 * x26;
-    const double x28 = 0.004095 * x27;
+    const double x15 = x7 * x14;
+    const double x22 = sine[pitch];
+    const double x23 = x22 * x17;
+    const double x21 = cosine[pitch];
+    const double x24 = x21 * x14;
     const double x29 = x21 * x17;
     const double x30 = x22 * x14;
-    const double x31 = x29 + x30;
-    const double x32 = x31 * x25;
-    const double x33 = 0.12652256366625 * x32;
-    const double x34 = x28 + x33;
-    const double x37 = x36 * x31;
-    const double x38 = x35 * x25;
-    const double x39 = x37 - x38;
+    const double x50 = x7 * x17;
+    const double x107 = x14 * x14;
+    const double x18 = x17 * x14;
+    const double x9 = v[3 * stride];
     const double x40 = x9 + x26;
-    const double x41 = x39 * x40;
-    const double x42 = 0.0021942 * x41;
+    const double x49 = x21 * x15;
+    const double x56 = x22 * x15;
+    const double x25 = x23 - x24;
+    const double x104 = x26 * x26;
+    const double x31 = x29 + x30;
+    const double x51 = x22 * x50;
+    const double x57 = x21 * x50;
+    const double x90 = 0.85 * x50;
+    const double x68 = cosine[3 * pitch];
+    const double x69 = x68 * x40;
+    const double x66 = sine[3 * pitch];
+    const double x72 = x66 * x40;
+    const double x244 = x17 * x17;
+    const double x53 = x8 * x25;
+    const double x35 = sine[2 * pitch];
+    const double x38 = x35 * x25;
+    const double x59 = x8 * x31;
+    const double x52 = x49 - x51;
+    const double x58 = x56 + x57;
+    const double x36 = cosine[2 * pitch];
+    const double x37 = x36 * x31;
     const double x43 = x35 * x31;
     const double x44 = x36 * x25;
-    const double x45 = x43 + x44;
-    const double x46 = x45 * x39;
-    const double x47 = 0.01643350047875 * x46;
-    const double x48 = x42 - x47;
-    const double x49 = x21 * x15;
-    const double x50 = x7 * x17;
-    const double x51 = x22 * x50;
-    const double x52 = x49 - x51;
-    const double x53 = x8 * x25;
+    const double x103 = x25 * x25;
+    const double x32 = x31 * x25;
+    const double x91 = x31 * x26;
+    const double x215 = x31 * x31;
     const double x54 = x52 - x53;
-    const double x55 = x35 * x54;
-    const double x56 = x22 * x15;
-    const double x57 = x21 * x50;
-    const double x58 = x56 + x57;
-    const double x59 = x8 * x31;
     const double x60 = x58 + x59;
-    const double x61 = x36 * x60;
-    const double x62 = x55 + x61;
-    const double x63 = x9 * x39;
-    const double x64 = x62 + x63;
-    const double x65 = 0.003837400042173233 * x64;
-    const double x67 = x66 * x39;
-    const double x69 = x68 * x40;
-    const double x70 = x67 - x69;
-    const double x71 = x68 * x39;
-    const double x72 = x66 * x40;
-    const double x73 = x71 + x72;
-    const double x74 = x70 * x73;
-    const double x75 = 0.0016432000421732333 * x74;
-    const double x76 = x65 + x75;
+    const double x39 = x37 - x38;
+    const double x27 = x25 * x26;
+    const double x45 = x43 + x44;
+    const double x105 = x103 + x104;
+    const double x33 = 0.12652256366625 * x32;
+    const double x213 = 0.571974137259375 * x91;
+    const double x216 = x215 - x104;
     const double x77 = x36 * x54;
     const double x78 = x35 * x60;
-    const double x79 = x77 - x78;
+    const double x55 = x35 * x54;
+    const double x61 = x36 * x60;
+    const double x67 = x66 * x39;
+    const double x71 = x68 * x39;
     const double x80 = x9 * x45;
-    const double x81 = x79 - x80;
-    const double x82 = x66 * x81;
-    const double x83 = x10 * x73;
-    const double x84 = x82 + x83;
+    const double x63 = x9 * x39;
+    const double x10 = v[4 * stride];
     const double x85 = x10 + x45;
-    const double x86 = x73 * x85;
-    const double x87 = x84 - x86;
-    const double x88 = 0.003292500193635 * x87;
-    const double x89 = x76 + x88;
-    const double x90 = 0.85 * x50;
-    const double x91 = x31 * x26;
-    const double x92 = x60 + x91;
-    const double x93 = 0.39225 * x92;
-    const double x94 = x90 + x93;
-    const double x95 = x45 * x45;
+    const double x41 = x39 * x40;
+    const double x79 = x77 - x78;
     const double x96 = x39 * x39;
-    const double x97 = x95 + x96;
-    const double x98 = 0.10915 * x97;
-    const double x99 = x94 + x98;
-    const double x100 = x66 * x99;
+    const double x62 = x55 + x61;
+    const double x70 = x67 - x69;
+    const double x73 = x71 + x72;
+    const double x92 = x60 + x91;
+    const double x46 = x45 * x39;
+    const double x212 = 0.567879137259375 * x60;
+    const double x42 = 0.0021942 * x41;
+    const double x81 = x79 - x80;
+    const double x217 = 0.12652256366625 * x216;
+    const double x64 = x62 + x63;
+    const double x28 = 0.004095 * x27;
+    const double x74 = x70 * x73;
+    const double x83 = x10 * x73;
+    const double x86 = x73 * x85;
+    const double x47 = 0.01643350047875 * x46;
+    const double x214 = x212 + x213;
+    const double x82 = x66 * x81;
+    const double x256 = x54 + x27;
     const double x101 = x64 - x41;
-    const double x102 = 0.10915 * x101;
-    const double x103 = x25 * x25;
-    const double x104 = x26 * x26;
-    const double x105 = x103 + x104;
-    const double x106 = 0.39225 * x105;
-    const double x107 = x14 * x14;
+    const double x65 = 0.003837400042173233 * x64;
+    const double x155 = x64 + x74;
+    const double x75 = 0.0016432000421732333 * x74;
+    const double x173 = 0.0021942 * x86;
+    const double x48 = x42 - x47;
+    const double x34 = x28 + x33;
+    const double x84 = x82 + x83;
+    const double x257 = 0.12652256366625 * x256;
+    const double x16 = 0.0151074 * x15;
+    const double x93 = 0.39225 * x92;
+    const double x218 = x214 + x217;
+    const double x76 = x65 + x75;
+    const double x19 = 0.349300285625 * x18;
+    const double x240 = 1.594451775 * x92;
+    const double x87 = x84 - x86;
+    const double x176 = 0.0001321171875 * x84;
+    const double x94 = x90 + x93;
+    const double x20 = x16 + x19;
     const double x108 = x7 * x7;
-    const double x109 = x107 + x108;
-    const double x110 = 0.425 * x109;
     const double x111 = 9.81 * x12;
-    const double x112 = x110 + x111;
-    const double x113 = x21 * x112;
     const double x114 = 0.425 * x18;
     const double x115 = 9.81 * x13;
-    const double x116 = x114 - x115;
-    const double x117 = x22 * x116;
-    const double x118 = x113 - x117;
-    const double x119 = x106 + x118;
-    const double x120 = x36 * x119;
+    const double x106 = 0.39225 * x105;
     const double x121 = 0.39225 * x32;
-    const double x122 = x22 * x112;
-    const double x123 = x21 * x116;
-    const double x124 = x122 + x123;
-    const double x125 = x121 - x124;
-    const double x126 = x35 * x125;
-    const double x127 = x120 + x126;
-    const double x128 = x102 - x127;
-    const double x129 = x68 * x128;
-    const double x130 = x100 + x129;
-    const double x131 = 0.0351648539 * x130;
-    const double x132 = x89 + x131;
-    const double x134 = x133 * x73;
-    const double x136 = x135 * x85;
-    const double x137 = x134 + x136;
-    const double x138 = x11 - x70;
-    const double x139 = x137 * x138;
-    const double x140 = 0.0001321171875 * x139;
-    const double x141 = x133 * x140;
-    const double x142 = x135 * x73;
-    const double x143 = x133 * x85;
-    const double x144 = x142 - x143;
-    const double x145 = x144 * x138;
-    const double x146 = 0.0001321171875 * x145;
-    const double x147 = x135 * x146;
-    const double x148 = x141 + x147;
-    const double x149 = x132 + x148;
-    const double x150 = x73 * x73;
-    const double x151 = x85 * x85;
-    const double x152 = x150 + x151;
-    const double x153 = 0.0351648539 * x152;
-    const double x154 = x66 * x153;
-    const double x155 = x64 + x74;
-    const double x156 = 0.0351648539 * x155;
-    const double x157 = x68 * x156;
-    const double x158 = x154 - x157;
-    const double x159 = 0.10915 * x158;
-    const double x160 = x149 - x159;
-    const double x161 = x48 + x160;
-    const double x162 = x35 * x161;
-    const double x163 = 0.014348980714983334 * x81;
+    const double x95 = x45 * x45;
     const double x164 = x45 * x40;
-    const double x165 = 0.016543180714983334 * x164;
-    const double x166 = x163 - x165;
+    const double x133 = sine[4 * pitch];
+    const double x134 = x133 * x73;
+    const double x109 = x107 + x108;
+    const double x135 = cosine[4 * pitch];
+    const double x136 = x135 * x85;
+    const double x142 = x135 * x73;
+    const double x116 = x114 - x115;
+    const double x143 = x133 * x85;
+    const double x11 = v[5 * stride];
+    const double x138 = x11 - x70;
+    const double x97 = x95 + x96;
+    const double x151 = x85 * x85;
+    const double x102 = 0.10915 * x101;
+    const double x110 = 0.425 * x109;
+    const double x137 = x134 + x136;
+    const double x150 = x73 * x73;
+    const double x117 = x22 * x116;
+    const double x123 = x21 * x116;
+    const double x144 = x142 - x143;
+    const double x98 = 0.10915 * x97;
+    const double x88 = 0.003292500193635 * x87;
     const double x167 = x40 * x40;
-    const double x168 = x95 - x167;
-    const double x169 = 0.01643350047875 * x168;
-    const double x170 = x166 + x169;
+    const double x112 = x110 + x111;
+    const double x139 = x137 * x138;
+    const double x152 = x150 + x151;
     const double x171 = 0.150887345 * x94;
-    const double x172 = x170 + x171;
-    const double x173 = 0.0021942 * x86;
-    const double x174 = 0.003292500193635 * x155;
-    const double x175 = x173 + x174;
-    const double x176 = 0.0001321171875 * x84;
-    const double x177 = x175 + x176;
-    const double x178 = x66 * x177;
+    const double x262 = 0.01643350047875 * x101;
+    const double x145 = x144 * x138;
+    const double x99 = x94 + x98;
+    const double x89 = x76 + x88;
+    const double x183 = x70 * x85;
+    const double x113 = x21 * x112;
+    const double x122 = x22 * x112;
+    const double x140 = 0.0001321171875 * x139;
+    const double x153 = 0.0351648539 * x152;
+    const double x168 = x95 - x167;
+    const double x146 = 0.0001321171875 * x145;
+    const double x100 = x66 * x99;
+    const double x270 = x96 + x167;
+    const double x282 = 1.594451775 * x105;
+    const double x118 = x113 - x117;
+    const double x124 = x122 + x123;
+    const double x198 = x135 * x140;
+    const double x141 = x133 * x140;
+    const double x154 = x66 * x153;
+    const double x199 = x133 * x146;
+    const double x147 = x135 * x146;
+    const double x169 = 0.01643350047875 * x168;
+    const double x226 = x68 * x153;
+    const double x119 = x106 + x118;
+    const double x125 = x121 - x124;
+    const double x271 = 0.150887345 * x270;
+    const double x245 = x244 - x108;
+    const double x259 = 1.594451775 * x124;
+    const double x200 = x198 - x199;
+    const double x148 = x141 + x147;
+    const double x252 = 1.3929342791666666 * x18;
+    const double x296 = -x176;
+    bias[5 * stride] = x296;
+    double total = x296;
     const double x179 = x68 * x81;
     const double x180 = x10 * x70;
-    const double x181 = x179 - x180;
-    const double x182 = 0.0016432000421732333 * x181;
-    const double x183 = x70 * x85;
-    const double x184 = 0.003837400042173233 * x183;
-    const double x185 = x182 - x184;
-    const double x186 = x70 * x70;
-    const double x187 = x186 - x151;
-    const double x188 = 0.003292500193635 * x187;
-    const double x189 = x185 - x188;
-    const double x190 = x81 + x164;
-    const double x191 = 0.10915 * x190;
+    const double x120 = x36 * x119;
     const double x192 = x35 * x119;
+    const double x126 = x35 * x125;
     const double x193 = x36 * x125;
+    const double x186 = x70 * x70;
+    const double x190 = x81 + x164;
+    const double x184 = 0.003837400042173233 * x183;
+    const double x174 = 0.003292500193635 * x155;
+    const double x181 = x179 - x180;
+    const double x156 = 0.0351648539 * x155;
+    const double x163 = 0.014348980714983334 * x81;
+    const double x127 = x120 + x126;
     const double x194 = x192 - x193;
-    const double x195 = x191 + x194;
-    const double x196 = 0.0351648539 * x195;
-    const double x197 = x189 + x196;
-    const double x198 = x135 * x140;
-    const double x199 = x133 * x146;
-    const double x200 = x198 - x199;
-    const double x201 = x197 - x200;
-    const double x202 = x68 * x201;
-    const double x203 = x178 + x202;
+    const double x187 = x186 - x151;
+    const double x191 = 0.10915 * x190;
+    const double x165 = 0.016543180714983334 * x164;
+    const double x175 = x173 + x174;
+    const double x182 = 0.0016432000421732333 * x181;
+    const double x157 = x68 * x156;
     const double x204 = x181 - x183;
-    const double x205 = 0.003838243803185 * x204;
-    const double x206 = x203 + x205;
-    const double x207 = x172 + x206;
-    const double x208 = x36 * x207;
-    const double x209 = x162 + x208;
-    const double x210 = x34 - x209;
-    const double x211 = x21 * x210;
-    const double x212 = 0.567879137259375 * x60;
-    const double x213 = 0.571974137259375 * x91;
-    const double x214 = x212 + x213;
-    const double x215 = x31 * x31;
-    const double x216 = x215 - x104;
-    const double x217 = 0.12652256366625 * x216;
-    const double x218 = x214 + x217;
-    const double x219 = 1.35528400875 * x50;
-    const double x220 = x218 + x219;
-    const double x221 = x36 * x161;
-    const double x222 = x35 * x207;
-    const double x223 = x221 - x222;
-    const double x224 = x81 - x164;
-    const double x225 = 0.150887345 * x224;
-    const double x226 = x68 * x153;
+    const double x128 = x102 - x127;
     const double x227 = x66 * x156;
+    const double x188 = 0.003292500193635 * x187;
+    const double x195 = x191 + x194;
+    const double x166 = x163 - x165;
+    const double x177 = x175 + x176;
+    const double x185 = x182 - x184;
+    const double x158 = x154 - x157;
+    const double x224 = x81 - x164;
+    const double x129 = x68 * x128;
     const double x228 = x226 + x227;
-    const double x229 = x225 + x228;
-    const double x230 = 0.39225 * x229;
-    const double x231 = x223 + x230;
-    const double x232 = x220 + x231;
-    const double x233 = x22 * x232;
-    const double x234 = x211 - x233;
-    const double x235 = x20 - x234;
-    const double x236 = x12 * x235;
-    const double x237 = x22 * x210;
-    const double x238 = x21 * x232;
-    const double x239 = x237 + x238;
-    const double x240 = 1.594451775 * x92;
-    const double x241 = x240 + x229;
-    const double x242 = 0.425 * x241;
-    const double x243 = x239 + x242;
-    const double x244 = x17 * x17;
-    const double x245 = x244 - x108;
+    const double x264 = 0.150887345 * x127;
+    const double x196 = 0.0351648539 * x195;
+    const double x170 = x166 + x169;
+    const double x178 = x66 * x177;
+    const double x189 = x185 - x188;
+    const double x159 = 0.10915 * x158;
+    const double x266 = x68 * x177;
+    const double x130 = x100 + x129;
     const double x246 = 0.349300285625 * x245;
+    const double x205 = 0.003838243803185 * x204;
+    const double x225 = 0.150887345 * x224;
+    const double x172 = x170 + x171;
+    const double x272 = 0.0351648539 * x204;
+    const double x197 = x189 + x196;
+    const double x131 = 0.0351648539 * x130;
+    const double x219 = 1.35528400875 * x50;
+    const double x229 = x225 + x228;
+    const double x273 = x271 - x272;
+    const double x201 = x197 - x200;
+    const double x132 = x89 + x131;
+    const double x220 = x218 + x219;
+    const double x288 = 1.594451775 * x32;
+    const double x230 = 0.39225 * x229;
+    const double x241 = x240 + x229;
+    const double x255 = 0.567879137259375 * x32;
+    const double x202 = x68 * x201;
+    const double x267 = x66 * x201;
     const double x247 = 2.8009759583333333 * x50;
+    const double x149 = x132 + x148;
+    bias[4 * stride] = x149;
+    total = total + x149;
+    const double x275 = 0.150887345 * x46;
+    const double x261 = 0.014348980714983334 * x46;
+    const double x274 = x36 * x273;
+    const double x283 = x35 * x273;
+    const double x242 = 0.425 * x241;
+    const double x203 = x178 + x202;
+    const double x268 = x266 - x267;
+    const double x258 = x255 - x257;
+    const double x160 = x149 - x159;
+    const double x276 = x275 + x158;
+    const double x263 = x261 - x262;
     const double x248 = x246 + x247;
+    const double x253 = 38.1586437 * x13;
+    const double x206 = x203 + x205;
+    const double x260 = x258 - x259;
+    const double x161 = x48 + x160;
+    const double x277 = x35 * x276;
+    const double x284 = x36 * x276;
+    const double x265 = x263 + x264;
+    const double x254 = x252 - x253;
+    const double x207 = x172 + x206;
+    const double x221 = x36 * x161;
+    const double x162 = x35 * x161;
+    const double x278 = x274 + x277;
+    const double x285 = x283 - x284;
+    const double x269 = x265 - x268;
+    bias[3 * stride] = x269;
+    total = total + x269;
+    const double x222 = x35 * x207;
+    const double x208 = x36 * x207;
+    const double x289 = x288 + x278;
+    const double x286 = x282 - x285;
+    const double x279 = 0.39225 * x278;
+    const double x223 = x221 - x222;
+    const double x209 = x162 + x208;
+    const double x290 = x21 * x289;
+    const double x287 = x22 * x286;
+    const double x280 = x269 - x279;
+    const double x231 = x223 + x230;
+    const double x210 = x34 - x209;
+    const double x291 = x287 + x290;
+    const double x281 = x260 - x280;
+    const double x232 = x220 + x231;
+    const double x237 = x22 * x210;
+    const double x211 = x21 * x210;
+    const double x292 = 0.425 * x291;
+    const double x295 = -x281;
+    bias[2 * stride] = x295;
+    total = total + x295;
+    const double x238 = x21 * x232;
+    const double x233 = x22 * x232;
+    const double x293 = x281 + x292;
+    const double x239 = x237 + x238;
+    const double x234 = x211 - x233;
+    const double x294 = x254 - x293;
+    bias[stride] = x294;
+    total = total + x294;
+    const double x243 = x239 + x242;
+    const double x235 = x20 - x234;
     const double x249 = x243 + x248;
+    const double x236 = x12 * x235;
     const double x250 = x13 * x249;
     const double x251 = x236 - x250;
-    const double x252 = 1.3929342791666666 * x18;
-    const double x253 = 38.1586437 * x13;
-    const double x254 = x252 - x253;
-    const double x255 = 0.567879137259375 * x32;
-    const double x256 = x54 + x27;
-    const double x257 = 0.12652256366625 * x256;
-    const double x258 = x255 - x257;
-    const double x259 = 1.594451775 * x124;
-    const double x260 = x258 - x259;
-    const double x261 = 0.014348980714983334 * x46;
-    const double x262 = 0.01643350047875 * x101;
-    const double x263 = x261 - x262;
-    const double x264 = 0.150887345 * x127;
-    const double x265 = x263 + x264;
-    const double x266 = x68 * x177;
-    const double x267 = x66 * x201;
-    const double x268 = x266 - x267;
-    const double x269 = x265 - x268;
-    const double x270 = x96 + x167;
-    const double x271 = 0.150887345 * x270;
-    const double x272 = 0.0351648539 * x204;
-    const double x273 = x271 - x272;
-    const double x274 = x36 * x273;
-    const double x275 = 0.150887345 * x46;
-    const double x276 = x275 + x158;
-    const double x277 = x35 * x276;
-    const double x278 = x274 + x277;
-    const double x279 = 0.39225 * x278;
-    const double x280 = x269 - x279;
-    const double x281 = x260 - x280;
-    const double x282 = 1.594451775 * x105;
-    const double x283 = x35 * x273;
-    const double x284 = x36 * x276;
-    const double x285 = x283 - x284;
-    const double x286 = x282 - x285;
-    const double x287 = x22 * x286;
-    const double x288 = 1.594451775 * x32;
-    const double x289 = x288 + x278;
-    const double x290 = x21 * x289;
-    const double x291 = x287 + x290;
-    const double x292 = 0.425 * x291;
-    const double x293 = x281 + x292;
-    const double x294 = x254 - x293;
-    const double x295 = -x281;
-    const double x296 = -x176;
     bias[0] = x251;
-    bias[stride] = x294;
-    bias[2 * stride] = x295;
-    bias[3 * stride] = x269;
-    bias[4 * stride] = x149;
-    bias[5 * stride] = x296;
-    return ((x251 + x294) + (x295 + x269)) + ((x149 + x296) + x0);
+    total = total + x251;
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_bias(
@@ -8300,13 +8856,13 @@ int ur5_bias(
     double *restrict bias)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_bias_angles(1, q, v, angle);
+    ur5_bias_angles(1, 1, q, v, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_bias_lane(1, q, v, bias, sine, cosine);
+    const double total = ur5_bias_lane(1, 1, q, v, bias, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(bias, 6);
@@ -8316,26 +8872,22 @@ int ur5_bias(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_bias_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_bias_angles(8, q + lane, v + lane, angle + lane);
+        ur5_bias_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_bias_lane(8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -8378,22 +8930,32 @@ static int ur5_bias_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double bias_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_bias_block(q_block, v_block, bias_block, outcome);
-        ur5_scatter(6, first, some, stride, bias_block, bias);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, bias + first + 8);
+            }
+            ur5_bias_block(stride, q + first, v + first, bias + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double bias_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_bias_block(8, q_block, v_block, bias_block, total);
+            ur5_scatter(6, first, some, stride, bias_block, bias);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_bias_one(first + lane, stride, q, v, bias);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_bias_one(first + lane, stride, q, v, bias);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -8453,12 +9015,14 @@ int ur5_bias_batch_soa(
 
 static inline UR5_INLINE void ur5_inverse_dynamics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x1 = q[stride];
@@ -8467,14 +9031,15 @@ static inline UR5_INLINE void ur5_inverse_dynamics_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x1;
-    angle[stride] = x3;
-    angle[2 * stride] = x5;
-    angle[3 * stride] = x2;
-    angle[4 * stride] = x4;
+    angle[pitch] = x3;
+    angle[2 * pitch] = x5;
+    angle[3 * pitch] = x2;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_inverse_dynamics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -8483,338 +9048,346 @@ static inline UR5_INLINE double ur5_inverse_dynamics_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
+    (void)pitch;
     const double x6 = v[0];
+    const double x18 = sine[0];
+    const double x24 = x6 * x18;
+    const double x27 = cosine[0];
+    const double x28 = x6 * x27;
+    const double x12 = a[0];
+    const double x70 = x12 * x18;
+    const double x74 = x12 * x27;
     const double x7 = v[stride];
     const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = a[0];
+    const double x39 = x7 + x8;
     const double x13 = a[stride];
     const double x14 = a[2 * stride];
-    const double x15 = a[3 * stride];
-    const double x16 = a[4 * stride];
-    const double x17 = a[5 * stride];
-    const double x18 = sine[0];
-    const double x27 = cosine[0];
-    const double x20 = sine[stride];
-    const double x23 = cosine[stride];
-    const double x21 = sine[2 * stride];
-    const double x44 = cosine[2 * stride];
-    const double x26 = sine[3 * stride];
-    const double x19 = cosine[3 * stride];
-    const double x38 = sine[4 * stride];
-    const double x22 = cosine[4 * stride];
-    const double x24 = x6 * x18;
+    const double x99 = x13 + x14;
+    const double x73 = x7 * x24;
+    const double x69 = x7 * x28;
+    const double x19 = cosine[3 * pitch];
     const double x25 = x19 * x24;
-    const double x28 = x6 * x27;
+    const double x26 = sine[3 * pitch];
     const double x29 = x26 * x28;
-    const double x30 = x25 + x29;
-    const double x31 = x23 * x30;
     const double x32 = x26 * x24;
     const double x33 = x19 * x28;
-    const double x34 = x32 - x33;
-    const double x35 = x20 * x34;
-    const double x36 = x31 - x35;
-    const double x37 = x22 * x36;
-    const double x39 = x7 + x8;
+    const double x9 = v[3 * stride];
     const double x40 = x9 + x39;
-    const double x41 = x38 * x40;
-    const double x42 = x37 + x41;
-    const double x43 = x21 * x42;
-    const double x45 = x20 * x30;
-    const double x46 = x23 * x34;
-    const double x47 = x45 + x46;
-    const double x48 = x10 + x47;
-    const double x49 = x44 * x48;
-    const double x50 = x43 + x49;
-    const double x51 = x38 * x36;
-    const double x52 = x22 * x40;
-    const double x53 = x51 - x52;
-    const double x54 = x11 - x53;
-    const double x55 = x50 * x54;
-    const double x56 = 0.0001321171875 * x55;
-    const double x57 = x21 * x56;
-    const double x58 = x44 * x42;
-    const double x59 = x21 * x48;
-    const double x60 = x58 - x59;
-    const double x61 = x60 * x54;
-    const double x62 = 0.0001321171875 * x61;
-    const double x63 = x44 * x62;
-    const double x64 = x57 + x63;
-    const double x65 = x53 * x42;
-    const double x66 = 0.0016432000421732333 * x65;
-    const double x67 = x9 * x36;
-    const double x68 = x8 * x34;
-    const double x69 = x7 * x28;
-    const double x70 = x12 * x18;
-    const double x71 = x69 + x70;
-    const double x72 = x19 * x71;
-    const double x73 = x7 * x24;
-    const double x74 = x12 * x27;
+    const double x108 = x39 * x39;
+    const double x15 = a[3 * stride];
+    const double x100 = x15 + x99;
     const double x75 = x73 - x74;
+    const double x71 = x69 + x70;
+    const double x254 = 0.0151074 * x69;
+    const double x30 = x25 + x29;
+    const double x34 = x32 - x33;
+    const double x38 = sine[4 * pitch];
+    const double x41 = x38 * x40;
+    const double x22 = cosine[4 * pitch];
+    const double x52 = x22 * x40;
+    const double x101 = x22 * x100;
     const double x76 = x26 * x75;
-    const double x77 = x72 - x76;
-    const double x78 = x68 - x77;
-    const double x79 = x20 * x78;
-    const double x80 = x8 * x30;
+    const double x72 = x19 * x71;
     const double x81 = x26 * x71;
     const double x82 = x19 * x75;
-    const double x83 = x81 + x82;
-    const double x84 = x80 + x83;
-    const double x85 = x23 * x84;
-    const double x86 = x79 - x85;
-    const double x87 = x67 - x86;
-    const double x88 = x16 + x87;
-    const double x89 = 0.003837400042173233 * x88;
-    const double x90 = x66 + x89;
-    const double x91 = x42 * x48;
-    const double x92 = x10 * x42;
-    const double x93 = x9 * x47;
-    const double x94 = x23 * x78;
-    const double x95 = x20 * x84;
-    const double x96 = x94 + x95;
-    const double x97 = x93 + x96;
-    const double x98 = x38 * x97;
-    const double x99 = x13 + x14;
-    const double x100 = x15 + x99;
-    const double x101 = x22 * x100;
-    const double x102 = x98 + x101;
-    const double x103 = x92 - x102;
-    const double x104 = x91 - x103;
-    const double x105 = 0.003292500193635 * x104;
-    const double x106 = x90 - x105;
-    const double x107 = x34 * x34;
-    const double x108 = x39 * x39;
-    const double x109 = x107 + x108;
-    const double x110 = 0.39225 * x109;
+    const double x80 = x8 * x30;
+    const double x68 = x8 * x34;
+    const double x20 = sine[pitch];
+    const double x45 = x20 * x30;
+    const double x23 = cosine[pitch];
+    const double x46 = x23 * x34;
+    const double x31 = x23 * x30;
     const double x111 = x28 * x28;
+    const double x77 = x72 - x76;
+    const double x119 = x24 * x28;
+    const double x83 = x81 + x82;
     const double x112 = x7 * x7;
+    const double x35 = x20 * x34;
+    const double x107 = x34 * x34;
+    const double x47 = x45 + x46;
+    const double x266 = x24 * x24;
+    const double x325 = x69 - x71;
+    const double x78 = x68 - x77;
+    const double x84 = x80 + x83;
     const double x113 = x111 + x112;
+    const double x36 = x31 - x35;
+    const double x109 = x107 + x108;
+    const double x93 = x9 * x47;
+    const double x10 = v[4 * stride];
+    const double x48 = x10 + x47;
+    const double x267 = x266 - x112;
+    const double x94 = x23 * x78;
+    const double x79 = x20 * x78;
+    const double x95 = x20 * x84;
+    const double x85 = x23 * x84;
+    const double x37 = x22 * x36;
     const double x114 = 0.425 * x113;
     const double x115 = 9.81 * x18;
+    const double x51 = x38 * x36;
+    const double x67 = x9 * x36;
+    const double x110 = 0.39225 * x109;
+    const double x44 = cosine[2 * pitch];
+    const double x49 = x44 * x48;
+    const double x96 = x94 + x95;
+    const double x86 = x79 - x85;
+    const double x42 = x37 + x41;
+    const double x21 = sine[2 * pitch];
+    const double x59 = x21 * x48;
     const double x116 = x114 + x115;
-    const double x117 = x19 * x116;
-    const double x118 = 9.81 * x27;
-    const double x119 = x24 * x28;
+    const double x53 = x51 - x52;
+    const double x309 = 1.594451775 * x109;
+    const double x268 = 0.349300285625 * x267;
+    const double x326 = 0.349300285625 * x325;
+    const double x97 = x93 + x96;
+    const double x87 = x67 - x86;
+    const double x43 = x21 * x42;
     const double x120 = x13 + x119;
-    const double x121 = 0.425 * x120;
-    const double x122 = x118 - x121;
-    const double x123 = x26 * x122;
-    const double x124 = x117 + x123;
-    const double x125 = x110 + x124;
-    const double x126 = x23 * x125;
+    const double x118 = 9.81 * x27;
+    const double x117 = x19 * x116;
     const double x127 = x26 * x116;
+    const double x58 = x44 * x42;
+    const double x11 = v[5 * stride];
+    const double x54 = x11 - x53;
+    const double x98 = x38 * x97;
+    const double x65 = x53 * x42;
+    const double x50 = x43 + x49;
+    const double x121 = 0.425 * x120;
+    const double x16 = a[4 * stride];
+    const double x88 = x16 + x87;
+    const double x92 = x10 * x42;
+    const double x91 = x42 * x48;
+    const double x60 = x58 - x59;
+    const double x157 = x42 * x42;
+    const double x102 = x98 + x101;
+    const double x66 = 0.0016432000421732333 * x65;
+    const double x55 = x50 * x54;
+    const double x122 = x118 - x121;
+    const double x162 = x65 + x88;
+    const double x89 = 0.003837400042173233 * x88;
+    const double x177 = 0.0021942 * x91;
+    const double x61 = x60 * x54;
+    const double x255 = 0.349300285625 * x120;
+    const double x103 = x92 - x102;
+    const double x322 = 1.3929342791666666 * x119;
+    const double x56 = 0.0001321171875 * x55;
+    const double x123 = x26 * x122;
     const double x128 = x19 * x122;
+    const double x90 = x66 + x89;
+    const double x62 = 0.0001321171875 * x61;
+    const double x256 = x254 + x255;
+    const double x104 = x91 - x103;
+    const double x17 = a[5 * stride];
+    const double x175 = x17 - x103;
+    const double x182 = x44 * x56;
+    const double x124 = x117 + x123;
     const double x129 = x127 - x128;
+    const double x57 = x21 * x56;
     const double x130 = x30 * x34;
+    const double x147 = x30 * x39;
+    const double x183 = x21 * x62;
+    const double x105 = 0.003292500193635 * x104;
+    const double x176 = 0.0001321171875 * x175;
+    u[5 * stride] = x176;
+    double total = x176;
+    const double x63 = x44 * x62;
+    const double x125 = x110 + x124;
+    const double x242 = x30 * x30;
+    const double x225 = x34 * x39;
+    const double x184 = x182 - x183;
+    const double x106 = x90 - x105;
+    const double x64 = x57 + x63;
     const double x131 = x130 - x99;
-    const double x132 = 0.39225 * x131;
-    const double x133 = x129 - x132;
-    const double x134 = x20 * x133;
-    const double x135 = x126 - x134;
     const double x136 = x36 * x40;
-    const double x137 = x136 - x87;
-    const double x138 = 0.10915 * x137;
-    const double x139 = x135 + x138;
-    const double x140 = x22 * x139;
     const double x141 = x47 * x47;
     const double x142 = x36 * x36;
-    const double x143 = x141 + x142;
-    const double x144 = 0.10915 * x143;
-    const double x145 = x73 + x75;
-    const double x146 = 0.425 * x145;
-    const double x147 = x30 * x39;
-    const double x148 = x147 + x84;
-    const double x149 = 0.39225 * x148;
-    const double x150 = x146 + x149;
-    const double x151 = x144 + x150;
-    const double x152 = x38 * x151;
-    const double x153 = x140 - x152;
-    const double x154 = 0.0351648539 * x153;
-    const double x155 = x106 - x154;
-    const double x156 = x64 + x155;
-    const double x157 = x42 * x42;
-    const double x158 = x48 * x48;
-    const double x159 = x157 + x158;
-    const double x160 = 0.0351648539 * x159;
-    const double x161 = x38 * x160;
-    const double x162 = x65 + x88;
-    const double x163 = 0.0351648539 * x162;
-    const double x164 = x22 * x163;
-    const double x165 = x161 - x164;
-    const double x166 = 0.10915 * x165;
-    const double x167 = x156 - x166;
-    const double x168 = 0.0021942 * x136;
-    const double x169 = x47 * x36;
-    const double x170 = x169 + x100;
-    const double x171 = 0.01643350047875 * x170;
-    const double x172 = x168 - x171;
-    const double x173 = x167 + x172;
-    const double x174 = x20 * x173;
-    const double x175 = x17 - x103;
-    const double x176 = 0.0001321171875 * x175;
-    const double x177 = 0.0021942 * x91;
-    const double x178 = 0.003292500193635 * x162;
-    const double x179 = x177 + x178;
-    const double x180 = x176 - x179;
-    const double x181 = x38 * x180;
-    const double x182 = x44 * x56;
-    const double x183 = x21 * x62;
-    const double x184 = x182 - x183;
-    const double x185 = x53 * x53;
-    const double x186 = x185 - x158;
-    const double x187 = 0.003292500193635 * x186;
-    const double x188 = x53 * x48;
-    const double x189 = 0.003837400042173233 * x188;
-    const double x190 = x10 * x53;
-    const double x191 = x22 * x97;
-    const double x192 = x38 * x100;
-    const double x193 = x191 - x192;
-    const double x194 = x190 + x193;
-    const double x195 = 0.0016432000421732333 * x194;
-    const double x196 = x189 + x195;
-    const double x197 = x187 + x196;
-    const double x198 = x20 * x125;
-    const double x199 = x23 * x133;
-    const double x200 = x198 + x199;
     const double x201 = x47 * x40;
-    const double x202 = x201 - x97;
-    const double x203 = 0.10915 * x202;
-    const double x204 = x200 + x203;
-    const double x205 = 0.0351648539 * x204;
-    const double x206 = x197 - x205;
-    const double x207 = x184 + x206;
-    const double x208 = x22 * x207;
-    const double x209 = x181 + x208;
-    const double x210 = x188 + x194;
-    const double x211 = 0.003838243803185 * x210;
-    const double x212 = x209 + x211;
+    const double x145 = x73 + x75;
+    const double x148 = x147 + x84;
+    const double x126 = x23 * x125;
+    const double x198 = x20 * x125;
+    const double x132 = 0.39225 * x131;
+    const double x137 = x136 - x87;
+    const double x158 = x48 * x48;
+    const double x143 = x141 + x142;
+    const double x188 = x53 * x48;
+    const double x146 = 0.425 * x145;
+    const double x149 = 0.39225 * x148;
+    const double x185 = x53 * x53;
+    const double x178 = 0.003292500193635 * x162;
+    const double x133 = x129 - x132;
+    const double x138 = 0.10915 * x137;
+    const double x159 = x157 + x158;
+    const double x144 = 0.10915 * x143;
     const double x213 = x40 * x40;
+    const double x163 = 0.0351648539 * x162;
+    const double x150 = x146 + x149;
+    const double x186 = x185 - x158;
+    const double x179 = x177 + x178;
+    const double x134 = x20 * x133;
+    const double x199 = x23 * x133;
+    const double x160 = 0.0351648539 * x159;
+    const double x169 = x47 * x36;
     const double x214 = x141 - x213;
+    const double x164 = x22 * x163;
+    const double x151 = x144 + x150;
+    const double x187 = 0.003292500193635 * x186;
+    const double x180 = x176 - x179;
+    const double x135 = x126 - x134;
+    const double x200 = x198 + x199;
+    const double x161 = x38 * x160;
+    const double x170 = x169 + x100;
     const double x215 = 0.01643350047875 * x214;
-    const double x216 = 0.016543180714983334 * x201;
-    const double x217 = 0.014348980714983334 * x97;
-    const double x218 = x216 + x217;
-    const double x219 = x215 - x218;
+    const double x168 = 0.0021942 * x136;
+    const double x152 = x38 * x151;
     const double x220 = 0.150887345 * x150;
-    const double x221 = x219 + x220;
-    const double x222 = x212 - x221;
-    const double x223 = x23 * x222;
-    const double x224 = x174 - x223;
-    const double x225 = x34 * x39;
-    const double x226 = 0.004095 * x225;
-    const double x227 = 0.12652256366625 * x131;
-    const double x228 = x226 + x227;
-    const double x229 = x224 - x228;
-    const double x230 = x19 * x229;
-    const double x231 = x23 * x173;
-    const double x232 = x20 * x222;
-    const double x233 = x231 + x232;
+    const double x181 = x38 * x180;
+    const double x139 = x135 + x138;
     const double x234 = x22 * x160;
+    const double x165 = x161 - x164;
+    const double x171 = 0.01643350047875 * x170;
     const double x235 = x38 * x163;
-    const double x236 = x234 + x235;
-    const double x237 = x201 + x97;
-    const double x238 = 0.150887345 * x237;
-    const double x239 = x236 - x238;
-    const double x240 = 0.39225 * x239;
-    const double x241 = x233 + x240;
-    const double x242 = x30 * x30;
     const double x243 = x242 - x108;
-    const double x244 = 0.12652256366625 * x243;
+    const double x190 = x10 * x53;
     const double x245 = 0.571974137259375 * x147;
     const double x246 = 0.567879137259375 * x84;
-    const double x247 = x245 + x246;
-    const double x248 = x244 + x247;
-    const double x249 = 0.677642004375 * x145;
-    const double x250 = x248 + x249;
-    const double x251 = x241 + x250;
-    const double x252 = x26 * x251;
-    const double x253 = x230 + x252;
-    const double x254 = 0.0151074 * x69;
-    const double x255 = 0.349300285625 * x120;
-    const double x256 = x254 + x255;
-    const double x257 = x253 + x256;
-    const double x258 = x18 * x257;
-    const double x259 = x26 * x229;
-    const double x260 = x19 * x251;
-    const double x261 = x259 - x260;
-    const double x262 = 1.594451775 * x148;
-    const double x263 = x239 + x262;
-    const double x264 = 0.425 * x263;
-    const double x265 = x261 - x264;
-    const double x266 = x24 * x24;
-    const double x267 = x266 - x112;
-    const double x268 = 0.349300285625 * x267;
-    const double x269 = 1.4080416791666666 * x73;
-    const double x270 = 1.3929342791666666 * x75;
-    const double x271 = x269 + x270;
-    const double x272 = x268 + x271;
-    const double x273 = x265 - x272;
-    const double x274 = x27 * x273;
-    const double x275 = x258 + x274;
-    const double x276 = 0.17193592303888333 * x12;
-    const double x277 = x275 + x276;
-    const double x278 = x22 * x180;
-    const double x279 = x38 * x207;
-    const double x280 = x278 - x279;
-    const double x281 = 0.014348980714983334 * x169;
-    const double x282 = 0.016543180714983334 * x100;
-    const double x283 = x281 + x282;
-    const double x284 = 0.01643350047875 * x137;
-    const double x285 = x283 + x284;
-    const double x286 = 0.150887345 * x135;
-    const double x287 = x285 + x286;
-    const double x288 = x280 + x287;
+    const double x140 = x22 * x139;
     const double x289 = x142 + x213;
+    const double x166 = 0.10915 * x165;
+    const double x172 = x168 - x171;
+    const double x236 = x234 + x235;
+    const double x244 = 0.12652256366625 * x243;
+    const double x189 = 0.003837400042173233 * x188;
+    const double x226 = 0.004095 * x225;
+    const double x247 = x245 + x246;
+    const double x153 = x140 - x152;
     const double x290 = 0.150887345 * x289;
-    const double x291 = 0.0351648539 * x210;
-    const double x292 = x290 + x291;
-    const double x293 = x23 * x292;
+    const double x249 = 0.677642004375 * x145;
     const double x294 = 0.150887345 * x170;
+    const double x281 = 0.014348980714983334 * x169;
+    const double x284 = 0.01643350047875 * x137;
+    const double x262 = 1.594451775 * x148;
+    const double x303 = x225 - x78;
+    const double x191 = x22 * x97;
+    const double x192 = x38 * x100;
+    const double x154 = 0.0351648539 * x153;
+    const double x248 = x244 + x247;
     const double x295 = x165 + x294;
-    const double x296 = x20 * x295;
-    const double x297 = x293 + x296;
-    const double x298 = 0.39225 * x297;
-    const double x299 = x288 - x298;
     const double x300 = 0.567879137259375 * x130;
     const double x301 = 0.571974137259375 * x99;
-    const double x302 = x300 - x301;
-    const double x303 = x225 - x78;
+    const double x286 = 0.150887345 * x135;
+    const double x269 = 1.4080416791666666 * x73;
+    const double x270 = 1.3929342791666666 * x75;
+    const double x278 = x22 * x180;
+    const double x155 = x106 - x154;
+    const double x250 = x248 + x249;
     const double x304 = 0.12652256366625 * x303;
-    const double x305 = x302 - x304;
+    const double x193 = x191 - x192;
+    const double x302 = x300 - x301;
     const double x306 = 1.594451775 * x129;
-    const double x307 = x305 - x306;
-    const double x308 = x299 - x307;
-    const double x309 = 1.594451775 * x109;
-    const double x310 = x20 * x292;
-    const double x311 = x23 * x295;
-    const double x312 = x310 - x311;
-    const double x313 = x309 - x312;
-    const double x314 = x26 * x313;
-    const double x315 = 1.594451775 * x131;
-    const double x316 = x297 + x315;
-    const double x317 = x19 * x316;
-    const double x318 = x314 + x317;
-    const double x319 = 0.425 * x318;
-    const double x320 = x308 - x319;
-    const double x321 = 38.1586437 * x27;
-    const double x322 = 1.3929342791666666 * x119;
-    const double x323 = 1.4080416791666666 * x13;
-    const double x324 = x322 + x323;
-    const double x325 = x69 - x71;
-    const double x326 = 0.349300285625 * x325;
-    const double x327 = x324 - x326;
-    const double x328 = x321 - x327;
-    const double x329 = x320 - x328;
-    u[0] = x277;
-    u[stride] = x329;
-    u[2 * stride] = x308;
-    u[3 * stride] = x288;
+    const double x271 = x269 + x270;
+    const double x156 = x64 + x155;
     u[4 * stride] = x156;
-    u[5 * stride] = x176;
-    return ((x277 + x329) + (x308 + x288)) + ((x156 + x176) + x0);
+    total = total + x156;
+    const double x194 = x190 + x193;
+    const double x305 = x302 - x304;
+    const double x282 = 0.016543180714983334 * x100;
+    const double x272 = x268 + x271;
+    const double x167 = x156 - x166;
+    const double x195 = 0.0016432000421732333 * x194;
+    const double x210 = x188 + x194;
+    const double x283 = x281 + x282;
+    const double x307 = x305 - x306;
+    const double x202 = x201 - x97;
+    const double x216 = 0.016543180714983334 * x201;
+    const double x217 = 0.014348980714983334 * x97;
+    const double x237 = x201 + x97;
+    const double x173 = x167 + x172;
+    const double x196 = x189 + x195;
+    const double x211 = 0.003838243803185 * x210;
+    const double x291 = 0.0351648539 * x210;
+    const double x227 = 0.12652256366625 * x131;
+    const double x203 = 0.10915 * x202;
+    const double x296 = x20 * x295;
+    const double x218 = x216 + x217;
+    const double x238 = 0.150887345 * x237;
+    const double x231 = x23 * x173;
+    const double x197 = x187 + x196;
+    const double x174 = x20 * x173;
+    const double x292 = x290 + x291;
+    const double x228 = x226 + x227;
+    const double x204 = x200 + x203;
+    const double x311 = x23 * x295;
+    const double x219 = x215 - x218;
+    const double x239 = x236 - x238;
+    const double x285 = x283 + x284;
+    const double x315 = 1.594451775 * x131;
+    const double x323 = 1.4080416791666666 * x13;
+    const double x293 = x23 * x292;
+    const double x310 = x20 * x292;
+    const double x205 = 0.0351648539 * x204;
+    const double x321 = 38.1586437 * x27;
+    const double x221 = x219 + x220;
+    const double x240 = 0.39225 * x239;
+    const double x263 = x239 + x262;
+    const double x287 = x285 + x286;
+    const double x324 = x322 + x323;
+    const double x297 = x293 + x296;
+    const double x312 = x310 - x311;
+    const double x206 = x197 - x205;
+    const double x276 = 0.17193592303888333 * x12;
+    const double x264 = 0.425 * x263;
+    const double x327 = x324 - x326;
+    const double x316 = x297 + x315;
+    const double x313 = x309 - x312;
+    const double x207 = x184 + x206;
+    const double x298 = 0.39225 * x297;
+    const double x328 = x321 - x327;
+    const double x317 = x19 * x316;
+    const double x314 = x26 * x313;
+    const double x208 = x22 * x207;
+    const double x279 = x38 * x207;
+    const double x318 = x314 + x317;
+    const double x209 = x181 + x208;
+    const double x280 = x278 - x279;
+    const double x319 = 0.425 * x318;
+    const double x212 = x209 + x211;
+    const double x288 = x280 + x287;
+    u[3 * stride] = x288;
+    total = total + x288;
+    const double x222 = x212 - x221;
+    const double x299 = x288 - x298;
+    const double x232 = x20 * x222;
+    const double x223 = x23 * x222;
+    const double x308 = x299 - x307;
+    u[2 * stride] = x308;
+    total = total + x308;
+    const double x233 = x231 + x232;
+    const double x224 = x174 - x223;
+    const double x320 = x308 - x319;
+    const double x241 = x233 + x240;
+    const double x229 = x224 - x228;
+    const double x329 = x320 - x328;
+    u[stride] = x329;
+    total = total + x329;
+    const double x251 = x241 + x250;
+    const double x259 = x26 * x229;
+    const double x230 = x19 * x229;
+    const double x260 = x19 * x251;
+    const double x252 = x26 * x251;
+    const double x261 = x259 - x260;
+    const double x253 = x230 + x252;
+    const double x265 = x261 - x264;
+    const double x257 = x253 + x256;
+    const double x273 = x265 - x272;
+    const double x258 = x18 * x257;
+    const double x274 = x27 * x273;
+    const double x275 = x258 + x274;
+    const double x277 = x275 + x276;
+    u[0] = x277;
+    total = total + x277;
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_inverse_dynamics(
@@ -8824,13 +9397,13 @@ int ur5_inverse_dynamics(
     double *restrict u)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_inverse_dynamics_angles(1, q, v, a, angle);
+    ur5_inverse_dynamics_angles(1, 1, q, v, a, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_inverse_dynamics_lane(1, q, v, a, u, sine, cosine);
+    const double total = ur5_inverse_dynamics_lane(1, 1, q, v, a, u, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(u, 6);
@@ -8840,28 +9413,24 @@ int ur5_inverse_dynamics(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_inverse_dynamics_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict u,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_inverse_dynamics_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        ur5_inverse_dynamics_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_inverse_dynamics_lane(8, q + lane, v + lane, a + lane, u + lane, sine + lane, cosine
-            + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine + lane,
+            cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -8910,24 +9479,35 @@ static int ur5_inverse_dynamics_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double a_block[48];
-        double u_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, a, a_block);
-        ur5_inverse_dynamics_block(q_block, v_block, a_block, u_block, outcome);
-        ur5_scatter(6, first, some, stride, u_block, u);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+                ur5_prefetch(6, stride, u + first + 8);
+            }
+            ur5_inverse_dynamics_block(stride, q + first, v + first, a + first, u + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double a_block[48];
+            double u_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, a, a_block);
+            ur5_inverse_dynamics_block(8, q_block, v_block, a_block, u_block, total);
+            ur5_scatter(6, first, some, stride, u_block, u);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_inverse_dynamics_one(first + lane, stride, q, v, a, u);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_inverse_dynamics_one(first + lane, stride, q, v, a, u);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -8990,12 +9570,14 @@ int ur5_inverse_dynamics_batch_soa(
 
 static inline UR5_INLINE void ur5_inverse_dynamics_independent_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)y_dot;
     (void)y_ddot;
     const double x1 = q[stride];
@@ -9004,14 +9586,15 @@ static inline UR5_INLINE void ur5_inverse_dynamics_independent_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x1;
-    angle[stride] = x3;
-    angle[2 * stride] = x5;
-    angle[3 * stride] = x2;
-    angle[4 * stride] = x4;
+    angle[pitch] = x3;
+    angle[2 * pitch] = x5;
+    angle[3 * pitch] = x2;
+    angle[4 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_inverse_dynamics_independent_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
@@ -9020,338 +9603,346 @@ static inline UR5_INLINE double ur5_inverse_dynamics_independent_lane(
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
+    (void)pitch;
+    const double x18 = sine[0];
     const double x6 = y_dot[0];
+    const double x24 = x18 * x6;
+    const double x27 = cosine[0];
+    const double x28 = x27 * x6;
+    const double x12 = y_ddot[0];
+    const double x68 = x18 * x12;
+    const double x72 = x27 * x12;
     const double x7 = y_dot[stride];
     const double x8 = y_dot[2 * stride];
-    const double x9 = y_dot[3 * stride];
-    const double x10 = y_dot[4 * stride];
-    const double x11 = y_dot[5 * stride];
-    const double x12 = y_ddot[0];
+    const double x39 = x7 + x8;
     const double x13 = y_ddot[stride];
     const double x14 = y_ddot[2 * stride];
-    const double x15 = y_ddot[3 * stride];
-    const double x16 = y_ddot[4 * stride];
-    const double x17 = y_ddot[5 * stride];
-    const double x18 = sine[0];
-    const double x27 = cosine[0];
-    const double x20 = sine[stride];
-    const double x23 = cosine[stride];
-    const double x21 = sine[2 * stride];
-    const double x44 = cosine[2 * stride];
-    const double x26 = sine[3 * stride];
-    const double x19 = cosine[3 * stride];
-    const double x38 = sine[4 * stride];
-    const double x22 = cosine[4 * stride];
-    const double x24 = x18 * x6;
+    const double x99 = x13 + x14;
+    const double x71 = x7 * x24;
+    const double x67 = x7 * x28;
+    const double x19 = cosine[3 * pitch];
     const double x25 = x19 * x24;
-    const double x28 = x27 * x6;
+    const double x26 = sine[3 * pitch];
     const double x29 = x26 * x28;
-    const double x30 = x25 + x29;
-    const double x31 = x23 * x30;
     const double x32 = x26 * x24;
     const double x33 = x19 * x28;
-    const double x34 = x32 - x33;
-    const double x35 = x20 * x34;
-    const double x36 = x31 - x35;
-    const double x37 = x22 * x36;
-    const double x39 = x7 + x8;
+    const double x9 = y_dot[3 * stride];
     const double x40 = x9 + x39;
-    const double x41 = x38 * x40;
-    const double x42 = x37 + x41;
-    const double x43 = x21 * x42;
-    const double x45 = x20 * x30;
-    const double x46 = x23 * x34;
-    const double x47 = x45 + x46;
-    const double x48 = x10 + x47;
-    const double x49 = x44 * x48;
-    const double x50 = x43 + x49;
-    const double x51 = x38 * x36;
-    const double x52 = x22 * x40;
-    const double x53 = x51 - x52;
-    const double x54 = x11 - x53;
-    const double x55 = x50 * x54;
-    const double x56 = 0.0001321171875 * x55;
-    const double x57 = x21 * x56;
-    const double x58 = x44 * x42;
-    const double x59 = x21 * x48;
-    const double x60 = x58 - x59;
-    const double x61 = x60 * x54;
-    const double x62 = 0.0001321171875 * x61;
-    const double x63 = x44 * x62;
-    const double x64 = x57 + x63;
-    const double x65 = x9 * x36;
-    const double x66 = x8 * x34;
-    const double x67 = x7 * x28;
-    const double x68 = x18 * x12;
-    const double x69 = x67 + x68;
-    const double x70 = x19 * x69;
-    const double x71 = x7 * x24;
-    const double x72 = x27 * x12;
+    const double x108 = x39 * x39;
+    const double x15 = y_ddot[3 * stride];
+    const double x100 = x15 + x99;
     const double x73 = x71 - x72;
+    const double x69 = x67 + x68;
+    const double x254 = 0.0151074 * x67;
+    const double x30 = x25 + x29;
+    const double x34 = x32 - x33;
+    const double x38 = sine[4 * pitch];
+    const double x41 = x38 * x40;
+    const double x22 = cosine[4 * pitch];
+    const double x52 = x22 * x40;
+    const double x101 = x22 * x100;
     const double x74 = x26 * x73;
-    const double x75 = x70 - x74;
-    const double x76 = x66 - x75;
-    const double x77 = x20 * x76;
-    const double x78 = x8 * x30;
+    const double x70 = x19 * x69;
     const double x79 = x26 * x69;
     const double x80 = x19 * x73;
-    const double x81 = x79 + x80;
-    const double x82 = x78 + x81;
-    const double x83 = x23 * x82;
-    const double x84 = x77 - x83;
-    const double x85 = x65 - x84;
-    const double x86 = x16 + x85;
-    const double x87 = 0.003837400042173233 * x86;
-    const double x88 = x53 * x42;
-    const double x89 = 0.0016432000421732333 * x88;
-    const double x90 = x87 + x89;
-    const double x91 = x42 * x48;
-    const double x92 = x10 * x42;
-    const double x93 = x9 * x47;
-    const double x94 = x23 * x76;
-    const double x95 = x20 * x82;
-    const double x96 = x94 + x95;
-    const double x97 = x93 + x96;
-    const double x98 = x38 * x97;
-    const double x99 = x13 + x14;
-    const double x100 = x15 + x99;
-    const double x101 = x22 * x100;
-    const double x102 = x98 + x101;
-    const double x103 = x92 - x102;
-    const double x104 = x91 - x103;
-    const double x105 = 0.003292500193635 * x104;
-    const double x106 = x90 - x105;
-    const double x107 = x34 * x34;
-    const double x108 = x39 * x39;
-    const double x109 = x107 + x108;
-    const double x110 = 0.39225 * x109;
-    const double x111 = 9.81 * x18;
+    const double x78 = x8 * x30;
+    const double x66 = x8 * x34;
+    const double x20 = sine[pitch];
+    const double x45 = x20 * x30;
+    const double x23 = cosine[pitch];
+    const double x46 = x23 * x34;
+    const double x31 = x23 * x30;
     const double x112 = x28 * x28;
-    const double x113 = x7 * x7;
-    const double x114 = x112 + x113;
-    const double x115 = 0.425 * x114;
-    const double x116 = x111 + x115;
-    const double x117 = x19 * x116;
-    const double x118 = 9.81 * x27;
+    const double x75 = x70 - x74;
     const double x119 = x24 * x28;
+    const double x81 = x79 + x80;
+    const double x35 = x20 * x34;
+    const double x113 = x7 * x7;
+    const double x111 = 9.81 * x18;
+    const double x47 = x45 + x46;
+    const double x107 = x34 * x34;
+    const double x269 = x24 * x24;
+    const double x76 = x66 - x75;
+    const double x325 = x67 - x69;
+    const double x82 = x78 + x81;
+    const double x36 = x31 - x35;
+    const double x114 = x112 + x113;
+    const double x93 = x9 * x47;
+    const double x109 = x107 + x108;
+    const double x10 = y_dot[4 * stride];
+    const double x48 = x10 + x47;
+    const double x94 = x23 * x76;
+    const double x77 = x20 * x76;
+    const double x95 = x20 * x82;
+    const double x37 = x22 * x36;
+    const double x115 = 0.425 * x114;
+    const double x51 = x38 * x36;
+    const double x83 = x23 * x82;
+    const double x65 = x9 * x36;
+    const double x110 = 0.39225 * x109;
+    const double x44 = cosine[2 * pitch];
+    const double x49 = x44 * x48;
+    const double x21 = sine[2 * pitch];
+    const double x59 = x21 * x48;
+    const double x96 = x94 + x95;
+    const double x42 = x37 + x41;
+    const double x116 = x111 + x115;
+    const double x53 = x51 - x52;
+    const double x84 = x77 - x83;
+    const double x312 = 1.594451775 * x109;
+    const double x270 = x269 - x113;
+    const double x326 = 0.349300285625 * x325;
+    const double x97 = x93 + x96;
+    const double x43 = x21 * x42;
     const double x120 = x13 + x119;
-    const double x121 = 0.425 * x120;
-    const double x122 = x118 - x121;
-    const double x123 = x26 * x122;
-    const double x124 = x117 + x123;
-    const double x125 = x110 + x124;
-    const double x126 = x23 * x125;
+    const double x118 = 9.81 * x27;
+    const double x117 = x19 * x116;
     const double x127 = x26 * x116;
+    const double x58 = x44 * x42;
+    const double x85 = x65 - x84;
+    const double x11 = y_dot[5 * stride];
+    const double x54 = x11 - x53;
+    const double x98 = x38 * x97;
+    const double x50 = x43 + x49;
+    const double x121 = 0.425 * x120;
+    const double x88 = x53 * x42;
+    const double x92 = x10 * x42;
+    const double x91 = x42 * x48;
+    const double x60 = x58 - x59;
+    const double x16 = y_ddot[4 * stride];
+    const double x86 = x16 + x85;
+    const double x157 = x42 * x42;
+    const double x102 = x98 + x101;
+    const double x55 = x50 * x54;
+    const double x122 = x118 - x121;
+    const double x89 = 0.0016432000421732333 * x88;
+    const double x271 = 0.349300285625 * x270;
+    const double x177 = 0.0021942 * x91;
+    const double x61 = x60 * x54;
+    const double x162 = x88 + x86;
+    const double x87 = 0.003837400042173233 * x86;
+    const double x103 = x92 - x102;
+    const double x56 = 0.0001321171875 * x55;
+    const double x123 = x26 * x122;
     const double x128 = x19 * x122;
+    const double x255 = 0.349300285625 * x120;
+    const double x323 = 1.3929342791666666 * x119;
+    const double x62 = 0.0001321171875 * x61;
+    const double x90 = x87 + x89;
+    const double x104 = x91 - x103;
+    const double x182 = x44 * x56;
+    const double x124 = x117 + x123;
     const double x129 = x127 - x128;
+    const double x17 = y_ddot[5 * stride];
+    const double x175 = x17 - x103;
+    const double x57 = x21 * x56;
     const double x130 = x30 * x34;
+    const double x147 = x30 * x39;
+    const double x183 = x21 * x62;
+    const double x105 = 0.003292500193635 * x104;
+    const double x63 = x44 * x62;
+    const double x125 = x110 + x124;
+    const double x245 = x30 * x30;
+    const double x176 = 0.0001321171875 * x175;
+    u[5 * stride] = x176;
+    double total = x176;
+    const double x225 = x34 * x39;
+    const double x256 = x254 + x255;
+    const double x184 = x182 - x183;
+    const double x106 = x90 - x105;
+    const double x64 = x57 + x63;
     const double x131 = x130 - x99;
-    const double x132 = 0.39225 * x131;
-    const double x133 = x129 - x132;
-    const double x134 = x20 * x133;
-    const double x135 = x126 - x134;
     const double x136 = x36 * x40;
-    const double x137 = x136 - x85;
-    const double x138 = 0.10915 * x137;
-    const double x139 = x135 + x138;
-    const double x140 = x22 * x139;
     const double x141 = x47 * x47;
     const double x142 = x36 * x36;
-    const double x143 = x141 + x142;
-    const double x144 = 0.10915 * x143;
-    const double x145 = x71 + x73;
-    const double x146 = 0.425 * x145;
-    const double x147 = x30 * x39;
-    const double x148 = x147 + x82;
-    const double x149 = 0.39225 * x148;
-    const double x150 = x146 + x149;
-    const double x151 = x144 + x150;
-    const double x152 = x38 * x151;
-    const double x153 = x140 - x152;
-    const double x154 = 0.0351648539 * x153;
-    const double x155 = x106 - x154;
-    const double x156 = x64 + x155;
-    const double x157 = x42 * x42;
-    const double x158 = x48 * x48;
-    const double x159 = x157 + x158;
-    const double x160 = 0.0351648539 * x159;
-    const double x161 = x38 * x160;
-    const double x162 = x88 + x86;
-    const double x163 = 0.0351648539 * x162;
-    const double x164 = x22 * x163;
-    const double x165 = x161 - x164;
-    const double x166 = 0.10915 * x165;
-    const double x167 = x156 - x166;
-    const double x168 = 0.0021942 * x136;
-    const double x169 = x47 * x36;
-    const double x170 = x169 + x100;
-    const double x171 = 0.01643350047875 * x170;
-    const double x172 = x168 - x171;
-    const double x173 = x167 + x172;
-    const double x174 = x20 * x173;
-    const double x175 = x17 - x103;
-    const double x176 = 0.0001321171875 * x175;
-    const double x177 = 0.0021942 * x91;
-    const double x178 = 0.003292500193635 * x162;
-    const double x179 = x177 + x178;
-    const double x180 = x176 - x179;
-    const double x181 = x38 * x180;
-    const double x182 = x44 * x56;
-    const double x183 = x21 * x62;
-    const double x184 = x182 - x183;
-    const double x185 = x10 * x53;
-    const double x186 = x22 * x97;
-    const double x187 = x38 * x100;
-    const double x188 = x186 - x187;
-    const double x189 = x185 + x188;
-    const double x190 = 0.0016432000421732333 * x189;
-    const double x191 = x53 * x48;
-    const double x192 = 0.003837400042173233 * x191;
-    const double x193 = x190 + x192;
-    const double x194 = x53 * x53;
-    const double x195 = x194 - x158;
-    const double x196 = 0.003292500193635 * x195;
-    const double x197 = x193 + x196;
-    const double x198 = x20 * x125;
-    const double x199 = x23 * x133;
-    const double x200 = x198 + x199;
     const double x201 = x47 * x40;
-    const double x202 = x201 - x97;
-    const double x203 = 0.10915 * x202;
-    const double x204 = x200 + x203;
-    const double x205 = 0.0351648539 * x204;
-    const double x206 = x197 - x205;
-    const double x207 = x184 + x206;
-    const double x208 = x22 * x207;
-    const double x209 = x181 + x208;
-    const double x210 = x191 + x189;
-    const double x211 = 0.003838243803185 * x210;
-    const double x212 = x209 + x211;
-    const double x213 = 0.014348980714983334 * x97;
-    const double x214 = 0.016543180714983334 * x201;
-    const double x215 = x213 + x214;
+    const double x145 = x71 + x73;
+    const double x148 = x147 + x82;
+    const double x126 = x23 * x125;
+    const double x198 = x20 * x125;
+    const double x132 = 0.39225 * x131;
+    const double x185 = x10 * x53;
+    const double x137 = x136 - x85;
+    const double x143 = x141 + x142;
+    const double x158 = x48 * x48;
+    const double x146 = 0.425 * x145;
+    const double x149 = 0.39225 * x148;
+    const double x191 = x53 * x48;
+    const double x194 = x53 * x53;
+    const double x133 = x129 - x132;
+    const double x178 = 0.003292500193635 * x162;
+    const double x138 = 0.10915 * x137;
+    const double x144 = 0.10915 * x143;
+    const double x159 = x157 + x158;
     const double x216 = x40 * x40;
+    const double x150 = x146 + x149;
+    const double x163 = 0.0351648539 * x162;
+    const double x195 = x194 - x158;
+    const double x134 = x20 * x133;
+    const double x199 = x23 * x133;
+    const double x179 = x177 + x178;
+    const double x169 = x47 * x36;
+    const double x160 = 0.0351648539 * x159;
     const double x217 = x141 - x216;
+    const double x151 = x144 + x150;
+    const double x164 = x22 * x163;
+    const double x168 = 0.0021942 * x136;
+    const double x135 = x126 - x134;
+    const double x200 = x198 + x199;
+    const double x180 = x176 - x179;
+    const double x170 = x169 + x100;
+    const double x161 = x38 * x160;
     const double x218 = 0.01643350047875 * x217;
-    const double x219 = x215 - x218;
+    const double x152 = x38 * x151;
     const double x220 = 0.150887345 * x150;
-    const double x221 = x219 - x220;
-    const double x222 = x212 + x221;
-    const double x223 = x23 * x222;
-    const double x224 = x174 - x223;
-    const double x225 = x34 * x39;
-    const double x226 = 0.004095 * x225;
-    const double x227 = 0.12652256366625 * x131;
-    const double x228 = x226 + x227;
-    const double x229 = x224 - x228;
-    const double x230 = x19 * x229;
-    const double x231 = x23 * x173;
-    const double x232 = x20 * x222;
-    const double x233 = x231 + x232;
     const double x234 = x22 * x160;
+    const double x139 = x135 + x138;
     const double x235 = x38 * x163;
-    const double x236 = x234 + x235;
-    const double x237 = x201 + x97;
-    const double x238 = 0.150887345 * x237;
-    const double x239 = x236 - x238;
-    const double x240 = 0.39225 * x239;
-    const double x241 = x233 + x240;
+    const double x181 = x38 * x180;
+    const double x171 = 0.01643350047875 * x170;
+    const double x165 = x161 - x164;
+    const double x246 = x245 - x108;
+    const double x196 = 0.003292500193635 * x195;
     const double x242 = 0.567879137259375 * x82;
     const double x243 = 0.571974137259375 * x147;
-    const double x244 = x242 + x243;
-    const double x245 = x30 * x30;
-    const double x246 = x245 - x108;
+    const double x140 = x22 * x139;
+    const double x236 = x234 + x235;
+    const double x290 = x142 + x216;
+    const double x172 = x168 - x171;
+    const double x166 = 0.10915 * x165;
     const double x247 = 0.12652256366625 * x246;
-    const double x248 = x244 + x247;
+    const double x186 = x22 * x97;
+    const double x226 = 0.004095 * x225;
+    const double x244 = x242 + x243;
+    const double x153 = x140 - x152;
     const double x249 = 0.677642004375 * x145;
-    const double x250 = x248 + x249;
-    const double x251 = x241 + x250;
-    const double x252 = x26 * x251;
-    const double x253 = x230 + x252;
-    const double x254 = 0.0151074 * x67;
-    const double x255 = 0.349300285625 * x120;
-    const double x256 = x254 + x255;
-    const double x257 = x253 + x256;
-    const double x258 = x18 * x257;
-    const double x259 = x26 * x229;
-    const double x260 = x19 * x251;
-    const double x261 = x259 - x260;
+    const double x291 = 0.150887345 * x290;
+    const double x294 = 0.150887345 * x170;
+    const double x282 = 0.014348980714983334 * x169;
+    const double x284 = 0.01643350047875 * x137;
     const double x262 = 1.594451775 * x148;
-    const double x263 = x239 + x262;
-    const double x264 = 0.425 * x263;
-    const double x265 = x261 - x264;
+    const double x303 = x225 - x76;
+    const double x187 = x38 * x100;
+    const double x154 = 0.0351648539 * x153;
+    const double x248 = x244 + x247;
+    const double x300 = 0.571974137259375 * x99;
+    const double x295 = x165 + x294;
+    const double x301 = 0.567879137259375 * x130;
+    const double x286 = 0.150887345 * x135;
     const double x266 = 1.3929342791666666 * x73;
     const double x267 = 1.4080416791666666 * x71;
+    const double x188 = x186 - x187;
+    const double x155 = x106 - x154;
+    const double x250 = x248 + x249;
+    const double x278 = x22 * x180;
+    const double x304 = 0.12652256366625 * x303;
+    const double x281 = 0.016543180714983334 * x100;
+    const double x302 = x300 - x301;
+    const double x306 = 1.594451775 * x129;
     const double x268 = x266 + x267;
-    const double x269 = x24 * x24;
-    const double x270 = x269 - x113;
-    const double x271 = 0.349300285625 * x270;
+    const double x189 = x185 + x188;
+    const double x156 = x64 + x155;
+    u[4 * stride] = x156;
+    total = total + x156;
+    const double x283 = x281 + x282;
+    const double x305 = x302 + x304;
+    const double x192 = 0.003837400042173233 * x191;
     const double x272 = x268 + x271;
+    const double x190 = 0.0016432000421732333 * x189;
+    const double x210 = x191 + x189;
+    const double x167 = x156 - x166;
+    const double x285 = x283 + x284;
+    const double x307 = x305 + x306;
+    const double x202 = x201 - x97;
+    const double x213 = 0.014348980714983334 * x97;
+    const double x193 = x190 + x192;
+    const double x214 = 0.016543180714983334 * x201;
+    const double x211 = 0.003838243803185 * x210;
+    const double x237 = x201 + x97;
+    const double x173 = x167 + x172;
+    const double x289 = 0.0351648539 * x210;
+    const double x227 = 0.12652256366625 * x131;
+    const double x203 = 0.10915 * x202;
+    const double x296 = x20 * x295;
+    const double x197 = x193 + x196;
+    const double x215 = x213 + x214;
+    const double x310 = x23 * x295;
+    const double x238 = 0.150887345 * x237;
+    const double x231 = x23 * x173;
+    const double x174 = x20 * x173;
+    const double x292 = x289 + x291;
+    const double x204 = x200 + x203;
+    const double x228 = x226 + x227;
+    const double x315 = 1.594451775 * x131;
+    const double x219 = x215 - x218;
+    const double x287 = x285 + x286;
+    const double x239 = x236 - x238;
+    const double x322 = 1.4080416791666666 * x13;
+    const double x321 = 38.1586437 * x27;
+    const double x293 = x23 * x292;
+    const double x205 = 0.0351648539 * x204;
+    const double x309 = x20 * x292;
+    const double x276 = 0.17193592303888333 * x12;
+    const double x221 = x219 - x220;
+    const double x240 = 0.39225 * x239;
+    const double x263 = x239 + x262;
+    const double x324 = x322 + x323;
+    const double x297 = x293 + x296;
+    const double x206 = x197 - x205;
+    const double x311 = x309 - x310;
+    const double x264 = 0.425 * x263;
+    const double x327 = x324 - x326;
+    const double x316 = x297 + x315;
+    const double x207 = x184 + x206;
+    const double x313 = x311 - x312;
+    const double x298 = 0.39225 * x297;
+    const double x328 = x321 - x327;
+    const double x317 = x19 * x316;
+    const double x208 = x22 * x207;
+    const double x279 = x38 * x207;
+    const double x314 = x26 * x313;
+    const double x209 = x181 + x208;
+    const double x280 = x278 - x279;
+    const double x318 = x314 - x317;
+    const double x212 = x209 + x211;
+    const double x288 = x280 + x287;
+    u[3 * stride] = x288;
+    total = total + x288;
+    const double x319 = 0.425 * x318;
+    const double x222 = x212 + x221;
+    const double x299 = x288 - x298;
+    const double x232 = x20 * x222;
+    const double x223 = x23 * x222;
+    const double x308 = x299 + x307;
+    u[2 * stride] = x308;
+    total = total + x308;
+    const double x233 = x231 + x232;
+    const double x224 = x174 - x223;
+    const double x320 = x308 + x319;
+    const double x241 = x233 + x240;
+    const double x229 = x224 - x228;
+    const double x329 = x320 - x328;
+    u[stride] = x329;
+    total = total + x329;
+    const double x251 = x241 + x250;
+    const double x259 = x26 * x229;
+    const double x230 = x19 * x229;
+    const double x260 = x19 * x251;
+    const double x252 = x26 * x251;
+    const double x261 = x259 - x260;
+    const double x253 = x230 + x252;
+    const double x265 = x261 - x264;
+    const double x257 = x253 + x256;
     const double x273 = x265 - x272;
+    const double x258 = x18 * x257;
     const double x274 = x27 * x273;
     const double x275 = x258 + x274;
-    const double x276 = 0.17193592303888333 * x12;
     const double x277 = x275 + x276;
-    const double x278 = x22 * x180;
-    const double x279 = x38 * x207;
-    const double x280 = x278 - x279;
-    const double x281 = 0.016543180714983334 * x100;
-    const double x282 = 0.014348980714983334 * x169;
-    const double x283 = x281 + x282;
-    const double x284 = 0.01643350047875 * x137;
-    const double x285 = x283 + x284;
-    const double x286 = 0.150887345 * x135;
-    const double x287 = x285 + x286;
-    const double x288 = x280 + x287;
-    const double x289 = 0.0351648539 * x210;
-    const double x290 = x142 + x216;
-    const double x291 = 0.150887345 * x290;
-    const double x292 = x289 + x291;
-    const double x293 = x23 * x292;
-    const double x294 = 0.150887345 * x170;
-    const double x295 = x165 + x294;
-    const double x296 = x20 * x295;
-    const double x297 = x293 + x296;
-    const double x298 = 0.39225 * x297;
-    const double x299 = x288 - x298;
-    const double x300 = 0.571974137259375 * x99;
-    const double x301 = 0.567879137259375 * x130;
-    const double x302 = x300 - x301;
-    const double x303 = x225 - x76;
-    const double x304 = 0.12652256366625 * x303;
-    const double x305 = x302 + x304;
-    const double x306 = 1.594451775 * x129;
-    const double x307 = x305 + x306;
-    const double x308 = x299 + x307;
-    const double x309 = x20 * x292;
-    const double x310 = x23 * x295;
-    const double x311 = x309 - x310;
-    const double x312 = 1.594451775 * x109;
-    const double x313 = x311 - x312;
-    const double x314 = x26 * x313;
-    const double x315 = 1.594451775 * x131;
-    const double x316 = x297 + x315;
-    const double x317 = x19 * x316;
-    const double x318 = x314 - x317;
-    const double x319 = 0.425 * x318;
-    const double x320 = x308 + x319;
-    const double x321 = 38.1586437 * x27;
-    const double x322 = 1.4080416791666666 * x13;
-    const double x323 = 1.3929342791666666 * x119;
-    const double x324 = x322 + x323;
-    const double x325 = x67 - x69;
-    const double x326 = 0.349300285625 * x325;
-    const double x327 = x324 - x326;
-    const double x328 = x321 - x327;
-    const double x329 = x320 - x328;
     u[0] = x277;
-    u[stride] = x329;
-    u[2 * stride] = x308;
-    u[3 * stride] = x288;
-    u[4 * stride] = x156;
-    u[5 * stride] = x176;
-    return ((x277 + x329) + (x308 + x288)) + ((x156 + x176) + x0);
+    total = total + x277;
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_inverse_dynamics_independent(
@@ -9361,13 +9952,13 @@ int ur5_inverse_dynamics_independent(
     double *restrict u)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_inverse_dynamics_independent_angles(1, q, y_dot, y_ddot, angle);
+    ur5_inverse_dynamics_independent_angles(1, 1, q, y_dot, y_ddot, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_inverse_dynamics_independent_lane(1, q, y_dot, y_ddot, u, sine, cosine);
+    const double total = ur5_inverse_dynamics_independent_lane(1, 1, q, y_dot, y_ddot, u, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(u, 6);
@@ -9377,28 +9968,25 @@ int ur5_inverse_dynamics_independent(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_inverse_dynamics_independent_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
     double *restrict u,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_inverse_dynamics_independent_angles(8, q + lane, y_dot + lane, y_ddot + lane, angle + lane);
+        ur5_inverse_dynamics_independent_angles(stride, 8, q + lane, y_dot + lane, y_ddot + lane, angle +
+            lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_inverse_dynamics_independent_lane(8, q + lane, y_dot + lane, y_ddot + lane, u +
-            lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot + lane, u
+            + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -9448,25 +10036,36 @@ static int ur5_inverse_dynamics_independent_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double y_dot_block[48];
-        double y_ddot_block[48];
-        double u_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, y_dot, y_dot_block);
-        ur5_gather(6, first, some, stride, y_ddot, y_ddot_block);
-        ur5_inverse_dynamics_independent_block(q_block, y_dot_block, y_ddot_block, u_block, outcome);
-        ur5_scatter(6, first, some, stride, u_block, u);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, y_dot + first + 8);
+                ur5_prefetch(6, stride, y_ddot + first + 8);
+                ur5_prefetch(6, stride, u + first + 8);
+            }
+            ur5_inverse_dynamics_independent_block(stride, q + first, y_dot + first, y_ddot + first, u +
+                first, total);
+        } else {
+            double q_block[48];
+            double y_dot_block[48];
+            double y_ddot_block[48];
+            double u_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, y_dot, y_dot_block);
+            ur5_gather(6, first, some, stride, y_ddot, y_ddot_block);
+            ur5_inverse_dynamics_independent_block(8, q_block, y_dot_block, y_ddot_block, u_block, total);
+            ur5_scatter(6, first, some, stride, u_block, u);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_inverse_dynamics_independent_one(first + lane, stride, q, y_dot, y_ddot,
-                    u);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_inverse_dynamics_independent_one(first + lane, stride, q, y_dot, y_ddot, u);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -9531,12 +10130,14 @@ int ur5_inverse_dynamics_independent_batch_soa(
 
 static inline UR5_INLINE void ur5_joint_reactions_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)a;
     const double x0 = q[0];
@@ -9546,15 +10147,16 @@ static inline UR5_INLINE void ur5_joint_reactions_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x1;
-    angle[stride] = x3;
-    angle[2 * stride] = x5;
-    angle[3 * stride] = x2;
-    angle[4 * stride] = x4;
-    angle[5 * stride] = x0;
+    angle[pitch] = x3;
+    angle[2 * pitch] = x5;
+    angle[3 * pitch] = x2;
+    angle[4 * pitch] = x4;
+    angle[5 * pitch] = x0;
 }
 
 static inline UR5_INLINE double ur5_joint_reactions_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -9565,56 +10167,49 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = a[0];
-    const double x13 = a[stride];
-    const double x14 = a[2 * stride];
-    const double x15 = a[3 * stride];
-    const double x16 = a[4 * stride];
-    const double x17 = a[5 * stride];
     const double x18 = sine[0];
-    const double x27 = cosine[0];
-    const double x20 = sine[stride];
-    const double x23 = cosine[stride];
-    const double x21 = sine[2 * stride];
-    const double x44 = cosine[2 * stride];
-    const double x26 = sine[3 * stride];
-    const double x19 = cosine[3 * stride];
-    const double x38 = sine[4 * stride];
-    const double x22 = cosine[4 * stride];
-    const double x330 = sine[5 * stride];
-    const double x412 = cosine[5 * stride];
     const double x24 = x6 * x18;
+    const double x19 = cosine[3 * pitch];
     const double x25 = x19 * x24;
+    const double x27 = cosine[0];
     const double x28 = x6 * x27;
+    const double x26 = sine[3 * pitch];
     const double x29 = x26 * x28;
     const double x30 = x25 + x29;
+    const double x23 = cosine[pitch];
     const double x31 = x23 * x30;
     const double x32 = x26 * x24;
     const double x33 = x19 * x28;
     const double x34 = x32 - x33;
+    const double x20 = sine[pitch];
     const double x35 = x20 * x34;
     const double x36 = x31 - x35;
+    const double x22 = cosine[4 * pitch];
     const double x37 = x22 * x36;
+    const double x7 = v[stride];
+    const double x8 = v[2 * stride];
     const double x39 = x7 + x8;
+    const double x9 = v[3 * stride];
     const double x40 = x9 + x39;
+    const double x38 = sine[4 * pitch];
     const double x41 = x38 * x40;
     const double x42 = x37 + x41;
+    const double x21 = sine[2 * pitch];
     const double x43 = x21 * x42;
     const double x45 = x20 * x30;
     const double x46 = x23 * x34;
     const double x47 = x45 + x46;
+    const double x10 = v[4 * stride];
     const double x48 = x10 + x47;
+    const double x44 = cosine[2 * pitch];
     const double x49 = x44 * x48;
     const double x50 = x43 + x49;
     const double x51 = x38 * x36;
     const double x52 = x22 * x40;
     const double x53 = x51 - x52;
+    const double x11 = v[5 * stride];
     const double x54 = x11 - x53;
     const double x55 = x50 * x54;
     const double x56 = 0.0001321171875 * x55;
@@ -9631,6 +10226,7 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x67 = x9 * x36;
     const double x68 = x8 * x34;
     const double x69 = x7 * x28;
+    const double x12 = a[0];
     const double x70 = x12 * x18;
     const double x71 = x69 + x70;
     const double x72 = x19 * x71;
@@ -9649,6 +10245,7 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x85 = x23 * x84;
     const double x86 = x79 - x85;
     const double x87 = x67 - x86;
+    const double x16 = a[4 * stride];
     const double x88 = x16 + x87;
     const double x89 = 0.003837400042173233 * x88;
     const double x90 = x66 + x89;
@@ -9660,7 +10257,10 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x96 = x94 + x95;
     const double x97 = x93 + x96;
     const double x98 = x38 * x97;
+    const double x13 = a[stride];
+    const double x14 = a[2 * stride];
     const double x99 = x13 + x14;
+    const double x15 = a[3 * stride];
     const double x100 = x15 + x99;
     const double x101 = x22 * x100;
     const double x102 = x98 + x101;
@@ -9718,6 +10318,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x154 = 0.0351648539 * x153;
     const double x155 = x106 - x154;
     const double x156 = x64 + x155;
+    u[4 * stride] = x156;
+    double total = x156;
     const double x157 = x42 * x42;
     const double x158 = x48 * x48;
     const double x159 = x157 + x158;
@@ -9736,8 +10338,11 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x172 = x168 - x171;
     const double x173 = x167 + x172;
     const double x174 = x20 * x173;
+    const double x17 = a[5 * stride];
     const double x175 = x17 - x103;
     const double x176 = 0.0001321171875 * x175;
+    u[5 * stride] = x176;
+    total = total + x176;
     const double x177 = 0.0021942 * x91;
     const double x178 = 0.003292500193635 * x162;
     const double x179 = x177 + x178;
@@ -9839,6 +10444,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x275 = x258 + x274;
     const double x276 = 0.17193592303888333 * x12;
     const double x277 = x275 + x276;
+    u[0] = x277;
+    total = total + x277;
     const double x278 = x22 * x180;
     const double x279 = x38 * x207;
     const double x280 = x278 - x279;
@@ -9850,6 +10457,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x286 = 0.150887345 * x135;
     const double x287 = x285 + x286;
     const double x288 = x280 + x287;
+    u[3 * stride] = x288;
+    total = total + x288;
     const double x289 = x142 + x213;
     const double x290 = 0.150887345 * x289;
     const double x291 = 0.0351648539 * x210;
@@ -9870,6 +10479,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x306 = 1.594451775 * x129;
     const double x307 = x305 - x306;
     const double x308 = x299 - x307;
+    u[2 * stride] = x308;
+    total = total + x308;
     const double x309 = 1.594451775 * x109;
     const double x310 = x20 * x292;
     const double x311 = x23 * x295;
@@ -9891,6 +10502,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x327 = x324 - x326;
     const double x328 = x321 - x327;
     const double x329 = x320 - x328;
+    u[stride] = x329;
+    total = total + x329;
     const double x331 = x38 * x139;
     const double x332 = x22 * x151;
     const double x333 = x331 + x332;
@@ -9971,6 +10584,7 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x408 = x6 * x6;
     const double x409 = 0.007141 * x408;
     const double x410 = x407 + x409;
+    const double x330 = sine[5 * pitch];
     const double x411 = x330 * x410;
     const double x413 = x21 * x366;
     const double x414 = x44 * x379;
@@ -10039,16 +10653,23 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x477 = x466 - x476;
     const double x478 = 0.007141 * x12;
     const double x479 = x477 - x478;
+    const double x412 = cosine[5 * pitch];
     const double x480 = x412 * x479;
     const double x481 = x411 + x480;
     const double x482 = -x481;
+    reactions[0] = x482;
+    total = total + x482;
     const double x483 = x412 * x410;
     const double x484 = x330 * x479;
     const double x485 = x483 - x484;
+    reactions[stride] = x485;
+    total = total + x485;
     const double x486 = x18 * x465;
     const double x487 = x27 * x475;
     const double x488 = x486 + x487;
     const double x489 = 36.297 - x488;
+    reactions[2 * stride] = x489;
+    total = total + x489;
     const double x490 = 0.09465 * x381;
     const double x491 = x176 + x490;
     const double x492 = 0.012340187910833333 * x103;
@@ -10216,27 +10837,43 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x654 = x651 - x653;
     const double x655 = x412 * x654;
     const double x656 = x560 + x655;
+    reactions[3 * stride] = x656;
+    total = total + x656;
     const double x657 = x330 * x654;
     const double x658 = x412 * x559;
     const double x659 = x657 - x658;
+    reactions[4 * stride] = x659;
+    total = total + x659;
     const double x660 = x412 * x477;
     const double x661 = x330 * x407;
     const double x662 = x660 + x661;
     const double x663 = -x662;
+    reactions[6 * stride] = x663;
+    total = total + x663;
     const double x664 = x330 * x477;
     const double x665 = x412 * x407;
     const double x666 = x664 - x665;
     const double x667 = -x666;
+    reactions[7 * stride] = x667;
+    total = total + x667;
     const double x668 = -x488;
+    reactions[8 * stride] = x668;
+    total = total + x668;
     const double x669 = x412 * x649;
     const double x670 = 0.089159 * x666;
     const double x671 = x669 + x670;
+    reactions[9 * stride] = x671;
+    total = total + x671;
     const double x672 = x330 * x649;
     const double x673 = 0.089159 * x662;
     const double x674 = x672 - x673;
+    reactions[10 * stride] = x674;
+    total = total + x674;
     const double x675 = x18 * x633;
     const double x676 = x27 * x647;
     const double x677 = x675 + x676;
+    reactions[11 * stride] = x677;
+    total = total + x677;
     const double x678 = x412 * x27;
     const double x679 = x678 * x458;
     const double x680 = x412 * x18;
@@ -10245,6 +10882,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x683 = x330 * x402;
     const double x684 = x682 + x683;
     const double x685 = -x684;
+    reactions[12 * stride] = x685;
+    total = total + x685;
     const double x686 = x330 * x27;
     const double x687 = x686 * x458;
     const double x688 = x330 * x18;
@@ -10253,10 +10892,14 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x691 = x412 * x402;
     const double x692 = x690 - x691;
     const double x693 = -x692;
+    reactions[13 * stride] = x693;
+    total = total + x693;
     const double x694 = x18 * x458;
     const double x695 = x27 * x469;
     const double x696 = x694 + x695;
     const double x697 = -x696;
+    reactions[14 * stride] = x697;
+    total = total + x697;
     const double x698 = x678 * x625;
     const double x699 = x680 * x637;
     const double x700 = x698 - x699;
@@ -10267,6 +10910,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x705 = x704 * x692;
     const double x706 = x702 + x705;
     const double x707 = x700 + x706;
+    reactions[15 * stride] = x707;
+    total = total + x707;
     const double x708 = x686 * x625;
     const double x709 = x688 * x637;
     const double x710 = x708 - x709;
@@ -10275,6 +10920,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x713 = x712 * x696;
     const double x714 = x711 + x713;
     const double x715 = x710 - x714;
+    reactions[16 * stride] = x715;
+    total = total + x715;
     const double x716 = x18 * x625;
     const double x717 = x27 * x637;
     const double x718 = x716 + x717;
@@ -10282,6 +10929,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x720 = x701 * x684;
     const double x721 = x719 - x720;
     const double x722 = x718 + x721;
+    reactions[17 * stride] = x722;
+    total = total + x722;
     const double x723 = x19 * x678;
     const double x724 = x26 * x680;
     const double x725 = x723 - x724;
@@ -10294,6 +10943,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x732 = x330 * x395;
     const double x733 = x731 + x732;
     const double x734 = -x733;
+    reactions[18 * stride] = x734;
+    total = total + x734;
     const double x735 = x19 * x686;
     const double x736 = x26 * x688;
     const double x737 = x735 - x736;
@@ -10306,6 +10957,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x744 = x412 * x395;
     const double x745 = x743 - x744;
     const double x746 = -x745;
+    reactions[19 * stride] = x746;
+    total = total + x746;
     const double x747 = x18 * x19;
     const double x748 = x27 * x26;
     const double x749 = x747 + x748;
@@ -10316,6 +10969,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x754 = x753 * x450;
     const double x755 = x750 + x754;
     const double x756 = -x755;
+    reactions[20 * stride] = x756;
+    total = total + x756;
     const double x757 = x725 * x599;
     const double x758 = x729 * x611;
     const double x759 = x757 + x758;
@@ -10327,6 +10982,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x765 = x764 * x745;
     const double x766 = x762 + x765;
     const double x767 = x759 + x766;
+    reactions[21 * stride] = x767;
+    total = total + x767;
     const double x768 = x737 * x599;
     const double x769 = x741 * x611;
     const double x770 = x768 + x769;
@@ -10336,6 +10993,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x774 = x773 * x755;
     const double x775 = x771 + x774;
     const double x776 = x770 - x775;
+    reactions[22 * stride] = x776;
+    total = total + x776;
     const double x777 = x749 * x599;
     const double x778 = x753 * x611;
     const double x779 = x777 + x778;
@@ -10343,6 +11002,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x781 = x761 * x733;
     const double x782 = x780 - x781;
     const double x783 = x779 + x782;
+    reactions[23 * stride] = x783;
+    total = total + x783;
     const double x784 = x23 * x725;
     const double x785 = x20 * x729;
     const double x786 = x784 - x785;
@@ -10354,6 +11015,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x792 = x790 + x791;
     const double x793 = x792 * x421;
     const double x794 = x789 - x793;
+    reactions[24 * stride] = x794;
+    total = total + x794;
     const double x795 = x23 * x737;
     const double x796 = x20 * x741;
     const double x797 = x795 - x796;
@@ -10365,6 +11028,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x803 = x801 + x802;
     const double x804 = x803 * x421;
     const double x805 = x800 - x804;
+    reactions[25 * stride] = x805;
+    total = total + x805;
     const double x806 = x23 * x749;
     const double x807 = x20 * x753;
     const double x808 = x806 - x807;
@@ -10374,6 +11039,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x812 = x810 + x811;
     const double x813 = x812 * x421;
     const double x814 = x809 - x813;
+    reactions[26 * stride] = x814;
+    total = total + x814;
     const double x815 = x786 * x585;
     const double x816 = x330 * x527;
     const double x817 = x815 - x816;
@@ -10384,6 +11051,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x822 = x820 + x821;
     const double x823 = x817 + x822;
     const double x824 = -x823;
+    reactions[27 * stride] = x824;
+    total = total + x824;
     const double x825 = x764 * x794;
     const double x826 = 0.10915 * x330;
     const double x827 = x773 - x826;
@@ -10393,12 +11062,16 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x831 = x412 * x527;
     const double x832 = x830 + x831;
     const double x833 = x829 - x832;
+    reactions[28 * stride] = x833;
+    total = total + x833;
     const double x834 = x808 * x585;
     const double x835 = x827 * x805;
     const double x836 = x819 * x794;
     const double x837 = x835 - x836;
     const double x838 = x834 + x837;
     const double x839 = -x838;
+    reactions[29 * stride] = x839;
+    total = total + x839;
     const double x840 = x22 * x786;
     const double x841 = x330 * x38;
     const double x842 = x840 + x841;
@@ -10410,6 +11083,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x848 = x846 - x847;
     const double x849 = x848 * x342;
     const double x850 = x845 + x849;
+    reactions[30 * stride] = x850;
+    total = total + x850;
     const double x851 = x22 * x797;
     const double x852 = x412 * x38;
     const double x853 = x851 - x852;
@@ -10421,6 +11096,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x859 = x857 + x858;
     const double x860 = x859 * x342;
     const double x861 = x856 + x860;
+    reactions[31 * stride] = x861;
+    total = total + x861;
     const double x862 = x22 * x808;
     const double x863 = x862 * x381;
     const double x864 = x812 * x415;
@@ -10428,6 +11105,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x866 = x38 * x808;
     const double x867 = x866 * x342;
     const double x868 = x865 + x867;
+    reactions[32 * stride] = x868;
+    total = total + x868;
     const double x869 = x842 * x513;
     const double x870 = x792 * x563;
     const double x871 = x869 - x870;
@@ -10440,6 +11119,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x878 = x874 + x877;
     const double x879 = x871 + x878;
     const double x880 = -x879;
+    reactions[33 * stride] = x880;
+    total = total + x880;
     const double x881 = x876 * x850;
     const double x882 = 0.09465 * x792;
     const double x883 = x827 - x882;
@@ -10449,6 +11130,8 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x887 = x803 * x563;
     const double x888 = x886 - x887;
     const double x889 = x885 - x888;
+    reactions[34 * stride] = x889;
+    total = total + x889;
     const double x890 = x862 * x513;
     const double x891 = x812 * x563;
     const double x892 = x890 - x891;
@@ -10457,52 +11140,10 @@ static inline UR5_INLINE double ur5_joint_reactions_lane(
     const double x895 = x893 - x894;
     const double x896 = x892 + x895;
     const double x897 = -x896;
-    u[0] = x277;
-    u[stride] = x329;
-    u[2 * stride] = x308;
-    u[3 * stride] = x288;
-    u[4 * stride] = x156;
-    u[5 * stride] = x176;
-    reactions[0] = x482;
-    reactions[stride] = x485;
-    reactions[2 * stride] = x489;
-    reactions[3 * stride] = x656;
-    reactions[4 * stride] = x659;
-    reactions[5 * stride] = 0.0;
-    reactions[6 * stride] = x663;
-    reactions[7 * stride] = x667;
-    reactions[8 * stride] = x668;
-    reactions[9 * stride] = x671;
-    reactions[10 * stride] = x674;
-    reactions[11 * stride] = x677;
-    reactions[12 * stride] = x685;
-    reactions[13 * stride] = x693;
-    reactions[14 * stride] = x697;
-    reactions[15 * stride] = x707;
-    reactions[16 * stride] = x715;
-    reactions[17 * stride] = x722;
-    reactions[18 * stride] = x734;
-    reactions[19 * stride] = x746;
-    reactions[20 * stride] = x756;
-    reactions[21 * stride] = x767;
-    reactions[22 * stride] = x776;
-    reactions[23 * stride] = x783;
-    reactions[24 * stride] = x794;
-    reactions[25 * stride] = x805;
-    reactions[26 * stride] = x814;
-    reactions[27 * stride] = x824;
-    reactions[28 * stride] = x833;
-    reactions[29 * stride] = x839;
-    reactions[30 * stride] = x850;
-    reactions[31 * stride] = x861;
-    reactions[32 * stride] = x868;
-    reactions[33 * stride] = x880;
-    reactions[34 * stride] = x889;
     reactions[35 * stride] = x897;
-    return (((((x277 + x329) + (x308 + x288)) + ((x156 + x176) + (x482 + x485))) + (((x489 + x656) + (x659 +
-        x663)) + ((x667 + x668) + (x671 + x674)))) + ((((x677 + x685) + (x693 + x697)) + ((x707 + x715) +
-        (x722 + x734))) + (((x746 + x756) + (x767 + x776)) + ((x783 + x794) + (x805 + x814))))) + ((((x824 +
-        x833) + (x839 + x850)) + ((x861 + x868) + (x880 + x889))) + x897);
+    total = total + x897;
+    reactions[5 * stride] = 0.0;
+    return total;
 }
 
 int ur5_joint_reactions(
@@ -10513,12 +11154,12 @@ int ur5_joint_reactions(
     double *restrict reactions)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_joint_reactions_angles(1, q, v, a, angle);
+    ur5_joint_reactions_angles(1, 1, q, v, a, angle);
     angle[6] = angle[5];
     angle[7] = angle[5];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(2, angle + 4, sine + 4, cosine + 4);
-    const double total = ur5_joint_reactions_lane(1, q, v, a, u, reactions, sine, cosine);
+    const double total = ur5_joint_reactions_lane(1, 1, q, v, a, u, reactions, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(u, 6);
@@ -10529,29 +11170,25 @@ int ur5_joint_reactions(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_joint_reactions_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
     double *restrict u,
     double *restrict reactions,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[48], sine[48], cosine[48];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_joint_reactions_angles(8, q + lane, v + lane, a + lane, angle + lane);
+        ur5_joint_reactions_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
-    for (size_t k = 0; k < 48; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_joint_reactions_lane(8, q + lane, v + lane, a + lane, u + lane, reactions + lane,
-            sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, reactions +
+            lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -10607,26 +11244,39 @@ static int ur5_joint_reactions_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double a_block[48];
-        double u_block[48];
-        double reactions_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, a, a_block);
-        ur5_joint_reactions_block(q_block, v_block, a_block, u_block, reactions_block, outcome);
-        ur5_scatter(6, first, some, stride, u_block, u);
-        ur5_scatter(36, first, some, stride, reactions_block, reactions);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+                ur5_prefetch(6, stride, u + first + 8);
+                ur5_prefetch(36, stride, reactions + first + 8);
+            }
+            ur5_joint_reactions_block(stride, q + first, v + first, a + first, u + first, reactions + first,
+                total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double a_block[48];
+            double u_block[48];
+            double reactions_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, a, a_block);
+            ur5_joint_reactions_block(8, q_block, v_block, a_block, u_block, reactions_block, total);
+            ur5_scatter(6, first, some, stride, u_block, u);
+            ur5_scatter(36, first, some, stride, reactions_block, reactions);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_joint_reactions_one(first + lane, stride, q, v, a, u, reactions);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_joint_reactions_one(first + lane, stride, q, v, a, u, reactions);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -10693,12 +11343,14 @@ int ur5_joint_reactions_batch_soa(
 
 static inline UR5_INLINE void ur5_forward_dynamics_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     const double x1 = q[stride];
@@ -10707,14 +11359,15 @@ static inline UR5_INLINE void ur5_forward_dynamics_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x4;
-    angle[stride] = x2;
-    angle[2 * stride] = x1;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x5;
+    angle[pitch] = x2;
+    angle[2 * pitch] = x1;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_forward_dynamics_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -10724,660 +11377,672 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     double *restrict pivot)
 {
     (void)stride;
-    const double x0 = q[0];
+    (void)pitch;
     const double x6 = v[0];
+    const double x21 = cosine[2 * pitch];
+    const double x22 = x6 * x21;
+    const double x26 = sine[2 * pitch];
+    const double x27 = x6 * x26;
     const double x7 = v[stride];
     const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = u[0];
-    const double x13 = u[stride];
-    const double x14 = u[2 * stride];
-    const double x15 = u[3 * stride];
-    const double x16 = u[4 * stride];
-    const double x17 = u[5 * stride];
+    const double x59 = x7 + x8;
     const double x18 = sine[0];
-    const double x54 = cosine[0];
-    const double x25 = sine[stride];
-    const double x20 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x21 = cosine[2 * stride];
-    const double x37 = sine[3 * stride];
-    const double x19 = cosine[3 * stride];
-    const double x144 = sine[4 * stride];
-    const double x146 = cosine[4 * stride];
-    const double x22 = x6 * x21;
+    const double x67 = 0.0001321171875 * x18;
     const double x23 = x7 * x22;
-    const double x24 = x20 * x23;
-    const double x27 = x6 * x26;
     const double x28 = x7 * x27;
-    const double x29 = x25 * x28;
-    const double x30 = x24 - x29;
+    const double x25 = sine[pitch];
     const double x31 = x25 * x27;
+    const double x20 = cosine[pitch];
     const double x32 = x20 * x22;
-    const double x33 = x31 - x32;
-    const double x34 = x8 * x33;
-    const double x35 = x30 - x34;
-    const double x36 = x19 * x35;
-    const double x38 = x25 * x23;
-    const double x39 = x20 * x28;
-    const double x40 = x38 + x39;
     const double x41 = x20 * x27;
     const double x42 = x25 * x22;
+    const double x9 = v[3 * stride];
+    const double x60 = x9 + x59;
+    const double x19 = cosine[3 * pitch];
+    const double x68 = x19 * x67;
+    const double x37 = sine[3 * pitch];
+    const double x70 = x37 * x67;
+    const double x24 = x20 * x23;
+    const double x29 = x25 * x28;
+    const double x38 = x25 * x23;
+    const double x33 = x31 - x32;
+    const double x39 = x20 * x28;
     const double x43 = x41 + x42;
+    const double x61 = x18 * x60;
+    const double x54 = cosine[0];
+    const double x88 = x54 * x60;
+    const double x98 = 0.85 * x28;
+    const double x69 = x20 * x68;
+    const double x30 = x24 - x29;
+    const double x74 = x25 * x68;
+    const double x34 = x8 * x33;
+    const double x40 = x38 + x39;
     const double x44 = x8 * x43;
-    const double x45 = x40 + x44;
-    const double x46 = x37 * x45;
-    const double x47 = x36 - x46;
     const double x48 = x37 * x43;
     const double x49 = x19 * x33;
-    const double x50 = x48 + x49;
-    const double x51 = x9 * x50;
-    const double x52 = x47 - x51;
-    const double x53 = x18 * x52;
     const double x55 = x19 * x43;
     const double x56 = x37 * x33;
-    const double x57 = x55 - x56;
-    const double x58 = x54 * x57;
-    const double x59 = x7 + x8;
-    const double x60 = x9 + x59;
-    const double x61 = x18 * x60;
-    const double x62 = x58 + x61;
-    const double x63 = x10 * x62;
-    const double x64 = x53 + x63;
-    const double x65 = 0.0001321171875 * x64;
-    const double x66 = x65 + x17;
-    const double x67 = 0.0001321171875 * x18;
-    const double x68 = x19 * x67;
-    const double x69 = x20 * x68;
-    const double x70 = x37 * x67;
-    const double x71 = x25 * x70;
-    const double x72 = x69 - x71;
-    const double x73 = x26 * x72;
-    const double x74 = x25 * x68;
-    const double x75 = x20 * x70;
-    const double x76 = x74 + x75;
-    const double x77 = x21 * x76;
-    const double x78 = x73 + x77;
-    const double x79 = 7569.03790432263 * x78;
-    const double x80 = x66 * x79;
-    const double x81 = x37 * x35;
-    const double x82 = x19 * x45;
-    const double x83 = x81 + x82;
-    const double x84 = x9 * x57;
-    const double x85 = x83 + x84;
-    const double x86 = 0.003837400042173233 * x85;
-    const double x87 = x18 * x57;
-    const double x88 = x54 * x60;
-    const double x89 = x87 - x88;
-    const double x90 = x89 * x62;
-    const double x91 = 0.0016432000421732333 * x90;
-    const double x92 = x86 + x91;
-    const double x93 = x10 + x50;
-    const double x94 = x62 * x93;
-    const double x95 = x64 - x94;
-    const double x96 = 0.003292500193635 * x95;
-    const double x97 = x92 + x96;
-    const double x98 = 0.85 * x28;
     const double x99 = x43 * x59;
+    const double x71 = x25 * x70;
+    const double x35 = x30 - x34;
+    const double x75 = x20 * x70;
+    const double x45 = x40 + x44;
+    const double x360 = x60 * x60;
+    const double x50 = x48 + x49;
+    const double x498 = 0.0151074 * x23;
+    const double x57 = x55 - x56;
+    const double x530 = 0.571974137259375 * x99;
+    const double x72 = x69 - x71;
+    const double x36 = x19 * x35;
+    const double x112 = x33 * x33;
+    const double x46 = x37 * x45;
+    const double x113 = x59 * x59;
+    const double x51 = x9 * x50;
+    const double x81 = x37 * x35;
+    const double x58 = x54 * x57;
+    const double x82 = x19 * x45;
+    const double x87 = x18 * x57;
+    const double x131 = x43 * x33;
+    const double x84 = x9 * x57;
+    const double x47 = x36 - x46;
+    const double x114 = x112 + x113;
+    const double x10 = v[4 * stride];
+    const double x93 = x10 + x50;
     const double x100 = x45 + x99;
-    const double x101 = 0.39225 * x100;
-    const double x102 = x98 + x101;
+    const double x62 = x58 + x61;
+    const double x83 = x81 + x82;
+    const double x89 = x87 - x88;
     const double x103 = x50 * x50;
     const double x104 = x57 * x57;
-    const double x105 = x103 + x104;
-    const double x106 = 0.10915 * x105;
-    const double x107 = x102 + x106;
-    const double x108 = x18 * x107;
-    const double x109 = x57 * x60;
-    const double x110 = x85 - x109;
-    const double x111 = 0.10915 * x110;
-    const double x112 = x33 * x33;
-    const double x113 = x59 * x59;
-    const double x114 = x112 + x113;
-    const double x115 = 0.39225 * x114;
+    const double x52 = x47 - x51;
     const double x116 = x22 * x22;
+    const double x115 = 0.39225 * x114;
+    const double x109 = x57 * x60;
+    const double x271 = x50 * x60;
+    const double x85 = x83 + x84;
+    const double x101 = 0.39225 * x100;
+    const double x63 = x10 * x62;
+    const double x105 = x103 + x104;
+    const double x53 = x18 * x52;
     const double x117 = x7 * x7;
-    const double x118 = x116 + x117;
-    const double x119 = 0.425 * x118;
-    const double x120 = 9.81 * x26;
-    const double x121 = x119 + x120;
-    const double x122 = x20 * x121;
     const double x123 = x27 * x22;
+    const double x120 = 9.81 * x26;
+    const double x90 = x89 * x62;
+    const double x110 = x85 - x109;
+    const double x102 = x98 + x101;
+    const double x94 = x62 * x93;
+    const double x106 = 0.10915 * x105;
+    const double x64 = x53 + x63;
+    const double x118 = x116 + x117;
+    const double x76 = x74 + x75;
+    const double x86 = 0.003837400042173233 * x85;
+    const double x254 = x85 + x90;
+    const double x111 = 0.10915 * x110;
+    const double x91 = 0.0016432000421732333 * x90;
+    const double x253 = 0.0021942 * x94;
+    const double x107 = x102 + x106;
+    const double x95 = x64 - x94;
+    const double x119 = 0.425 * x118;
+    const double x65 = 0.0001321171875 * x64;
     const double x124 = 0.425 * x123;
-    const double x125 = 9.81 * x21;
-    const double x126 = x124 - x125;
-    const double x127 = x25 * x126;
-    const double x128 = x122 - x127;
-    const double x129 = x115 + x128;
-    const double x130 = x19 * x129;
-    const double x131 = x43 * x33;
-    const double x132 = 0.39225 * x131;
+    const double x73 = x26 * x72;
+    const double x77 = x21 * x76;
+    const double x92 = x86 + x91;
+    const double x514 = x103 - x360;
+    const double x108 = x18 * x107;
+    const double x96 = 0.003292500193635 * x95;
+    const double x121 = x119 + x120;
+    const double x247 = x50 * x57;
+    const double x361 = x104 + x360;
+    const double x517 = 0.150887345 * x102;
+    const double x78 = x73 + x77;
+    const double x504 = 0.0021942 * x109;
+    const double x515 = 0.01643350047875 * x514;
+    const double x249 = 0.01643350047875 * x110;
+    const double x97 = x92 + x96;
+    const double x122 = x20 * x121;
     const double x133 = x25 * x121;
-    const double x134 = x20 * x126;
-    const double x135 = x133 + x134;
-    const double x136 = x132 - x135;
-    const double x137 = x37 * x136;
-    const double x138 = x130 + x137;
-    const double x139 = x111 - x138;
-    const double x140 = x54 * x139;
-    const double x141 = x108 + x140;
-    const double x142 = 0.0351648539 * x141;
-    const double x143 = x97 + x142;
-    const double x145 = x144 * x62;
-    const double x147 = x146 * x93;
-    const double x148 = x145 + x147;
-    const double x149 = x11 - x89;
-    const double x150 = x148 * x149;
-    const double x151 = 0.0001321171875 * x150;
-    const double x152 = x144 * x151;
-    const double x153 = x146 * x62;
-    const double x154 = x144 * x93;
-    const double x155 = x153 - x154;
-    const double x156 = x155 * x149;
-    const double x157 = 0.0001321171875 * x156;
-    const double x158 = x146 * x157;
-    const double x159 = x152 + x158;
-    const double x160 = x143 + x159;
-    const double x161 = x160 - x16;
+    const double x362 = 0.150887345 * x361;
+    const double x354 = x33 * x59;
+    const double x79 = 7569.03790432263 * x78;
+    const double x532 = x43 * x43;
+    const double x17 = u[5 * stride];
+    const double x66 = x65 + x17;
+    const double x125 = 9.81 * x21;
+    const double x132 = 0.39225 * x131;
+    const double x529 = 0.567879137259375 * x45;
+    const double x475 = 1.594451775 * x114;
+    const double x557 = 1.594451775 * x100;
+    const double x355 = x35 + x354;
+    const double x501 = 0.004095 * x354;
+    const double x533 = x532 - x113;
+    const double x561 = x27 * x27;
+    const double x126 = x124 - x125;
+    const double x600 = x78 * x79;
+    const double x531 = x529 + x530;
+    const double x80 = x66 * x79;
+    const double x146 = cosine[4 * pitch];
     const double x162 = 6.605859375e-05 * x146;
-    const double x163 = x146 * x162;
+    const double x144 = sine[4 * pitch];
     const double x164 = 6.605859375e-05 * x144;
-    const double x165 = x144 * x164;
-    const double x166 = x163 + x165;
-    const double x167 = x166 + 0.003771341448423233;
-    const double x168 = 0.003838243803185 * x54;
-    const double x169 = x167 + x168;
-    const double x170 = x37 * x169;
     const double x171 = 0.003292500193635 * x18;
+    const double x168 = 0.003838243803185 * x54;
+    const double x145 = x144 * x62;
+    const double x127 = x25 * x126;
+    const double x134 = x20 * x126;
+    const double x147 = x146 * x93;
+    const double x153 = x146 * x62;
+    const double x163 = x146 * x162;
+    const double x165 = x144 * x164;
     const double x172 = x144 * x162;
     const double x173 = x146 * x164;
-    const double x174 = x172 - x173;
-    const double x175 = x54 * x174;
-    const double x176 = x171 - x175;
-    const double x177 = x19 * x176;
-    const double x178 = x170 + x177;
-    const double x179 = x20 * x178;
-    const double x180 = x19 * x169;
-    const double x181 = x37 * x176;
-    const double x182 = x180 - x181;
+    const double x154 = x144 * x93;
+    const double x128 = x122 - x127;
+    const double x135 = x133 + x134;
     const double x183 = 0.013793413942275 * x18;
-    const double x184 = x182 + x183;
-    const double x185 = x25 * x184;
-    const double x186 = x179 + x185;
-    const double x187 = x26 * x186;
-    const double x188 = x25 * x178;
-    const double x189 = x20 * x184;
-    const double x190 = x188 - x189;
-    const double x191 = 0.0149450629075 * x18;
-    const double x192 = x190 - x191;
-    const double x193 = x21 * x192;
-    const double x194 = x187 + x193;
-    const double x195 = 1.0 / x167;
-    const double x196 = x194 * x195;
-    const double x197 = x161 * x196;
-    const double x198 = x80 + x197;
-    const double x199 = x166 + 0.014348980714983334;
-    const double x200 = 0.0026742414484232334 * x18;
-    const double x201 = x18 * x200;
-    const double x202 = 0.0010971 + x166;
-    const double x203 = x54 * x202;
-    const double x204 = x54 * x203;
-    const double x205 = x201 + x204;
-    const double x206 = 0.0010971 + x205;
-    const double x207 = x199 + x206;
-    const double x208 = 0.0001321171875 * x54;
-    const double x209 = x54 * x208;
-    const double x210 = 0.003292500193635 * x54;
+    const double x148 = x145 + x147;
+    const double x11 = v[5 * stride];
+    const double x149 = x11 - x89;
+    const double x166 = x163 + x165;
+    const double x368 = x62 * x62;
+    const double x174 = x172 - x173;
+    const double x155 = x153 - x154;
+    const double x129 = x115 + x128;
+    const double x136 = x132 - x135;
+    const double x356 = 0.12652256366625 * x355;
+    const double x534 = 0.12652256366625 * x533;
+    const double x150 = x148 * x149;
+    const double x167 = x166 + 0.003771341448423233;
+    pivot[0] = x167;
+    double total = x167;
+    const double x358 = 1.594451775 * x135;
     const double x211 = x18 * x174;
-    const double x212 = x210 + x211;
-    const double x213 = x212 * x195;
-    const double x214 = x212 * x213;
-    const double x215 = x209 + x214;
-    const double x216 = x207 - x215;
-    const double x217 = 1.0 / x216;
-    const double x218 = x210 - x211;
-    const double x219 = 0.01643350047875 + x218;
-    const double x220 = x37 * x219;
-    const double x221 = 0.0026742414484232334 * x54;
-    const double x222 = x18 * x221;
-    const double x223 = x18 * x202;
-    const double x224 = x54 * x223;
-    const double x225 = x222 - x224;
-    const double x226 = 0.003838243803185 * x18;
-    const double x227 = x225 + x226;
-    const double x228 = x19 * x227;
-    const double x229 = x220 - x228;
-    const double x230 = x20 * x229;
-    const double x231 = x19 * x219;
-    const double x232 = x37 * x227;
-    const double x233 = x231 + x232;
-    const double x234 = x25 * x233;
-    const double x235 = x230 + x234;
-    const double x236 = x26 * x235;
-    const double x237 = x25 * x229;
-    const double x238 = x20 * x233;
-    const double x239 = x237 - x238;
-    const double x240 = x21 * x239;
-    const double x241 = x236 + x240;
-    const double x242 = x208 * x79;
-    const double x243 = x212 * x196;
-    const double x244 = x242 + x243;
-    const double x245 = x241 - x244;
-    const double x246 = x217 * x245;
-    const double x247 = x50 * x57;
-    const double x248 = 0.014348980714983334 * x247;
-    const double x249 = 0.01643350047875 * x110;
-    const double x250 = x248 - x249;
+    const double x175 = x54 * x174;
+    const double x130 = x19 * x129;
+    const double x274 = x37 * x129;
+    const double x137 = x37 * x136;
+    const double x275 = x19 * x136;
+    const double x156 = x155 * x149;
+    const double x195 = 1.0 / x167;
+    const double x169 = x167 + x168;
+    const double x151 = 0.0001321171875 * x150;
+    const double x176 = x171 - x175;
+    const double x300 = x171 + x175;
+    const double x535 = x531 + x534;
+    const double x138 = x130 + x137;
+    const double x276 = x274 - x275;
+    const double x157 = 0.0001321171875 * x156;
+    const double x191 = 0.0149450629075 * x18;
+    const double x180 = x19 * x169;
+    const double x170 = x37 * x169;
+    const double x181 = x37 * x176;
+    const double x177 = x19 * x176;
+    const double x280 = x146 * x151;
+    const double x139 = x111 - x138;
+    const double x152 = x144 * x151;
+    const double x281 = x144 * x157;
+    const double x158 = x146 * x157;
     const double x251 = 0.150887345 * x138;
-    const double x252 = x250 + x251;
-    const double x253 = 0.0021942 * x94;
-    const double x254 = x85 + x90;
-    const double x255 = 0.003292500193635 * x254;
-    const double x256 = x253 + x255;
-    const double x257 = x256 + x65;
-    const double x258 = x54 * x257;
+    const double x562 = x561 - x117;
+    const double x199 = x166 + 0.014348980714983334;
+    const double x182 = x180 - x181;
+    const double x178 = x170 + x177;
+    const double x140 = x54 * x139;
+    const double x282 = x280 - x281;
+    const double x159 = x152 + x158;
+    const double x563 = 0.349300285625 * x562;
+    const double x202 = 0.0010971 + x166;
+    const double x200 = 0.0026742414484232334 * x18;
+    const double x210 = 0.003292500193635 * x54;
+    const double x208 = 0.0001321171875 * x54;
+    const double x184 = x182 + x183;
+    const double x188 = x25 * x178;
+    const double x179 = x20 * x178;
+    const double x141 = x108 + x140;
+    const double x203 = x54 * x202;
+    const double x201 = x18 * x200;
+    const double x212 = x210 + x211;
+    const double x209 = x54 * x208;
+    const double x223 = x18 * x202;
+    const double x189 = x20 * x184;
+    const double x218 = x210 - x211;
+    const double x185 = x25 * x184;
+    const double x142 = 0.0351648539 * x141;
+    const double x204 = x54 * x203;
+    const double x221 = 0.0026742414484232334 * x54;
+    const double x213 = x212 * x195;
+    const double x242 = x208 * x79;
+    const double x190 = x188 - x189;
+    const double x219 = 0.01643350047875 + x218;
+    const double x186 = x179 + x185;
+    const double x143 = x97 + x142;
+    const double x205 = x201 + x204;
+    const double x222 = x18 * x221;
+    const double x214 = x212 * x213;
+    const double x224 = x54 * x223;
+    const double x226 = 0.003838243803185 * x18;
+    const double x192 = x190 - x191;
+    const double x220 = x37 * x219;
+    const double x231 = x19 * x219;
+    const double x187 = x26 * x186;
+    const double x206 = 0.0010971 + x205;
+    const double x160 = x143 + x159;
+    const double x215 = x209 + x214;
+    const double x225 = x222 - x224;
+    const double x571 = x54 * x221;
+    const double x193 = x21 * x192;
+    const double x572 = x18 * x223;
+    const double x207 = x199 + x206;
+    const double x16 = u[4 * stride];
+    const double x161 = x160 - x16;
     const double x259 = x54 * x52;
     const double x260 = x10 * x89;
-    const double x261 = x259 - x260;
-    const double x262 = 0.0016432000421732333 * x261;
     const double x263 = x89 * x93;
-    const double x264 = 0.003837400042173233 * x263;
-    const double x265 = x262 - x264;
     const double x266 = x89 * x89;
     const double x267 = x93 * x93;
-    const double x268 = x266 - x267;
-    const double x269 = 0.003292500193635 * x268;
-    const double x270 = x265 - x269;
-    const double x271 = x50 * x60;
     const double x272 = x52 + x271;
+    const double x227 = x225 + x226;
+    const double x216 = x207 - x215;
+    pivot[pitch] = x216;
+    total = total + x216;
+    const double x255 = 0.003292500193635 * x254;
+    const double x372 = 0.0351648539 * x254;
+    const double x261 = x259 - x260;
+    const double x264 = 0.003837400042173233 * x263;
+    const double x194 = x187 + x193;
+    const double x268 = x266 - x267;
     const double x273 = 0.10915 * x272;
-    const double x274 = x37 * x129;
-    const double x275 = x19 * x136;
-    const double x276 = x274 - x275;
+    const double x228 = x19 * x227;
+    const double x217 = 1.0 / x216;
+    const double x232 = x37 * x227;
+    const double x369 = x368 + x267;
+    const double x262 = 0.0016432000421732333 * x261;
+    const double x256 = x253 + x255;
+    const double x196 = x194 * x195;
+    const double x269 = 0.003292500193635 * x268;
     const double x277 = x273 + x276;
+    const double x229 = x220 - x228;
+    const double x363 = x261 - x263;
+    const double x233 = x231 + x232;
+    const double x370 = 0.0351648539 * x369;
+    const double x265 = x262 - x264;
+    const double x257 = x256 + x65;
+    const double x243 = x212 * x196;
+    const double x248 = 0.014348980714983334 * x247;
     const double x278 = 0.0351648539 * x277;
+    const double x230 = x20 * x229;
+    const double x237 = x25 * x229;
+    const double x234 = x25 * x233;
+    const double x238 = x20 * x233;
+    const double x270 = x265 - x269;
+    const double x519 = x18 * x257;
+    const double x244 = x242 + x243;
+    const double x250 = x248 - x249;
+    const double x258 = x54 * x257;
+    const double x601 = x194 * x196;
+    const double x197 = x161 * x196;
+    const double x235 = x230 + x234;
+    const double x239 = x237 - x238;
     const double x279 = x270 + x278;
-    const double x280 = x146 * x151;
-    const double x281 = x144 * x157;
-    const double x282 = x280 - x281;
-    const double x283 = x279 - x282;
-    const double x284 = x18 * x283;
-    const double x285 = x258 - x284;
-    const double x286 = x252 - x285;
-    const double x287 = x286 - x15;
-    const double x288 = x54 * x66;
-    const double x289 = x161 * x213;
-    const double x290 = x288 + x289;
-    const double x291 = x287 + x290;
-    const double x292 = x246 * x291;
-    const double x293 = x198 - x292;
+    const double x573 = x571 + x572;
+    const double x252 = x250 + x251;
+    const double x602 = x600 + x601;
+    const double x198 = x80 + x197;
     const double x294 = 0.0351648539 * x18;
-    const double x295 = x19 * x294;
     const double x296 = 0.150887345 * x37;
-    const double x297 = x295 - x296;
-    const double x298 = 0.39225 * x297;
     const double x299 = x37 * x199;
-    const double x300 = x171 + x175;
     const double x301 = x19 * x300;
-    const double x302 = x299 - x301;
-    const double x303 = x37 * x302;
     const double x304 = x19 * x206;
-    const double x305 = x181 - x304;
-    const double x306 = x19 * x305;
-    const double x307 = x303 - x306;
-    const double x308 = x298 + x307;
-    const double x309 = x298 + x308;
-    const double x310 = 0.569926637259375 + x309;
     const double x311 = x19 * x199;
     const double x312 = x37 * x300;
-    const double x313 = x311 + x312;
-    const double x314 = x19 * x313;
     const double x315 = x37 * x206;
-    const double x316 = x177 + x315;
-    const double x317 = x37 * x316;
-    const double x318 = x314 + x317;
-    const double x319 = 0.0020475 + x318;
-    const double x320 = x310 + x319;
-    const double x321 = 0.0351648539 * x54;
-    const double x322 = x37 * x321;
-    const double x323 = 0.39225 * x322;
-    const double x324 = x212 - x323;
-    const double x325 = x324 * x195;
-    const double x326 = x324 * x325;
-    const double x327 = x209 + x326;
-    const double x328 = x207 + x298;
-    const double x329 = x212 * x325;
-    const double x330 = x209 + x329;
-    const double x331 = x328 - x330;
-    const double x332 = x331 * x217;
-    const double x333 = x331 * x332;
-    const double x334 = x327 + x333;
-    const double x335 = x320 - x334;
-    const double x336 = 1.0 / x335;
-    const double x337 = 0.013793413942275 * x54;
-    const double x338 = x229 - x337;
-    const double x339 = 0.12652256366625 - x338;
-    const double x340 = x20 * x339;
-    const double x341 = x234 - x340;
-    const double x342 = x26 * x341;
-    const double x343 = x25 * x339;
-    const double x344 = x238 + x343;
-    const double x345 = x21 * x344;
-    const double x346 = x342 - x345;
-    const double x347 = x324 * x196;
-    const double x348 = x242 + x347;
-    const double x349 = x331 * x246;
-    const double x350 = x348 + x349;
-    const double x351 = x346 - x350;
-    const double x352 = x336 * x351;
-    const double x353 = 0.567879137259375 * x131;
-    const double x354 = x33 * x59;
-    const double x355 = x35 + x354;
-    const double x356 = 0.12652256366625 * x355;
-    const double x357 = x353 - x356;
-    const double x358 = 1.594451775 * x135;
-    const double x359 = x357 - x358;
-    const double x360 = x60 * x60;
-    const double x361 = x104 + x360;
-    const double x362 = 0.150887345 * x361;
-    const double x363 = x261 - x263;
-    const double x364 = 0.0351648539 * x363;
-    const double x365 = x362 - x364;
-    const double x366 = x19 * x365;
-    const double x367 = 0.150887345 * x247;
-    const double x368 = x62 * x62;
-    const double x369 = x368 + x267;
-    const double x370 = 0.0351648539 * x369;
-    const double x371 = x18 * x370;
-    const double x372 = 0.0351648539 * x254;
-    const double x373 = x54 * x372;
-    const double x374 = x371 - x373;
-    const double x375 = x367 + x374;
-    const double x376 = x37 * x375;
-    const double x377 = x366 + x376;
-    const double x378 = 0.39225 * x377;
-    const double x379 = x286 - x378;
-    const double x380 = x359 - x379;
-    const double x381 = x380 + x14;
-    const double x382 = x161 * x325;
-    const double x383 = x288 + x382;
-    const double x384 = x332 * x291;
-    const double x385 = x383 - x384;
-    const double x386 = x381 - x385;
-    const double x387 = x352 * x386;
-    const double x388 = x293 + x387;
-    const double x389 = 0.0149450629075 * x54;
-    const double x390 = x341 - x389;
-    const double x391 = 0.349300285625 - x390;
-    const double x392 = x26 * x391;
-    const double x393 = x345 + x392;
-    const double x394 = x19 * x321;
-    const double x395 = x25 * x394;
-    const double x396 = x20 * x322;
-    const double x397 = x395 + x396;
-    const double x398 = 0.425 * x397;
-    const double x399 = x324 - x398;
-    const double x400 = x399 * x196;
-    const double x401 = x242 + x400;
+    const double x283 = x279 - x282;
+    const double x295 = x19 * x294;
     const double x402 = x37 * x294;
-    const double x403 = 0.150887345 * x19;
-    const double x404 = x402 + x403;
-    const double x405 = x25 * x404;
-    const double x406 = x20 * x297;
-    const double x407 = x405 - x406;
-    const double x408 = 0.425 * x407;
-    const double x409 = x328 - x408;
-    const double x410 = x399 * x195;
-    const double x411 = x212 * x410;
-    const double x412 = x209 + x411;
-    const double x413 = x409 - x412;
-    const double x414 = x413 * x246;
-    const double x415 = x401 + x414;
-    const double x416 = 1.594451775 + x297;
-    const double x417 = x20 * x416;
-    const double x418 = x405 - x417;
-    const double x419 = 0.425 * x418;
-    const double x420 = x320 - x419;
-    const double x421 = x324 * x410;
-    const double x422 = x209 + x421;
-    const double x423 = x217 * x413;
-    const double x424 = x331 * x423;
-    const double x425 = x422 + x424;
-    const double x426 = x420 - x425;
-    const double x427 = x426 * x352;
-    const double x428 = x415 + x427;
-    const double x429 = x393 + x428;
-    const double x430 = x20 * x310;
+    const double x236 = x26 * x235;
+    const double x302 = x299 - x301;
+    const double x305 = x181 - x304;
+    const double x240 = x21 * x239;
+    const double x313 = x311 + x312;
+    const double x316 = x177 + x315;
+    const double x520 = x54 * x283;
+    const double x297 = x295 - x296;
+    const double x284 = x18 * x283;
+    const double x288 = x54 * x66;
+    const double x303 = x37 * x302;
+    const double x306 = x19 * x305;
+    const double x439 = x19 * x302;
+    const double x241 = x236 + x240;
+    const double x289 = x161 * x213;
+    const double x521 = x519 + x520;
+    const double x298 = 0.39225 * x297;
+    const double x285 = x258 - x284;
+    const double x574 = x168 + x573;
+    const double x638 = 7569.03790432263 * x66;
+    const double x307 = x303 - x306;
+    const double x245 = x241 - x244;
+    const double x290 = x288 + x289;
+    const double x328 = x207 + x298;
+    const double x286 = x252 - x285;
+    const double x575 = x168 + x574;
+    const double x440 = x37 * x305;
+    const double x308 = x298 + x307;
+    const double x246 = x217 * x245;
+    const double x15 = u[3 * stride];
+    const double x287 = x286 - x15;
+    const double x576 = x575 + 0.15603449803888333;
+    const double x321 = 0.0351648539 * x54;
+    const double x314 = x19 * x313;
+    const double x317 = x37 * x316;
+    const double x309 = x298 + x308;
     const double x431 = x37 * x313;
     const double x432 = x19 * x316;
-    const double x433 = x431 - x432;
-    const double x434 = 0.39225 * x404;
-    const double x435 = x433 - x434;
-    const double x436 = x25 * x435;
-    const double x437 = x430 + x436;
-    const double x438 = x20 * x437;
-    const double x439 = x19 * x302;
-    const double x440 = x37 * x305;
     const double x441 = x439 + x440;
-    const double x442 = x441 - x434;
-    const double x443 = x20 * x442;
-    const double x444 = x25 * x319;
-    const double x445 = x443 + x444;
-    const double x446 = x25 * x445;
-    const double x447 = x438 + x446;
-    const double x448 = x419 - x447;
-    const double x449 = x419 + x448;
-    const double x450 = 1.4004879791666667 - x449;
-    const double x451 = x25 * x310;
-    const double x452 = x20 * x435;
-    const double x453 = x451 - x452;
-    const double x454 = x25 * x453;
-    const double x455 = x25 * x442;
-    const double x456 = x20 * x319;
-    const double x457 = x455 - x456;
-    const double x458 = x20 * x457;
-    const double x459 = x454 - x458;
-    const double x460 = 0.0075537 + x459;
-    const double x461 = x450 + x460;
-    const double x462 = x399 * x410;
-    const double x463 = x209 + x462;
-    const double x464 = x413 * x423;
-    const double x465 = x463 + x464;
-    const double x466 = x426 * x336;
-    const double x467 = x426 * x466;
-    const double x468 = x465 + x467;
-    const double x469 = x461 - x468;
-    const double x470 = 1.0 / x469;
-    const double x471 = x429 * x470;
-    const double x472 = 1.3929342791666666 * x123;
-    const double x473 = 38.1586437 * x21;
-    const double x474 = x472 - x473;
-    const double x475 = 1.594451775 * x114;
+    const double x291 = x287 + x290;
+    const double x603 = x245 * x246;
+    const double x322 = x37 * x321;
+    const double x394 = x19 * x321;
+    const double x318 = x314 + x317;
+    const double x310 = 0.569926637259375 + x309;
+    const double x433 = x431 - x432;
+    const double x292 = x246 * x291;
+    const double x604 = x602 + x603;
+    const double x323 = 0.39225 * x322;
+    const double x395 = x25 * x394;
+    const double x396 = x20 * x322;
+    const double x319 = 0.0020475 + x318;
+    const double x371 = x18 * x370;
+    const double x373 = x54 * x372;
+    const double x337 = 0.013793413942275 * x54;
+    const double x364 = 0.0351648539 * x363;
+    const double x522 = 0.003838243803185 * x363;
+    const double x324 = x212 - x323;
+    const double x367 = 0.150887345 * x247;
+    const double x397 = x395 + x396;
+    const double x320 = x310 + x319;
+    const double x505 = 0.01643350047875 * x247;
+    const double x374 = x371 - x373;
+    const double x338 = x229 - x337;
+    const double x365 = x362 - x364;
+    const double x523 = x521 + x522;
+    const double x325 = x324 * x195;
+    const double x543 = x54 * x370;
+    const double x398 = 0.425 * x397;
+    const double x347 = x324 * x196;
+    const double x506 = x504 - x505;
+    const double x353 = 0.567879137259375 * x131;
+    const double x339 = 0.12652256366625 - x338;
+    const double x366 = x19 * x365;
     const double x476 = x37 * x365;
+    const double x329 = x212 * x325;
+    const double x326 = x324 * x325;
+    const double x399 = x324 - x398;
+    const double x348 = x242 + x347;
+    const double x293 = x198 - x292;
+    const double x403 = 0.150887345 * x19;
+    const double x406 = x20 * x297;
+    const double x416 = 1.594451775 + x297;
+    const double x507 = 0.10915 * x374;
+    const double x330 = x209 + x329;
+    const double x327 = x209 + x326;
+    const double x410 = x399 * x195;
+    const double x375 = x367 + x374;
+    const double x544 = x18 * x372;
+    const double x404 = x402 + x403;
+    const double x340 = x20 * x339;
+    const double x343 = x25 * x339;
+    const double x508 = x160 - x507;
+    const double x331 = x328 - x330;
+    const double x357 = x353 - x356;
+    const double x411 = x212 * x410;
+    const double x421 = x324 * x410;
+    const double x462 = x399 * x410;
+    const double x405 = x25 * x404;
+    const double x545 = x543 + x544;
+    const double x376 = x37 * x375;
+    const double x509 = x506 + x508;
+    const double x332 = x331 * x217;
+    const double x417 = x20 * x416;
+    const double x412 = x209 + x411;
+    const double x422 = x209 + x421;
+    const double x463 = x209 + x462;
+    const double x407 = x405 - x406;
     const double x477 = x19 * x375;
+    const double x341 = x234 - x340;
+    const double x344 = x238 + x343;
+    const double x333 = x331 * x332;
+    const double x418 = x405 - x417;
+    const double x377 = x366 + x376;
+    const double x349 = x331 * x246;
+    const double x359 = x357 - x358;
+    const double x408 = 0.425 * x407;
     const double x478 = x476 - x477;
+    const double x342 = x26 * x341;
+    const double x345 = x21 * x344;
+    const double x334 = x327 + x333;
+    const double x419 = 0.425 * x418;
+    const double x378 = 0.39225 * x377;
+    const double x350 = x348 + x349;
+    const double x382 = x161 * x325;
+    const double x409 = x328 - x408;
     const double x479 = x475 - x478;
+    const double x389 = 0.0149450629075 * x54;
+    const double x346 = x342 - x345;
+    const double x335 = x320 - x334;
+    pivot[2 * pitch] = x335;
+    total = total + x335;
+    const double x420 = x320 - x419;
+    const double x379 = x286 - x378;
+    const double x384 = x332 * x291;
+    const double x383 = x288 + x382;
+    const double x413 = x409 - x412;
     const double x480 = x25 * x479;
-    const double x481 = 1.594451775 * x131;
-    const double x482 = x481 + x377;
-    const double x483 = x20 * x482;
-    const double x484 = x480 + x483;
-    const double x485 = 0.425 * x484;
-    const double x486 = x380 + x485;
-    const double x487 = x474 - x486;
-    const double x488 = x487 - x13;
+    const double x390 = x341 - x389;
+    const double x351 = x346 - x350;
+    const double x336 = 1.0 / x335;
+    const double x434 = 0.39225 * x404;
+    const double x430 = x20 * x310;
+    const double x451 = x25 * x310;
+    const double x582 = x25 * x416;
+    const double x423 = x217 * x413;
+    const double x380 = x359 - x379;
+    const double x400 = x399 * x196;
+    const double x385 = x383 - x384;
+    const double x391 = 0.349300285625 - x390;
     const double x489 = x161 * x410;
+    const double x414 = x413 * x246;
+    const double x620 = x217 * x291;
+    const double x628 = x161 * x195;
+    const double x424 = x331 * x423;
+    const double x464 = x413 * x423;
+    const double x14 = u[2 * stride];
+    const double x381 = x380 + x14;
+    const double x401 = x242 + x400;
+    const double x392 = x26 * x391;
     const double x490 = x288 + x489;
     const double x491 = x423 * x291;
+    const double x425 = x422 + x424;
+    const double x465 = x463 + x464;
+    const double x386 = x381 - x385;
+    const double x415 = x401 + x414;
+    const double x393 = x345 + x392;
     const double x492 = x490 - x491;
-    const double x493 = x466 * x386;
-    const double x494 = x492 + x493;
-    const double x495 = x488 + x494;
-    const double x496 = x471 * x495;
-    const double x497 = x388 + x496;
-    const double x498 = 0.0151074 * x23;
-    const double x499 = 0.349300285625 * x123;
-    const double x500 = x498 + x499;
-    const double x501 = 0.004095 * x354;
-    const double x502 = 0.12652256366625 * x131;
-    const double x503 = x501 + x502;
-    const double x504 = 0.0021942 * x109;
-    const double x505 = 0.01643350047875 * x247;
-    const double x506 = x504 - x505;
-    const double x507 = 0.10915 * x374;
-    const double x508 = x160 - x507;
-    const double x509 = x506 + x508;
-    const double x510 = x37 * x509;
-    const double x511 = 0.014348980714983334 * x52;
-    const double x512 = 0.016543180714983334 * x271;
-    const double x513 = x511 - x512;
-    const double x514 = x103 - x360;
-    const double x515 = 0.01643350047875 * x514;
-    const double x516 = x513 + x515;
-    const double x517 = 0.150887345 * x102;
-    const double x518 = x516 + x517;
-    const double x519 = x18 * x257;
-    const double x520 = x54 * x283;
-    const double x521 = x519 + x520;
-    const double x522 = 0.003838243803185 * x363;
-    const double x523 = x521 + x522;
-    const double x524 = x518 + x523;
-    const double x525 = x19 * x524;
-    const double x526 = x510 + x525;
-    const double x527 = x503 - x526;
-    const double x528 = x20 * x527;
-    const double x529 = 0.567879137259375 * x45;
-    const double x530 = 0.571974137259375 * x99;
-    const double x531 = x529 + x530;
-    const double x532 = x43 * x43;
-    const double x533 = x532 - x113;
-    const double x534 = 0.12652256366625 * x533;
-    const double x535 = x531 + x534;
-    const double x536 = 1.35528400875 * x28;
-    const double x537 = x535 + x536;
-    const double x538 = x19 * x509;
-    const double x539 = x37 * x524;
-    const double x540 = x538 - x539;
-    const double x541 = x52 - x271;
-    const double x542 = 0.150887345 * x541;
-    const double x543 = x54 * x370;
-    const double x544 = x18 * x372;
-    const double x545 = x543 + x544;
-    const double x546 = x542 + x545;
-    const double x547 = 0.39225 * x546;
-    const double x548 = x540 + x547;
-    const double x549 = x537 + x548;
-    const double x550 = x25 * x549;
-    const double x551 = x528 - x550;
-    const double x552 = x500 - x551;
-    const double x553 = x26 * x552;
-    const double x554 = x25 * x527;
-    const double x555 = x20 * x549;
-    const double x556 = x554 + x555;
-    const double x557 = 1.594451775 * x100;
-    const double x558 = x557 + x546;
-    const double x559 = 0.425 * x558;
-    const double x560 = x556 + x559;
-    const double x561 = x27 * x27;
-    const double x562 = x561 - x117;
-    const double x563 = 0.349300285625 * x562;
-    const double x564 = 2.8009759583333333 * x28;
-    const double x565 = x563 + x564;
-    const double x566 = x560 + x565;
-    const double x567 = x21 * x566;
-    const double x568 = x553 - x567;
-    const double x569 = x12 - x568;
-    const double x570 = x497 + x569;
-    const double x571 = x54 * x221;
-    const double x572 = x18 * x223;
-    const double x573 = x571 + x572;
-    const double x574 = x168 + x573;
-    const double x575 = x168 + x574;
-    const double x576 = x575 + 0.15603449803888333;
-    const double x577 = x21 * x450;
-    const double x578 = x20 * x453;
-    const double x579 = x25 * x457;
-    const double x580 = x578 + x579;
+    const double x426 = x420 - x425;
+    const double x352 = x336 * x351;
+    const double x435 = x433 - x434;
+    const double x427 = x426 * x352;
+    const double x605 = x351 * x352;
+    const double x442 = x441 - x434;
+    const double x387 = x352 * x386;
+    const double x428 = x415 + x427;
+    const double x606 = x604 + x605;
+    const double x436 = x25 * x435;
+    const double x443 = x20 * x442;
+    const double x444 = x25 * x319;
+    const double x452 = x20 * x435;
+    const double x455 = x25 * x442;
+    const double x456 = x20 * x319;
     const double x581 = x20 * x404;
-    const double x582 = x25 * x416;
+    const double x429 = x393 + x428;
+    const double x388 = x293 + x387;
+    const double x437 = x430 + x436;
+    const double x511 = 0.014348980714983334 * x52;
+    const double x445 = x443 + x444;
+    const double x512 = 0.016543180714983334 * x271;
+    const double x453 = x451 - x452;
+    const double x457 = x455 - x456;
+    const double x466 = x426 * x336;
+    const double x541 = x52 - x271;
+    const double x481 = 1.594451775 * x131;
+    const double x438 = x20 * x437;
+    const double x538 = x19 * x509;
+    const double x446 = x25 * x445;
+    const double x513 = x511 - x512;
+    const double x454 = x25 * x453;
+    const double x458 = x20 * x457;
+    const double x467 = x426 * x466;
+    const double x542 = 0.150887345 * x541;
+    const double x482 = x481 + x377;
+    const double x502 = 0.12652256366625 * x131;
+    const double x510 = x37 * x509;
+    const double x447 = x438 + x446;
+    const double x516 = x513 + x515;
     const double x583 = x581 + x582;
-    const double x584 = 0.425 * x583;
-    const double x585 = x580 + x584;
-    const double x586 = x26 * x585;
-    const double x587 = x577 - x586;
-    const double x588 = x21 * x587;
+    const double x459 = x454 - x458;
+    const double x468 = x465 + x467;
+    const double x546 = x542 + x545;
     const double x589 = x25 * x437;
     const double x590 = x20 * x445;
+    const double x578 = x20 * x453;
+    const double x448 = x419 - x447;
+    const double x518 = x516 + x517;
+    const double x579 = x25 * x457;
+    const double x460 = 0.0075537 + x459;
+    const double x483 = x20 * x482;
+    const double x547 = 0.39225 * x546;
+    const double x503 = x501 + x502;
+    const double x584 = 0.425 * x583;
+    const double x536 = 1.35528400875 * x28;
+    const double x449 = x419 + x448;
+    const double x524 = x518 + x523;
     const double x591 = x589 - x590;
+    const double x580 = x578 + x579;
+    const double x484 = x480 + x483;
+    const double x472 = 1.3929342791666666 * x123;
+    const double x473 = 38.1586437 * x21;
+    const double x558 = x557 + x546;
+    const double x537 = x535 + x536;
+    const double x450 = 1.4004879791666667 - x449;
+    const double x539 = x37 * x524;
+    const double x525 = x19 * x524;
     const double x592 = x591 + x584;
-    const double x593 = x21 * x592;
+    const double x585 = x580 + x584;
+    const double x485 = 0.425 * x484;
     const double x594 = x26 * x460;
+    const double x499 = 0.349300285625 * x123;
+    const double x474 = x472 - x473;
+    const double x461 = x450 + x460;
+    const double x540 = x538 - x539;
+    const double x526 = x510 + x525;
+    const double x593 = x21 * x592;
+    const double x586 = x26 * x585;
+    const double x577 = x21 * x450;
+    const double x486 = x380 + x485;
+    const double x559 = 0.425 * x558;
+    const double x564 = 2.8009759583333333 * x28;
+    const double x469 = x461 - x468;
+    pivot[3 * pitch] = x469;
+    total = total + x469;
+    const double x548 = x540 + x547;
+    const double x527 = x503 - x526;
     const double x595 = x593 - x594;
+    const double x493 = x466 * x386;
+    const double x587 = x577 - x586;
+    const double x500 = x498 + x499;
+    const double x487 = x474 - x486;
+    const double x565 = x563 + x564;
+    const double x470 = 1.0 / x469;
+    const double x549 = x537 + x548;
+    const double x554 = x25 * x527;
+    const double x528 = x20 * x527;
     const double x596 = x26 * x595;
-    const double x597 = x588 - x596;
-    const double x598 = 0.005203125 + x597;
-    const double x599 = x576 + x598;
-    const double x600 = x78 * x79;
-    const double x601 = x194 * x196;
-    const double x602 = x600 + x601;
-    const double x603 = x245 * x246;
-    const double x604 = x602 + x603;
-    const double x605 = x351 * x352;
-    const double x606 = x604 + x605;
-    const double x607 = x429 * x471;
-    const double x608 = x606 + x607;
-    const double x609 = x599 - x608;
-    const double x610 = x570 / x609;
-    const double x611 = x470 * x495;
-    const double x612 = x471 * x610;
-    const double x613 = x611 + x612;
-    const double x614 = -x613;
+    const double x588 = x21 * x587;
+    const double x494 = x492 + x493;
+    const double x13 = u[stride];
+    const double x488 = x487 - x13;
     const double x615 = x336 * x386;
-    const double x616 = x466 * x613;
+    const double x555 = x20 * x549;
+    const double x550 = x25 * x549;
+    const double x597 = x588 - x596;
+    const double x495 = x488 + x494;
+    const double x556 = x554 + x555;
+    const double x551 = x528 - x550;
+    const double x598 = 0.005203125 + x597;
+    const double x560 = x556 + x559;
+    const double x552 = x500 - x551;
+    const double x599 = x576 + x598;
+    const double x566 = x560 + x565;
+    const double x553 = x26 * x552;
+    const double x567 = x21 * x566;
+    const double x471 = x429 * x470;
+    const double x611 = x470 * x495;
+    const double x568 = x553 - x567;
+    const double x607 = x429 * x471;
+    const double x496 = x471 * x495;
+    const double x12 = u[0];
+    const double x569 = x12 - x568;
+    const double x608 = x606 + x607;
+    const double x497 = x388 + x496;
+    const double x609 = x599 - x608;
+    pivot[4 * pitch] = x609;
+    total = total + x609;
+    const double x570 = x497 + x569;
+    const double x610 = x570 / x609;
+    a[0] = x610;
+    total = total + x610;
+    const double x612 = x471 * x610;
     const double x617 = x352 * x610;
+    const double x624 = x246 * x610;
+    const double x634 = x196 * x610;
+    const double x643 = x79 * x610;
+    const double x613 = x611 + x612;
+    const double x616 = x466 * x613;
+    const double x622 = x423 * x613;
+    const double x632 = x410 * x613;
+    const double x641 = x54 * x613;
+    const double x614 = -x613;
+    a[stride] = x614;
+    total = total + x614;
     const double x618 = x616 + x617;
     const double x619 = x615 + x618;
-    const double x620 = x217 * x291;
+    a[2 * stride] = x619;
+    total = total + x619;
     const double x621 = x332 * x619;
-    const double x622 = x423 * x613;
+    const double x630 = x325 * x619;
     const double x623 = x621 - x622;
-    const double x624 = x246 * x610;
     const double x625 = x623 - x624;
     const double x626 = x620 + x625;
-    const double x627 = -x626;
-    const double x628 = x161 * x195;
     const double x629 = x213 * x626;
-    const double x630 = x325 * x619;
-    const double x631 = x629 - x630;
-    const double x632 = x410 * x613;
-    const double x633 = x631 + x632;
-    const double x634 = x196 * x610;
-    const double x635 = x633 + x634;
-    const double x636 = x628 + x635;
-    const double x637 = -x636;
-    const double x638 = 7569.03790432263 * x66;
     const double x639 = x619 - x626;
-    const double x640 = x54 * x639;
-    const double x641 = x54 * x613;
-    const double x642 = x640 - x641;
-    const double x643 = x79 * x610;
-    const double x644 = x642 - x643;
-    const double x645 = x638 - x644;
-    pivot[0] = x167;
-    pivot[stride] = x216;
-    pivot[2 * stride] = x335;
-    pivot[3 * stride] = x469;
-    pivot[4 * stride] = x609;
-    a[0] = x610;
-    a[stride] = x614;
-    a[2 * stride] = x619;
+    const double x627 = -x626;
     a[3 * stride] = x627;
-    a[4 * stride] = x637;
+    total = total + x627;
+    const double x631 = x629 - x630;
+    const double x640 = x54 * x639;
+    const double x633 = x631 + x632;
+    const double x642 = x640 - x641;
+    const double x635 = x633 + x634;
+    const double x644 = x642 - x643;
+    const double x636 = x628 + x635;
+    const double x645 = x638 - x644;
     a[5 * stride] = x645;
-    return (((x610 + x614) + (x619 + x627)) + ((x637 + x645) + (x167 + x216))) + ((x335 + x469) + (x609 +
-        x0));
+    total = total + x645;
+    const double x637 = -x636;
+    a[4 * stride] = x637;
+    total = total + x637;
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_forward_dynamics(
@@ -11387,14 +12052,14 @@ int ur5_forward_dynamics(
     double *restrict a)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_forward_dynamics_angles(1, q, v, u, angle);
+    ur5_forward_dynamics_angles(1, 1, q, v, u, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
     double pivot[5] = {0.0};
-    const double total = ur5_forward_dynamics_lane(1, q, v, u, a, sine, cosine, pivot);
+    const double total = ur5_forward_dynamics_lane(1, 1, q, v, u, a, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.8374000000000006e-12 || fabs(pivot[1]) <= 1.6686e-11 ||
         fabs(pivot[2]) <= 6.031900000000001e-10 || fabs(pivot[3]) <= 3.3841000000000003e-09 || fabs(pivot[4])
         <= 3.5163000000000008e-09 ? 1 : !isfinite(total) ? 2 : 0;
@@ -11406,32 +12071,30 @@ int ur5_forward_dynamics(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_forward_dynamics_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict a,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_forward_dynamics_angles(8, q + lane, v + lane, u + lane, angle + lane);
+        ur5_forward_dynamics_angles(stride, 8, q + lane, v + lane, u + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    ur5_sincos_block(40, angle, sine, cosine);
     double pivot[40];
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_forward_dynamics_lane(8, q + lane, v + lane, u + lane, a + lane, sine + lane, cosine
-            + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.8374000000000006e-12 || fabs(pivot[1 * 8 + lane]) <=
-            1.6686e-11 || fabs(pivot[2 * 8 + lane]) <= 6.031900000000001e-10 || fabs(pivot[3 * 8 + lane]) <=
-            3.3841000000000003e-09 || fabs(pivot[4 * 8 + lane]) <= 3.5163000000000008e-09 ? 1 :
-            !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine + lane,
+            cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.8374000000000006e-12 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 1.6686e-11 ? (double)NAN : sum;
+        sum = fabs(pivot[16 + lane]) <= 6.031900000000001e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[24 + lane]) <= 3.3841000000000003e-09 ? (double)NAN : sum;
+        sum = fabs(pivot[32 + lane]) <= 3.5163000000000008e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -11480,24 +12143,35 @@ static int ur5_forward_dynamics_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double u_block[48];
-        double a_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, u, u_block);
-        ur5_forward_dynamics_block(q_block, v_block, u_block, a_block, outcome);
-        ur5_scatter(6, first, some, stride, a_block, a);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, u + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+            }
+            ur5_forward_dynamics_block(stride, q + first, v + first, u + first, a + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double u_block[48];
+            double a_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, u, u_block);
+            ur5_forward_dynamics_block(8, q_block, v_block, u_block, a_block, total);
+            ur5_scatter(6, first, some, stride, a_block, a);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_forward_dynamics_one(first + lane, stride, q, v, u, a);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_forward_dynamics_one(first + lane, stride, q, v, u, a);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -11560,12 +12234,14 @@ int ur5_forward_dynamics_batch_soa(
 
 static inline UR5_INLINE void ur5_forward_dynamics_independent_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)y_dot;
     (void)u;
     const double x1 = q[stride];
@@ -11574,14 +12250,15 @@ static inline UR5_INLINE void ur5_forward_dynamics_independent_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x1;
-    angle[stride] = x4;
-    angle[2 * stride] = x2;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x5;
+    angle[pitch] = x4;
+    angle[2 * pitch] = x2;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x5;
 }
 
 static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
@@ -11591,655 +12268,668 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     double *restrict pivot)
 {
     (void)stride;
-    const double x0 = q[0];
+    (void)pitch;
+    const double x81 = cosine[4 * pitch];
+    const double x82 = 6.605859375e-05 * x81;
+    const double x84 = sine[4 * pitch];
+    const double x85 = 6.605859375e-05 * x84;
+    const double x31 = cosine[0];
     const double x6 = y_dot[0];
+    const double x38 = x31 * x6;
+    const double x18 = sine[0];
+    const double x41 = x18 * x6;
+    const double x21 = sine[pitch];
+    const double x92 = 0.003292500193635 * x21;
     const double x7 = y_dot[stride];
     const double x8 = y_dot[2 * stride];
-    const double x9 = y_dot[3 * stride];
-    const double x10 = y_dot[4 * stride];
-    const double x11 = y_dot[5 * stride];
-    const double x12 = u[0];
-    const double x13 = u[stride];
-    const double x14 = u[2 * stride];
-    const double x15 = u[3 * stride];
-    const double x16 = u[4 * stride];
-    const double x17 = u[5 * stride];
-    const double x18 = sine[0];
-    const double x31 = cosine[0];
-    const double x21 = sine[stride];
-    const double x67 = cosine[stride];
-    const double x25 = sine[2 * stride];
-    const double x19 = cosine[2 * stride];
-    const double x26 = sine[3 * stride];
-    const double x20 = cosine[3 * stride];
-    const double x84 = sine[4 * stride];
-    const double x81 = cosine[4 * stride];
-    const double x22 = 0.0001321171875 * x21;
-    const double x23 = x20 * x22;
-    const double x24 = x19 * x23;
-    const double x27 = x26 * x22;
-    const double x28 = x25 * x27;
-    const double x29 = x24 - x28;
-    const double x30 = x18 * x29;
-    const double x32 = x25 * x23;
-    const double x33 = x19 * x27;
-    const double x34 = x32 + x33;
-    const double x35 = x31 * x34;
-    const double x36 = x30 + x35;
-    const double x37 = 7569.03790432263 * x36;
-    const double x38 = x31 * x6;
-    const double x39 = x7 * x38;
-    const double x40 = x19 * x39;
-    const double x41 = x18 * x6;
-    const double x42 = x7 * x41;
-    const double x43 = x25 * x42;
-    const double x44 = x40 - x43;
-    const double x45 = x25 * x41;
-    const double x46 = x19 * x38;
-    const double x47 = x45 - x46;
-    const double x48 = x8 * x47;
-    const double x49 = x44 - x48;
-    const double x50 = x20 * x49;
-    const double x51 = x25 * x39;
-    const double x52 = x19 * x42;
-    const double x53 = x51 + x52;
-    const double x54 = x19 * x41;
-    const double x55 = x25 * x38;
-    const double x56 = x54 + x55;
-    const double x57 = x8 * x56;
-    const double x58 = x53 + x57;
-    const double x59 = x26 * x58;
-    const double x60 = x50 - x59;
-    const double x61 = x26 * x56;
-    const double x62 = x20 * x47;
-    const double x63 = x61 + x62;
-    const double x64 = x9 * x63;
-    const double x65 = x60 - x64;
-    const double x66 = x21 * x65;
-    const double x68 = x20 * x56;
-    const double x69 = x26 * x47;
-    const double x70 = x68 - x69;
-    const double x71 = x67 * x70;
     const double x72 = x7 + x8;
-    const double x73 = x9 + x72;
-    const double x74 = x21 * x73;
-    const double x75 = x71 + x74;
-    const double x76 = x10 * x75;
-    const double x77 = x66 + x76;
-    const double x78 = 0.0001321171875 * x77;
-    const double x79 = x17 + x78;
-    const double x80 = x37 * x79;
-    const double x82 = 6.605859375e-05 * x81;
-    const double x83 = x81 * x82;
-    const double x85 = 6.605859375e-05 * x84;
-    const double x86 = x84 * x85;
-    const double x87 = x83 + x86;
-    const double x88 = x87 + 0.003771341448423233;
+    const double x67 = cosine[pitch];
     const double x89 = 0.003838243803185 * x67;
-    const double x90 = x88 + x89;
-    const double x91 = x26 * x90;
-    const double x92 = 0.003292500193635 * x21;
+    const double x104 = 0.013793413942275 * x21;
+    const double x22 = 0.0001321171875 * x21;
+    const double x83 = x81 * x82;
+    const double x86 = x84 * x85;
     const double x93 = x84 * x82;
     const double x94 = x81 * x85;
+    const double x39 = x7 * x38;
+    const double x42 = x7 * x41;
+    const double x25 = sine[2 * pitch];
+    const double x45 = x25 * x41;
+    const double x19 = cosine[2 * pitch];
+    const double x46 = x19 * x38;
+    const double x54 = x19 * x41;
+    const double x55 = x25 * x38;
+    const double x87 = x83 + x86;
+    const double x9 = y_dot[3 * stride];
+    const double x73 = x9 + x72;
     const double x95 = x93 - x94;
+    const double x40 = x19 * x39;
+    const double x43 = x25 * x42;
+    const double x51 = x25 * x39;
+    const double x47 = x45 - x46;
+    const double x52 = x19 * x42;
+    const double x56 = x54 + x55;
+    const double x88 = x87 + 0.003771341448423233;
+    pivot[0] = x88;
+    double total = x88;
+    const double x74 = x21 * x73;
+    const double x211 = x21 * x95;
     const double x96 = x67 * x95;
-    const double x97 = x92 - x96;
-    const double x98 = x20 * x97;
-    const double x99 = x91 + x98;
-    const double x100 = x19 * x99;
-    const double x101 = x20 * x90;
-    const double x102 = x26 * x97;
-    const double x103 = x101 - x102;
-    const double x104 = 0.013793413942275 * x21;
-    const double x105 = x103 + x104;
-    const double x106 = x25 * x105;
-    const double x107 = x100 + x106;
-    const double x108 = x18 * x107;
-    const double x109 = x25 * x99;
-    const double x110 = x19 * x105;
-    const double x111 = x109 - x110;
-    const double x112 = 0.0149450629075 * x21;
-    const double x113 = x111 - x112;
-    const double x114 = x31 * x113;
-    const double x115 = x108 + x114;
+    const double x44 = x40 - x43;
+    const double x20 = cosine[3 * pitch];
+    const double x23 = x20 * x22;
+    const double x48 = x8 * x47;
+    const double x53 = x51 + x52;
+    const double x57 = x8 * x56;
     const double x116 = 1.0 / x88;
-    const double x117 = x115 * x116;
-    const double x118 = x84 * x75;
+    const double x26 = sine[3 * pitch];
+    const double x61 = x26 * x56;
+    const double x62 = x20 * x47;
+    const double x97 = x92 - x96;
+    const double x300 = x92 + x96;
+    const double x68 = x20 * x56;
+    const double x49 = x44 - x48;
+    const double x69 = x26 * x47;
+    const double x58 = x53 + x57;
+    const double x90 = x88 + x89;
+    const double x27 = x26 * x22;
+    const double x63 = x61 + x62;
+    const double x102 = x26 * x97;
+    const double x98 = x20 * x97;
+    const double x24 = x19 * x23;
+    const double x50 = x20 * x49;
+    const double x70 = x68 - x69;
+    const double x59 = x26 * x58;
+    const double x101 = x20 * x90;
+    const double x91 = x26 * x90;
+    const double x64 = x9 * x63;
+    const double x32 = x25 * x23;
+    const double x28 = x25 * x27;
+    const double x33 = x19 * x27;
+    const double x112 = 0.0149450629075 * x21;
+    const double x71 = x67 * x70;
+    const double x60 = x50 - x59;
+    const double x103 = x101 - x102;
+    const double x99 = x91 + x98;
+    const double x498 = 0.0151074 * x39;
+    const double x29 = x24 - x28;
+    const double x34 = x32 + x33;
+    const double x75 = x71 + x74;
+    const double x65 = x60 - x64;
+    const double x105 = x103 + x104;
+    const double x109 = x25 * x99;
+    const double x100 = x19 * x99;
+    const double x30 = x18 * x29;
+    const double x10 = y_dot[4 * stride];
     const double x119 = x10 + x63;
-    const double x120 = x81 * x119;
-    const double x121 = x118 + x120;
+    const double x35 = x31 * x34;
     const double x122 = x21 * x70;
+    const double x118 = x84 * x75;
+    const double x66 = x21 * x65;
+    const double x76 = x10 * x75;
+    const double x110 = x19 * x105;
+    const double x106 = x25 * x105;
+    const double x120 = x81 * x119;
+    const double x36 = x30 + x35;
     const double x123 = x67 * x73;
+    const double x77 = x66 + x76;
+    const double x111 = x109 - x110;
+    const double x107 = x100 + x106;
+    const double x121 = x118 + x120;
+    const double x37 = 7569.03790432263 * x36;
     const double x124 = x122 - x123;
-    const double x125 = x11 - x124;
-    const double x126 = x121 * x125;
-    const double x127 = 0.0001321171875 * x126;
-    const double x128 = x84 * x127;
-    const double x129 = x81 * x75;
-    const double x130 = x84 * x119;
-    const double x131 = x129 - x130;
-    const double x132 = x131 * x125;
-    const double x133 = 0.0001321171875 * x132;
-    const double x134 = x81 * x133;
-    const double x135 = x128 + x134;
-    const double x136 = x124 * x75;
-    const double x137 = 0.0016432000421732333 * x136;
+    const double x78 = 0.0001321171875 * x77;
+    const double x113 = x111 - x112;
+    const double x108 = x18 * x107;
+    const double x600 = x36 * x37;
     const double x138 = x26 * x49;
     const double x139 = x20 * x58;
-    const double x140 = x138 + x139;
     const double x141 = x9 * x70;
-    const double x142 = x140 + x141;
-    const double x143 = 0.003837400042173233 * x142;
-    const double x144 = x137 + x143;
-    const double x145 = x75 * x119;
-    const double x146 = x77 - x145;
-    const double x147 = 0.003292500193635 * x146;
-    const double x148 = x144 + x147;
-    const double x149 = 0.85 * x42;
     const double x150 = x56 * x72;
-    const double x151 = x58 + x150;
-    const double x152 = 0.39225 * x151;
-    const double x153 = x149 + x152;
+    const double x129 = x81 * x75;
+    const double x130 = x84 * x119;
     const double x154 = x63 * x63;
     const double x155 = x70 * x70;
-    const double x156 = x154 + x155;
-    const double x157 = 0.10915 * x156;
-    const double x158 = x153 + x157;
-    const double x159 = x21 * x158;
-    const double x160 = x70 * x73;
-    const double x161 = x142 - x160;
-    const double x162 = 0.10915 * x161;
-    const double x163 = x47 * x47;
-    const double x164 = x72 * x72;
-    const double x165 = x163 + x164;
-    const double x166 = 0.39225 * x165;
-    const double x167 = 9.81 * x18;
-    const double x168 = x38 * x38;
-    const double x169 = x7 * x7;
-    const double x170 = x168 + x169;
-    const double x171 = 0.425 * x170;
-    const double x172 = x167 + x171;
-    const double x173 = x19 * x172;
-    const double x174 = 9.81 * x31;
-    const double x175 = x41 * x38;
-    const double x176 = 0.425 * x175;
-    const double x177 = x174 - x176;
-    const double x178 = x25 * x177;
-    const double x179 = x173 + x178;
-    const double x180 = x166 + x179;
-    const double x181 = x20 * x180;
-    const double x182 = x56 * x47;
-    const double x183 = 0.39225 * x182;
-    const double x184 = x25 * x172;
-    const double x185 = x19 * x177;
-    const double x186 = x184 - x185;
-    const double x187 = x183 - x186;
-    const double x188 = x26 * x187;
-    const double x189 = x181 + x188;
-    const double x190 = x162 - x189;
-    const double x191 = x67 * x190;
-    const double x192 = x159 + x191;
-    const double x193 = 0.0351648539 * x192;
-    const double x194 = x148 + x193;
-    const double x195 = x135 + x194;
-    const double x196 = x16 - x195;
-    const double x197 = x117 * x196;
-    const double x198 = x80 - x197;
-    const double x199 = x87 + 0.014348980714983334;
-    const double x200 = 0.0026742414484232334 * x21;
-    const double x201 = x21 * x200;
-    const double x202 = 0.0010971 + x87;
-    const double x203 = x67 * x202;
-    const double x204 = x67 * x203;
-    const double x205 = x201 + x204;
-    const double x206 = 0.0010971 + x205;
-    const double x207 = x199 + x206;
-    const double x208 = 0.0001321171875 * x67;
-    const double x209 = x67 * x208;
-    const double x210 = 0.003292500193635 * x67;
-    const double x211 = x21 * x95;
-    const double x212 = x210 + x211;
-    const double x213 = x212 * x116;
-    const double x214 = x212 * x213;
-    const double x215 = x209 + x214;
-    const double x216 = x207 - x215;
-    const double x217 = 1.0 / x216;
-    const double x218 = x210 - x211;
-    const double x219 = 0.01643350047875 + x218;
-    const double x220 = x26 * x219;
-    const double x221 = 0.0026742414484232334 * x67;
-    const double x222 = x21 * x221;
-    const double x223 = x21 * x202;
-    const double x224 = x67 * x223;
-    const double x225 = x222 - x224;
-    const double x226 = 0.003838243803185 * x21;
-    const double x227 = x225 + x226;
-    const double x228 = x20 * x227;
-    const double x229 = x220 - x228;
-    const double x230 = x19 * x229;
-    const double x231 = x20 * x219;
-    const double x232 = x26 * x227;
-    const double x233 = x231 + x232;
-    const double x234 = x25 * x233;
-    const double x235 = x230 + x234;
-    const double x236 = x18 * x235;
-    const double x237 = x25 * x229;
-    const double x238 = x19 * x233;
-    const double x239 = x237 - x238;
-    const double x240 = x31 * x239;
-    const double x241 = x236 + x240;
-    const double x242 = x208 * x37;
-    const double x243 = x212 * x117;
-    const double x244 = x242 + x243;
-    const double x245 = x241 - x244;
-    const double x246 = x217 * x245;
-    const double x247 = x63 * x70;
-    const double x248 = 0.014348980714983334 * x247;
-    const double x249 = 0.01643350047875 * x161;
-    const double x250 = x248 - x249;
-    const double x251 = 0.150887345 * x189;
-    const double x252 = x250 + x251;
-    const double x253 = 0.0021942 * x145;
-    const double x254 = x142 + x136;
-    const double x255 = 0.003292500193635 * x254;
-    const double x256 = x253 + x255;
-    const double x257 = x256 + x78;
-    const double x258 = x67 * x257;
-    const double x259 = x81 * x127;
-    const double x260 = x84 * x133;
-    const double x261 = x259 - x260;
-    const double x262 = x124 * x124;
-    const double x263 = x119 * x119;
-    const double x264 = x262 - x263;
-    const double x265 = 0.003292500193635 * x264;
-    const double x266 = x124 * x119;
-    const double x267 = 0.003837400042173233 * x266;
-    const double x268 = x67 * x65;
-    const double x269 = x10 * x124;
-    const double x270 = x268 - x269;
-    const double x271 = 0.0016432000421732333 * x270;
-    const double x272 = x267 - x271;
-    const double x273 = x265 + x272;
-    const double x274 = x63 * x73;
-    const double x275 = x65 + x274;
-    const double x276 = 0.10915 * x275;
-    const double x277 = x26 * x180;
-    const double x278 = x20 * x187;
-    const double x279 = x277 - x278;
-    const double x280 = x276 + x279;
-    const double x281 = 0.0351648539 * x280;
-    const double x282 = x273 - x281;
-    const double x283 = x261 + x282;
-    const double x284 = x21 * x283;
-    const double x285 = x258 + x284;
-    const double x286 = x252 - x285;
-    const double x287 = x15 - x286;
-    const double x288 = x67 * x79;
-    const double x289 = x213 * x196;
-    const double x290 = x288 - x289;
-    const double x291 = x287 - x290;
-    const double x292 = x246 * x291;
-    const double x293 = x198 + x292;
-    const double x294 = 0.0351648539 * x21;
-    const double x295 = x20 * x294;
-    const double x296 = 0.150887345 * x26;
-    const double x297 = x295 - x296;
-    const double x298 = 0.39225 * x297;
-    const double x299 = x26 * x199;
-    const double x300 = x92 + x96;
-    const double x301 = x20 * x300;
-    const double x302 = x299 - x301;
-    const double x303 = x26 * x302;
-    const double x304 = x20 * x206;
-    const double x305 = x102 - x304;
-    const double x306 = x20 * x305;
-    const double x307 = x303 - x306;
-    const double x308 = x298 + x307;
-    const double x309 = x298 + x308;
-    const double x310 = 0.569926637259375 + x309;
-    const double x311 = x20 * x199;
-    const double x312 = x26 * x300;
-    const double x313 = x311 + x312;
-    const double x314 = x20 * x313;
-    const double x315 = x26 * x206;
-    const double x316 = x98 + x315;
-    const double x317 = x26 * x316;
-    const double x318 = x314 + x317;
-    const double x319 = 0.0020475 + x318;
-    const double x320 = x310 + x319;
-    const double x321 = 0.0351648539 * x67;
-    const double x322 = x26 * x321;
-    const double x323 = 0.39225 * x322;
-    const double x324 = x212 - x323;
-    const double x325 = x324 * x116;
-    const double x326 = x324 * x325;
-    const double x327 = x209 + x326;
-    const double x328 = x207 + x298;
-    const double x329 = x212 * x325;
-    const double x330 = x209 + x329;
-    const double x331 = x328 - x330;
-    const double x332 = x331 * x217;
-    const double x333 = x331 * x332;
-    const double x334 = x327 + x333;
-    const double x335 = x320 - x334;
-    const double x336 = 1.0 / x335;
-    const double x337 = 0.013793413942275 * x67;
-    const double x338 = x229 - x337;
-    const double x339 = 0.12652256366625 - x338;
-    const double x340 = x19 * x339;
-    const double x341 = x234 - x340;
-    const double x342 = x18 * x341;
-    const double x343 = x25 * x339;
-    const double x344 = x238 + x343;
-    const double x345 = x31 * x344;
-    const double x346 = x342 - x345;
-    const double x347 = x324 * x117;
-    const double x348 = x242 + x347;
-    const double x349 = x331 * x246;
-    const double x350 = x348 + x349;
-    const double x351 = x346 - x350;
-    const double x352 = x336 * x351;
-    const double x353 = 0.567879137259375 * x182;
-    const double x354 = x47 * x72;
-    const double x355 = x49 + x354;
-    const double x356 = 0.12652256366625 * x355;
-    const double x357 = x353 - x356;
-    const double x358 = 1.594451775 * x186;
-    const double x359 = x357 - x358;
-    const double x360 = x73 * x73;
-    const double x361 = x155 + x360;
-    const double x362 = 0.150887345 * x361;
-    const double x363 = x270 - x266;
-    const double x364 = 0.0351648539 * x363;
-    const double x365 = x362 - x364;
-    const double x366 = x20 * x365;
-    const double x367 = 0.150887345 * x247;
+    const double x11 = y_dot[5 * stride];
+    const double x125 = x11 - x124;
+    const double x149 = 0.85 * x42;
+    const double x140 = x138 + x139;
+    const double x136 = x124 * x75;
+    const double x151 = x58 + x150;
+    const double x145 = x75 * x119;
+    const double x131 = x129 - x130;
     const double x368 = x75 * x75;
-    const double x369 = x368 + x263;
-    const double x370 = 0.0351648539 * x369;
-    const double x371 = x21 * x370;
-    const double x372 = 0.0351648539 * x254;
-    const double x373 = x67 * x372;
-    const double x374 = x371 - x373;
-    const double x375 = x367 + x374;
-    const double x376 = x26 * x375;
-    const double x377 = x366 + x376;
-    const double x378 = 0.39225 * x377;
-    const double x379 = x286 - x378;
-    const double x380 = x359 - x379;
-    const double x381 = x14 + x380;
-    const double x382 = x325 * x196;
-    const double x383 = x288 - x382;
-    const double x384 = x332 * x291;
-    const double x385 = x383 + x384;
-    const double x386 = x381 - x385;
-    const double x387 = x352 * x386;
-    const double x388 = x293 + x387;
-    const double x389 = 0.0149450629075 * x67;
-    const double x390 = x341 - x389;
-    const double x391 = 0.349300285625 - x390;
-    const double x392 = x18 * x391;
-    const double x393 = x345 + x392;
-    const double x394 = x20 * x321;
-    const double x395 = x25 * x394;
-    const double x396 = x19 * x322;
-    const double x397 = x395 + x396;
-    const double x398 = 0.425 * x397;
-    const double x399 = x324 - x398;
-    const double x400 = x399 * x117;
-    const double x401 = x242 + x400;
-    const double x402 = x26 * x294;
-    const double x403 = 0.150887345 * x20;
-    const double x404 = x402 + x403;
-    const double x405 = x25 * x404;
-    const double x406 = x19 * x297;
-    const double x407 = x405 - x406;
-    const double x408 = 0.425 * x407;
-    const double x409 = x328 - x408;
-    const double x410 = x399 * x116;
-    const double x411 = x212 * x410;
-    const double x412 = x209 + x411;
-    const double x413 = x409 - x412;
-    const double x414 = x413 * x246;
-    const double x415 = x401 + x414;
-    const double x416 = 1.594451775 + x297;
-    const double x417 = x19 * x416;
-    const double x418 = x405 - x417;
-    const double x419 = 0.425 * x418;
-    const double x420 = x320 - x419;
-    const double x421 = x324 * x410;
-    const double x422 = x209 + x421;
-    const double x423 = x217 * x413;
-    const double x424 = x331 * x423;
-    const double x425 = x422 + x424;
-    const double x426 = x420 - x425;
-    const double x427 = x426 * x352;
-    const double x428 = x415 + x427;
-    const double x429 = x393 + x428;
-    const double x430 = x19 * x310;
-    const double x431 = x26 * x313;
-    const double x432 = x20 * x316;
-    const double x433 = x431 - x432;
-    const double x434 = 0.39225 * x404;
-    const double x435 = x433 - x434;
-    const double x436 = x25 * x435;
-    const double x437 = x430 + x436;
-    const double x438 = x19 * x437;
-    const double x439 = x20 * x302;
-    const double x440 = x26 * x305;
-    const double x441 = x439 + x440;
-    const double x442 = x441 - x434;
-    const double x443 = x19 * x442;
-    const double x444 = x25 * x319;
-    const double x445 = x443 + x444;
-    const double x446 = x25 * x445;
-    const double x447 = x438 + x446;
-    const double x448 = x419 - x447;
-    const double x449 = x419 + x448;
-    const double x450 = 1.4004879791666667 - x449;
-    const double x451 = x25 * x310;
-    const double x452 = x19 * x435;
-    const double x453 = x451 - x452;
-    const double x454 = x25 * x453;
-    const double x455 = x25 * x442;
-    const double x456 = x19 * x319;
-    const double x457 = x455 - x456;
-    const double x458 = x19 * x457;
-    const double x459 = x454 - x458;
-    const double x460 = 0.0075537 + x459;
-    const double x461 = x450 + x460;
-    const double x462 = x399 * x410;
-    const double x463 = x209 + x462;
-    const double x464 = x413 * x423;
-    const double x465 = x463 + x464;
-    const double x466 = x426 * x336;
-    const double x467 = x426 * x466;
-    const double x468 = x465 + x467;
-    const double x469 = x461 - x468;
-    const double x470 = 1.0 / x469;
-    const double x471 = x429 * x470;
-    const double x472 = 38.1586437 * x31;
-    const double x473 = 1.3929342791666666 * x175;
-    const double x474 = x472 - x473;
-    const double x475 = 1.594451775 * x165;
-    const double x476 = x26 * x365;
-    const double x477 = x20 * x375;
-    const double x478 = x476 - x477;
-    const double x479 = x475 - x478;
-    const double x480 = x25 * x479;
-    const double x481 = 1.594451775 * x182;
-    const double x482 = x481 + x377;
-    const double x483 = x19 * x482;
-    const double x484 = x480 + x483;
-    const double x485 = 0.425 * x484;
-    const double x486 = x380 + x485;
-    const double x487 = x474 + x486;
-    const double x488 = x13 + x487;
-    const double x489 = x410 * x196;
-    const double x490 = x288 - x489;
-    const double x491 = x423 * x291;
-    const double x492 = x490 + x491;
-    const double x493 = x466 * x386;
-    const double x494 = x492 + x493;
-    const double x495 = x488 - x494;
-    const double x496 = x471 * x495;
-    const double x497 = x388 - x496;
-    const double x498 = 0.0151074 * x39;
-    const double x499 = 0.349300285625 * x175;
-    const double x500 = x498 + x499;
-    const double x501 = 0.004095 * x354;
-    const double x502 = 0.12652256366625 * x182;
-    const double x503 = x501 + x502;
-    const double x504 = 0.0021942 * x160;
-    const double x505 = 0.01643350047875 * x247;
-    const double x506 = x504 - x505;
-    const double x507 = 0.10915 * x374;
-    const double x508 = x195 - x507;
-    const double x509 = x506 + x508;
-    const double x510 = x26 * x509;
-    const double x511 = x154 - x360;
-    const double x512 = 0.01643350047875 * x511;
-    const double x513 = 0.016543180714983334 * x274;
-    const double x514 = 0.014348980714983334 * x65;
-    const double x515 = x513 - x514;
-    const double x516 = x512 - x515;
-    const double x517 = 0.150887345 * x153;
-    const double x518 = x516 + x517;
-    const double x519 = x21 * x257;
-    const double x520 = x67 * x283;
-    const double x521 = x519 - x520;
-    const double x522 = 0.003838243803185 * x363;
-    const double x523 = x521 + x522;
-    const double x524 = x518 + x523;
-    const double x525 = x20 * x524;
-    const double x526 = x510 + x525;
-    const double x527 = x503 - x526;
-    const double x528 = x19 * x527;
-    const double x529 = x56 * x56;
-    const double x530 = x529 - x164;
-    const double x531 = 0.12652256366625 * x530;
+    const double x156 = x154 + x155;
+    const double x126 = x121 * x125;
+    const double x114 = x31 * x113;
+    const double x142 = x140 + x141;
+    const double x137 = 0.0016432000421732333 * x136;
+    const double x152 = 0.39225 * x151;
+    const double x146 = x77 - x145;
+    const double x132 = x131 * x125;
+    const double x253 = 0.0021942 * x145;
+    const double x17 = u[5 * stride];
+    const double x79 = x17 + x78;
+    const double x157 = 0.10915 * x156;
+    const double x127 = 0.0001321171875 * x126;
+    const double x254 = x142 + x136;
+    const double x143 = 0.003837400042173233 * x142;
+    const double x153 = x149 + x152;
+    const double x147 = 0.003292500193635 * x146;
+    const double x133 = 0.0001321171875 * x132;
+    const double x115 = x108 + x114;
     const double x532 = 0.571974137259375 * x150;
     const double x533 = 0.567879137259375 * x58;
-    const double x534 = x532 + x533;
-    const double x535 = x531 + x534;
-    const double x536 = 1.35528400875 * x42;
-    const double x537 = x535 + x536;
-    const double x538 = x20 * x509;
-    const double x539 = x26 * x524;
-    const double x540 = x538 - x539;
-    const double x541 = x65 - x274;
-    const double x542 = 0.150887345 * x541;
-    const double x543 = x67 * x370;
-    const double x544 = x21 * x372;
-    const double x545 = x543 + x544;
-    const double x546 = x542 + x545;
-    const double x547 = 0.39225 * x546;
-    const double x548 = x540 + x547;
-    const double x549 = x537 + x548;
-    const double x550 = x25 * x549;
-    const double x551 = x528 - x550;
-    const double x552 = x500 - x551;
-    const double x553 = x18 * x552;
-    const double x554 = x25 * x527;
-    const double x555 = x19 * x549;
-    const double x556 = x554 + x555;
+    const double x259 = x81 * x127;
+    const double x128 = x84 * x127;
+    const double x144 = x137 + x143;
     const double x557 = 1.594451775 * x151;
-    const double x558 = x557 + x546;
-    const double x559 = 0.425 * x558;
-    const double x560 = x556 + x559;
+    const double x80 = x37 * x79;
+    const double x168 = x38 * x38;
+    const double x169 = x7 * x7;
+    const double x175 = x41 * x38;
+    const double x167 = 9.81 * x18;
+    const double x163 = x47 * x47;
+    const double x164 = x72 * x72;
+    const double x182 = x56 * x47;
+    const double x160 = x70 * x73;
+    const double x274 = x63 * x73;
+    const double x158 = x153 + x157;
+    const double x170 = x168 + x169;
+    const double x260 = x84 * x133;
+    const double x360 = x73 * x73;
+    const double x134 = x81 * x133;
+    const double x165 = x163 + x164;
+    const double x148 = x144 + x147;
+    const double x161 = x142 - x160;
+    const double x117 = x115 * x116;
+    const double x159 = x21 * x158;
+    const double x171 = 0.425 * x170;
+    const double x261 = x259 - x260;
+    const double x511 = x154 - x360;
+    const double x135 = x128 + x134;
+    const double x166 = 0.39225 * x165;
+    const double x247 = x63 * x70;
+    const double x162 = 0.10915 * x161;
+    const double x361 = x155 + x360;
+    const double x517 = 0.150887345 * x153;
+    const double x172 = x167 + x171;
+    const double x504 = 0.0021942 * x160;
+    const double x512 = 0.01643350047875 * x511;
+    const double x249 = 0.01643350047875 * x161;
+    const double x354 = x47 * x72;
+    const double x529 = x56 * x56;
+    const double x534 = x532 + x533;
+    const double x362 = 0.150887345 * x361;
+    const double x475 = 1.594451775 * x165;
     const double x561 = x41 * x41;
+    const double x601 = x115 * x117;
+    const double x355 = x49 + x354;
+    const double x530 = x529 - x164;
+    const double x501 = 0.004095 * x354;
     const double x562 = x561 - x169;
+    const double x602 = x600 + x601;
+    const double x202 = 0.0010971 + x87;
+    const double x200 = 0.0026742414484232334 * x21;
+    const double x210 = 0.003292500193635 * x67;
+    const double x208 = 0.0001321171875 * x67;
+    const double x199 = x87 + 0.014348980714983334;
+    const double x174 = 9.81 * x31;
+    const double x176 = 0.425 * x175;
+    const double x173 = x19 * x172;
+    const double x184 = x25 * x172;
+    const double x203 = x67 * x202;
+    const double x201 = x21 * x200;
+    const double x212 = x210 + x211;
+    const double x209 = x67 * x208;
+    const double x183 = 0.39225 * x182;
+    const double x223 = x21 * x202;
+    const double x177 = x174 - x176;
+    const double x221 = 0.0026742414484232334 * x67;
+    const double x218 = x210 - x211;
+    const double x204 = x67 * x203;
+    const double x226 = 0.003838243803185 * x21;
+    const double x213 = x212 * x116;
+    const double x242 = x208 * x37;
+    const double x356 = 0.12652256366625 * x355;
+    const double x224 = x67 * x223;
+    const double x178 = x25 * x177;
+    const double x185 = x19 * x177;
+    const double x222 = x21 * x221;
+    const double x205 = x201 + x204;
+    const double x219 = 0.01643350047875 + x218;
+    const double x214 = x212 * x213;
+    const double x531 = 0.12652256366625 * x530;
     const double x563 = 0.349300285625 * x562;
-    const double x564 = 2.8009759583333333 * x42;
-    const double x565 = x563 + x564;
-    const double x566 = x560 + x565;
-    const double x567 = x31 * x566;
-    const double x568 = x553 - x567;
-    const double x569 = x12 - x568;
-    const double x570 = x497 + x569;
     const double x571 = x67 * x221;
+    const double x179 = x173 + x178;
+    const double x186 = x184 - x185;
+    const double x225 = x222 - x224;
+    const double x206 = 0.0010971 + x205;
+    const double x220 = x26 * x219;
+    const double x215 = x209 + x214;
+    const double x231 = x20 * x219;
+    const double x535 = x531 + x534;
+    const double x262 = x124 * x124;
+    const double x180 = x166 + x179;
+    const double x187 = x183 - x186;
+    const double x269 = x10 * x124;
+    const double x207 = x199 + x206;
+    const double x263 = x119 * x119;
+    const double x266 = x124 * x119;
+    const double x227 = x225 + x226;
+    const double x255 = 0.003292500193635 * x254;
+    const double x372 = 0.0351648539 * x254;
+    const double x181 = x20 * x180;
+    const double x277 = x26 * x180;
+    const double x268 = x67 * x65;
+    const double x216 = x207 - x215;
+    pivot[pitch] = x216;
+    total = total + x216;
+    const double x188 = x26 * x187;
+    const double x278 = x20 * x187;
+    const double x264 = x262 - x263;
+    const double x267 = 0.003837400042173233 * x266;
+    const double x228 = x20 * x227;
+    const double x232 = x26 * x227;
+    const double x369 = x368 + x263;
+    const double x270 = x268 - x269;
+    const double x217 = 1.0 / x216;
+    const double x189 = x181 + x188;
+    const double x279 = x277 - x278;
+    const double x265 = 0.003292500193635 * x264;
+    const double x256 = x253 + x255;
+    const double x229 = x220 - x228;
+    const double x233 = x231 + x232;
+    const double x370 = 0.0351648539 * x369;
+    const double x243 = x212 * x117;
+    const double x248 = 0.014348980714983334 * x247;
+    const double x190 = x162 - x189;
+    const double x251 = 0.150887345 * x189;
+    const double x358 = 1.594451775 * x186;
+    const double x271 = 0.0016432000421732333 * x270;
+    const double x230 = x19 * x229;
+    const double x234 = x25 * x233;
+    const double x238 = x19 * x233;
+    const double x237 = x25 * x229;
+    const double x257 = x256 + x78;
+    const double x191 = x67 * x190;
+    const double x275 = x65 + x274;
+    const double x363 = x270 - x266;
+    const double x272 = x267 - x271;
+    const double x244 = x242 + x243;
+    const double x235 = x230 + x234;
+    const double x250 = x248 - x249;
+    const double x239 = x237 - x238;
+    const double x519 = x21 * x257;
+    const double x192 = x159 + x191;
+    const double x276 = 0.10915 * x275;
+    const double x258 = x67 * x257;
+    const double x273 = x265 + x272;
     const double x572 = x21 * x223;
+    const double x236 = x18 * x235;
+    const double x252 = x250 + x251;
+    const double x240 = x31 * x239;
+    const double x193 = 0.0351648539 * x192;
+    const double x280 = x276 + x279;
     const double x573 = x571 + x572;
+    const double x241 = x236 + x240;
+    const double x194 = x148 + x193;
+    const double x281 = 0.0351648539 * x280;
     const double x574 = x89 + x573;
+    const double x245 = x241 - x244;
+    const double x195 = x135 + x194;
+    const double x282 = x273 - x281;
     const double x575 = x89 + x574;
+    const double x246 = x217 * x245;
+    const double x16 = u[4 * stride];
+    const double x196 = x16 - x195;
+    const double x283 = x261 + x282;
     const double x576 = x575 + 0.15603449803888333;
-    const double x577 = x31 * x450;
+    const double x603 = x245 * x246;
+    const double x197 = x117 * x196;
+    const double x520 = x67 * x283;
+    const double x284 = x21 * x283;
+    const double x604 = x602 + x603;
+    const double x198 = x80 - x197;
+    const double x321 = 0.0351648539 * x67;
+    const double x294 = 0.0351648539 * x21;
+    const double x296 = 0.150887345 * x26;
+    const double x299 = x26 * x199;
+    const double x301 = x20 * x300;
+    const double x304 = x20 * x206;
+    const double x311 = x20 * x199;
+    const double x312 = x26 * x300;
+    const double x315 = x26 * x206;
+    const double x322 = x26 * x321;
+    const double x295 = x20 * x294;
+    const double x394 = x20 * x321;
+    const double x402 = x26 * x294;
+    const double x302 = x299 - x301;
+    const double x305 = x102 - x304;
+    const double x337 = 0.013793413942275 * x67;
+    const double x313 = x311 + x312;
+    const double x316 = x98 + x315;
+    const double x323 = 0.39225 * x322;
+    const double x297 = x295 - x296;
+    const double x395 = x25 * x394;
+    const double x396 = x19 * x322;
+    const double x303 = x26 * x302;
+    const double x306 = x20 * x305;
+    const double x439 = x20 * x302;
+    const double x314 = x20 * x313;
+    const double x317 = x26 * x316;
+    const double x324 = x212 - x323;
+    const double x298 = 0.39225 * x297;
+    const double x440 = x26 * x305;
+    const double x397 = x395 + x396;
+    const double x431 = x26 * x313;
+    const double x307 = x303 - x306;
+    const double x432 = x20 * x316;
+    const double x521 = x519 - x520;
+    const double x318 = x314 + x317;
+    const double x325 = x324 * x116;
+    const double x328 = x207 + x298;
+    const double x441 = x439 + x440;
+    const double x398 = 0.425 * x397;
+    const double x338 = x229 - x337;
+    const double x308 = x298 + x307;
+    const double x433 = x431 - x432;
+    const double x364 = 0.0351648539 * x363;
+    const double x319 = 0.0020475 + x318;
+    const double x329 = x212 * x325;
+    const double x326 = x324 * x325;
+    const double x285 = x258 + x284;
+    const double x399 = x324 - x398;
+    const double x522 = 0.003838243803185 * x363;
+    const double x309 = x298 + x308;
+    const double x339 = 0.12652256366625 - x338;
+    const double x365 = x362 - x364;
+    const double x288 = x67 * x79;
+    const double x330 = x209 + x329;
+    const double x327 = x209 + x326;
+    const double x286 = x252 - x285;
+    const double x289 = x213 * x196;
+    const double x523 = x521 + x522;
+    const double x310 = 0.569926637259375 + x309;
+    const double x340 = x19 * x339;
+    const double x343 = x25 * x339;
+    const double x366 = x20 * x365;
+    const double x331 = x328 - x330;
+    const double x476 = x26 * x365;
+    const double x347 = x324 * x117;
+    const double x353 = 0.567879137259375 * x182;
+    const double x15 = u[3 * stride];
+    const double x287 = x15 - x286;
+    const double x320 = x310 + x319;
+    const double x367 = 0.150887345 * x247;
+    const double x505 = 0.01643350047875 * x247;
+    const double x341 = x234 - x340;
+    const double x332 = x331 * x217;
+    const double x344 = x238 + x343;
+    const double x290 = x288 - x289;
+    const double x348 = x242 + x347;
+    const double x349 = x331 * x246;
+    const double x357 = x353 - x356;
+    const double x635 = 7569.03790432263 * x79;
+    const double x371 = x21 * x370;
+    const double x506 = x504 - x505;
+    const double x333 = x331 * x332;
+    const double x543 = x67 * x370;
+    const double x345 = x31 * x344;
+    const double x342 = x18 * x341;
+    const double x291 = x287 - x290;
+    const double x373 = x67 * x372;
+    const double x350 = x348 + x349;
+    const double x359 = x357 - x358;
+    const double x334 = x327 + x333;
+    const double x346 = x342 - x345;
+    const double x292 = x246 * x291;
+    const double x374 = x371 - x373;
+    const double x335 = x320 - x334;
+    pivot[2 * pitch] = x335;
+    total = total + x335;
+    const double x351 = x346 - x350;
+    const double x293 = x198 + x292;
+    const double x403 = 0.150887345 * x20;
+    const double x406 = x19 * x297;
+    const double x410 = x399 * x116;
+    const double x416 = 1.594451775 + x297;
+    const double x336 = 1.0 / x335;
+    const double x430 = x19 * x310;
+    const double x451 = x25 * x310;
+    const double x507 = 0.10915 * x374;
+    const double x375 = x367 + x374;
+    const double x404 = x402 + x403;
+    const double x544 = x21 * x372;
+    const double x411 = x212 * x410;
+    const double x417 = x19 * x416;
+    const double x421 = x324 * x410;
+    const double x462 = x399 * x410;
+    const double x582 = x25 * x416;
+    const double x508 = x195 - x507;
+    const double x376 = x26 * x375;
+    const double x405 = x25 * x404;
+    const double x434 = 0.39225 * x404;
+    const double x412 = x209 + x411;
+    const double x545 = x543 + x544;
+    const double x422 = x209 + x421;
+    const double x463 = x209 + x462;
+    const double x477 = x20 * x375;
+    const double x509 = x506 + x508;
+    const double x377 = x366 + x376;
+    const double x407 = x405 - x406;
+    const double x418 = x405 - x417;
+    const double x382 = x325 * x196;
+    const double x389 = 0.0149450629075 * x67;
+    const double x384 = x332 * x291;
+    const double x400 = x399 * x117;
+    const double x478 = x476 - x477;
+    const double x489 = x410 * x196;
+    const double x378 = 0.39225 * x377;
+    const double x408 = 0.425 * x407;
+    const double x419 = 0.425 * x418;
+    const double x383 = x288 - x382;
+    const double x390 = x341 - x389;
+    const double x619 = x217 * x291;
+    const double x401 = x242 + x400;
+    const double x479 = x475 - x478;
+    const double x490 = x288 - x489;
+    const double x379 = x286 - x378;
+    const double x409 = x328 - x408;
+    const double x420 = x320 - x419;
+    const double x385 = x383 + x384;
+    const double x391 = 0.349300285625 - x390;
+    const double x352 = x336 * x351;
+    const double x435 = x433 - x434;
+    const double x480 = x25 * x479;
+    const double x626 = x116 * x196;
+    const double x380 = x359 - x379;
+    const double x413 = x409 - x412;
+    const double x392 = x18 * x391;
+    const double x605 = x351 * x352;
+    const double x442 = x441 - x434;
+    const double x14 = u[2 * stride];
+    const double x381 = x14 + x380;
+    const double x423 = x217 * x413;
+    const double x414 = x413 * x246;
+    const double x393 = x345 + x392;
+    const double x606 = x604 + x605;
+    const double x436 = x25 * x435;
+    const double x443 = x19 * x442;
+    const double x444 = x25 * x319;
+    const double x452 = x19 * x435;
+    const double x424 = x331 * x423;
+    const double x455 = x25 * x442;
+    const double x456 = x19 * x319;
+    const double x464 = x413 * x423;
+    const double x581 = x19 * x404;
+    const double x437 = x430 + x436;
+    const double x386 = x381 - x385;
+    const double x445 = x443 + x444;
+    const double x453 = x451 - x452;
+    const double x425 = x422 + x424;
+    const double x415 = x401 + x414;
+    const double x457 = x455 - x456;
+    const double x465 = x463 + x464;
+    const double x583 = x581 + x582;
+    const double x438 = x19 * x437;
+    const double x589 = x25 * x437;
+    const double x446 = x25 * x445;
+    const double x454 = x25 * x453;
+    const double x426 = x420 - x425;
+    const double x590 = x19 * x445;
+    const double x458 = x19 * x457;
     const double x578 = x19 * x453;
     const double x579 = x25 * x457;
-    const double x580 = x578 + x579;
-    const double x581 = x19 * x404;
-    const double x582 = x25 * x416;
-    const double x583 = x581 + x582;
     const double x584 = 0.425 * x583;
-    const double x585 = x580 + x584;
-    const double x586 = x18 * x585;
-    const double x587 = x577 - x586;
-    const double x588 = x31 * x587;
-    const double x589 = x25 * x437;
-    const double x590 = x19 * x445;
+    const double x491 = x423 * x291;
+    const double x447 = x438 + x446;
+    const double x387 = x352 * x386;
+    const double x427 = x426 * x352;
     const double x591 = x589 - x590;
+    const double x459 = x454 - x458;
+    const double x580 = x578 + x579;
+    const double x492 = x490 + x491;
+    const double x448 = x419 - x447;
+    const double x388 = x293 + x387;
+    const double x513 = 0.016543180714983334 * x274;
+    const double x514 = 0.014348980714983334 * x65;
+    const double x466 = x426 * x336;
+    const double x541 = x65 - x274;
+    const double x460 = 0.0075537 + x459;
+    const double x481 = 1.594451775 * x182;
+    const double x538 = x20 * x509;
+    const double x449 = x419 + x448;
+    const double x502 = 0.12652256366625 * x182;
+    const double x510 = x26 * x509;
+    const double x515 = x513 - x514;
+    const double x467 = x426 * x466;
     const double x592 = x591 + x584;
+    const double x585 = x580 + x584;
+    const double x482 = x481 + x377;
+    const double x472 = 38.1586437 * x31;
+    const double x450 = 1.4004879791666667 - x449;
+    const double x503 = x501 + x502;
+    const double x473 = 1.3929342791666666 * x175;
+    const double x516 = x512 - x515;
+    const double x468 = x465 + x467;
     const double x593 = x31 * x592;
+    const double x586 = x18 * x585;
+    const double x483 = x19 * x482;
     const double x594 = x18 * x460;
+    const double x461 = x450 + x460;
+    const double x577 = x31 * x450;
+    const double x474 = x472 - x473;
+    const double x518 = x516 + x517;
+    const double x499 = 0.349300285625 * x175;
+    const double x428 = x415 + x427;
+    const double x542 = 0.150887345 * x541;
+    const double x484 = x480 + x483;
     const double x595 = x593 - x594;
+    const double x469 = x461 - x468;
+    pivot[3 * pitch] = x469;
+    total = total + x469;
+    const double x587 = x577 - x586;
+    const double x493 = x466 * x386;
+    const double x524 = x518 + x523;
+    const double x500 = x498 + x499;
+    const double x429 = x393 + x428;
+    const double x546 = x542 + x545;
+    const double x536 = 1.35528400875 * x42;
+    const double x485 = 0.425 * x484;
+    const double x470 = 1.0 / x469;
+    const double x564 = 2.8009759583333333 * x42;
+    const double x588 = x31 * x587;
+    const double x539 = x26 * x524;
+    const double x525 = x20 * x524;
     const double x596 = x18 * x595;
+    const double x547 = 0.39225 * x546;
+    const double x537 = x535 + x536;
+    const double x558 = x557 + x546;
+    const double x486 = x380 + x485;
+    const double x565 = x563 + x564;
+    const double x494 = x492 + x493;
+    const double x540 = x538 - x539;
+    const double x526 = x510 + x525;
     const double x597 = x588 - x596;
-    const double x598 = 0.005203125 + x597;
-    const double x599 = x576 + x598;
-    const double x600 = x36 * x37;
-    const double x601 = x115 * x117;
-    const double x602 = x600 + x601;
-    const double x603 = x245 * x246;
-    const double x604 = x602 + x603;
-    const double x605 = x351 * x352;
-    const double x606 = x604 + x605;
-    const double x607 = x429 * x471;
-    const double x608 = x606 + x607;
-    const double x609 = x599 - x608;
-    const double x610 = x570 / x609;
-    const double x611 = x470 * x495;
-    const double x612 = x471 * x610;
-    const double x613 = x611 - x612;
     const double x614 = x336 * x386;
-    const double x615 = x466 * x613;
+    const double x559 = 0.425 * x558;
+    const double x487 = x474 + x486;
+    const double x548 = x540 + x547;
+    const double x527 = x503 - x526;
+    const double x598 = 0.005203125 + x597;
+    const double x13 = u[stride];
+    const double x488 = x13 + x487;
+    const double x549 = x537 + x548;
+    const double x554 = x25 * x527;
+    const double x528 = x19 * x527;
+    const double x599 = x576 + x598;
+    const double x495 = x488 - x494;
+    const double x555 = x19 * x549;
+    const double x550 = x25 * x549;
+    const double x471 = x429 * x470;
+    const double x556 = x554 + x555;
+    const double x551 = x528 - x550;
+    const double x611 = x470 * x495;
+    const double x607 = x429 * x471;
+    const double x560 = x556 + x559;
+    const double x552 = x500 - x551;
+    const double x496 = x471 * x495;
+    const double x608 = x606 + x607;
+    const double x566 = x560 + x565;
+    const double x553 = x18 * x552;
+    const double x497 = x388 - x496;
+    const double x609 = x599 - x608;
+    pivot[4 * pitch] = x609;
+    total = total + x609;
+    const double x567 = x31 * x566;
+    const double x568 = x553 - x567;
+    const double x12 = u[0];
+    const double x569 = x12 - x568;
+    const double x570 = x497 + x569;
+    const double x610 = x570 / x609;
+    y_ddot[0] = x610;
+    total = total + x610;
+    const double x612 = x471 * x610;
     const double x616 = x352 * x610;
+    const double x623 = x246 * x610;
+    const double x632 = x117 * x610;
+    const double x639 = x37 * x610;
+    const double x613 = x611 - x612;
+    y_ddot[stride] = x613;
+    total = total + x613;
+    const double x615 = x466 * x613;
+    const double x621 = x423 * x613;
+    const double x630 = x410 * x613;
     const double x617 = x615 - x616;
     const double x618 = x614 - x617;
-    const double x619 = x217 * x291;
+    y_ddot[2 * stride] = x618;
+    total = total + x618;
     const double x620 = x332 * x618;
-    const double x621 = x423 * x613;
+    const double x628 = x325 * x618;
     const double x622 = x620 + x621;
-    const double x623 = x246 * x610;
     const double x624 = x622 - x623;
     const double x625 = x619 - x624;
-    const double x626 = x116 * x196;
-    const double x627 = x213 * x625;
-    const double x628 = x325 * x618;
-    const double x629 = x627 + x628;
-    const double x630 = x410 * x613;
-    const double x631 = x629 + x630;
-    const double x632 = x117 * x610;
-    const double x633 = x631 - x632;
-    const double x634 = x626 + x633;
-    const double x635 = 7569.03790432263 * x79;
-    const double x636 = x618 + x625;
-    const double x637 = x613 + x636;
-    const double x638 = x67 * x637;
-    const double x639 = x37 * x610;
-    const double x640 = x638 - x639;
-    const double x641 = x635 - x640;
-    pivot[0] = x88;
-    pivot[stride] = x216;
-    pivot[2 * stride] = x335;
-    pivot[3 * stride] = x469;
-    pivot[4 * stride] = x609;
-    y_ddot[0] = x610;
-    y_ddot[stride] = x613;
-    y_ddot[2 * stride] = x618;
     y_ddot[3 * stride] = x625;
+    total = total + x625;
+    const double x627 = x213 * x625;
+    const double x636 = x618 + x625;
+    const double x629 = x627 + x628;
+    const double x637 = x613 + x636;
+    const double x631 = x629 + x630;
+    const double x638 = x67 * x637;
+    const double x633 = x631 - x632;
+    const double x640 = x638 - x639;
+    const double x634 = x626 + x633;
     y_ddot[4 * stride] = x634;
+    total = total + x634;
+    const double x641 = x635 - x640;
     y_ddot[5 * stride] = x641;
-    return (((x610 + x613) + (x618 + x625)) + ((x634 + x641) + (x88 + x216))) + ((x335 + x469) + (x609 + x0));
+    total = total + x641;
+    const double x0 = q[0];
+    total = total + x0;
+    return total;
 }
 
 int ur5_forward_dynamics_independent(
@@ -12249,14 +12939,15 @@ int ur5_forward_dynamics_independent(
     double *restrict y_ddot)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_forward_dynamics_independent_angles(1, q, y_dot, u, angle);
+    ur5_forward_dynamics_independent_angles(1, 1, q, y_dot, u, angle);
     angle[5] = angle[4];
     angle[6] = angle[4];
     angle[7] = angle[4];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(1, angle + 4, sine + 4, cosine + 4);
     double pivot[5] = {0.0};
-    const double total = ur5_forward_dynamics_independent_lane(1, q, y_dot, u, y_ddot, sine, cosine, pivot);
+    const double total = ur5_forward_dynamics_independent_lane(1, 1, q, y_dot, u, y_ddot, sine, cosine,
+        pivot);
     const int outcome = fabs(pivot[0]) <= 3.8374000000000006e-12 || fabs(pivot[1]) <= 1.6686e-11 ||
         fabs(pivot[2]) <= 6.031900000000001e-10 || fabs(pivot[3]) <= 3.3841000000000003e-09 || fabs(pivot[4])
         <= 3.5163000000000008e-09 ? 1 : !isfinite(total) ? 2 : 0;
@@ -12268,32 +12959,30 @@ int ur5_forward_dynamics_independent(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_forward_dynamics_independent_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
     double *restrict y_ddot,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[40], sine[40], cosine[40];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_forward_dynamics_independent_angles(8, q + lane, y_dot + lane, u + lane, angle + lane);
+        ur5_forward_dynamics_independent_angles(stride, 8, q + lane, y_dot + lane, u + lane, angle + lane);
     }
-    for (size_t k = 0; k < 40; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    ur5_sincos_block(40, angle, sine, cosine);
     double pivot[40];
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_forward_dynamics_independent_lane(8, q + lane, y_dot + lane, u + lane, y_ddot +
-            lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.8374000000000006e-12 || fabs(pivot[1 * 8 + lane]) <=
-            1.6686e-11 || fabs(pivot[2 * 8 + lane]) <= 6.031900000000001e-10 || fabs(pivot[3 * 8 + lane]) <=
-            3.3841000000000003e-09 || fabs(pivot[4 * 8 + lane]) <= 3.5163000000000008e-09 ? 1 :
-            !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane, y_ddot
+            + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.8374000000000006e-12 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 1.6686e-11 ? (double)NAN : sum;
+        sum = fabs(pivot[16 + lane]) <= 6.031900000000001e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[24 + lane]) <= 3.3841000000000003e-09 ? (double)NAN : sum;
+        sum = fabs(pivot[32 + lane]) <= 3.5163000000000008e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -12343,25 +13032,36 @@ static int ur5_forward_dynamics_independent_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double y_dot_block[48];
-        double u_block[48];
-        double y_ddot_block[48];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, y_dot, y_dot_block);
-        ur5_gather(6, first, some, stride, u, u_block);
-        ur5_forward_dynamics_independent_block(q_block, y_dot_block, u_block, y_ddot_block, outcome);
-        ur5_scatter(6, first, some, stride, y_ddot_block, y_ddot);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, y_dot + first + 8);
+                ur5_prefetch(6, stride, u + first + 8);
+                ur5_prefetch(6, stride, y_ddot + first + 8);
+            }
+            ur5_forward_dynamics_independent_block(stride, q + first, y_dot + first, u + first, y_ddot +
+                first, total);
+        } else {
+            double q_block[48];
+            double y_dot_block[48];
+            double u_block[48];
+            double y_ddot_block[48];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, y_dot, y_dot_block);
+            ur5_gather(6, first, some, stride, u, u_block);
+            ur5_forward_dynamics_independent_block(8, q_block, y_dot_block, u_block, y_ddot_block, total);
+            ur5_scatter(6, first, some, stride, y_ddot_block, y_ddot);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_forward_dynamics_independent_one(first + lane, stride, q, y_dot, u,
-                    y_ddot);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_forward_dynamics_independent_one(first + lane, stride, q, y_dot, u, y_ddot);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -12426,12 +13126,14 @@ int ur5_forward_dynamics_independent_batch_soa(
 
 static inline UR5_INLINE void ur5_forward_dynamics_reactions_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     (void)v;
     (void)u;
     const double x0 = q[0];
@@ -12441,15 +13143,16 @@ static inline UR5_INLINE void ur5_forward_dynamics_reactions_angles(
     const double x4 = q[4 * stride];
     const double x5 = q[5 * stride];
     angle[0] = x4;
-    angle[stride] = x2;
-    angle[2 * stride] = x1;
-    angle[3 * stride] = x3;
-    angle[4 * stride] = x5;
-    angle[5 * stride] = x0;
+    angle[pitch] = x2;
+    angle[2 * pitch] = x1;
+    angle[3 * pitch] = x3;
+    angle[4 * pitch] = x5;
+    angle[5 * pitch] = x0;
 }
 
 static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -12461,42 +13164,27 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
 {
     (void)q;
     (void)stride;
+    (void)pitch;
     const double x6 = v[0];
-    const double x7 = v[stride];
-    const double x8 = v[2 * stride];
-    const double x9 = v[3 * stride];
-    const double x10 = v[4 * stride];
-    const double x11 = v[5 * stride];
-    const double x12 = u[0];
-    const double x13 = u[stride];
-    const double x14 = u[2 * stride];
-    const double x15 = u[3 * stride];
-    const double x16 = u[4 * stride];
-    const double x17 = u[5 * stride];
-    const double x18 = sine[0];
-    const double x54 = cosine[0];
-    const double x25 = sine[stride];
-    const double x20 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x21 = cosine[2 * stride];
-    const double x37 = sine[3 * stride];
-    const double x19 = cosine[3 * stride];
-    const double x144 = sine[4 * stride];
-    const double x146 = cosine[4 * stride];
-    const double x646 = sine[5 * stride];
-    const double x794 = cosine[5 * stride];
+    const double x21 = cosine[2 * pitch];
     const double x22 = x6 * x21;
+    const double x7 = v[stride];
     const double x23 = x7 * x22;
+    const double x20 = cosine[pitch];
     const double x24 = x20 * x23;
+    const double x26 = sine[2 * pitch];
     const double x27 = x6 * x26;
     const double x28 = x7 * x27;
+    const double x25 = sine[pitch];
     const double x29 = x25 * x28;
     const double x30 = x24 - x29;
     const double x31 = x25 * x27;
     const double x32 = x20 * x22;
     const double x33 = x31 - x32;
+    const double x8 = v[2 * stride];
     const double x34 = x8 * x33;
     const double x35 = x30 - x34;
+    const double x19 = cosine[3 * pitch];
     const double x36 = x19 * x35;
     const double x38 = x25 * x23;
     const double x39 = x20 * x28;
@@ -12506,25 +13194,31 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x43 = x41 + x42;
     const double x44 = x8 * x43;
     const double x45 = x40 + x44;
+    const double x37 = sine[3 * pitch];
     const double x46 = x37 * x45;
     const double x47 = x36 - x46;
     const double x48 = x37 * x43;
     const double x49 = x19 * x33;
     const double x50 = x48 + x49;
+    const double x9 = v[3 * stride];
     const double x51 = x9 * x50;
     const double x52 = x47 - x51;
+    const double x18 = sine[0];
     const double x53 = x18 * x52;
     const double x55 = x19 * x43;
     const double x56 = x37 * x33;
     const double x57 = x55 - x56;
+    const double x54 = cosine[0];
     const double x58 = x54 * x57;
     const double x59 = x7 + x8;
     const double x60 = x9 + x59;
     const double x61 = x18 * x60;
     const double x62 = x58 + x61;
+    const double x10 = v[4 * stride];
     const double x63 = x10 * x62;
     const double x64 = x53 + x63;
     const double x65 = 0.0001321171875 * x64;
+    const double x17 = u[5 * stride];
     const double x66 = x65 + x17;
     const double x67 = 0.0001321171875 * x18;
     const double x68 = x19 * x67;
@@ -12603,9 +13297,12 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x141 = x108 + x140;
     const double x142 = 0.0351648539 * x141;
     const double x143 = x97 + x142;
+    const double x144 = sine[4 * pitch];
     const double x145 = x144 * x62;
+    const double x146 = cosine[4 * pitch];
     const double x147 = x146 * x93;
     const double x148 = x145 + x147;
+    const double x11 = v[5 * stride];
     const double x149 = x11 - x89;
     const double x150 = x148 * x149;
     const double x151 = 0.0001321171875 * x150;
@@ -12618,6 +13315,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x158 = x146 * x157;
     const double x159 = x152 + x158;
     const double x160 = x143 + x159;
+    const double x16 = u[4 * stride];
     const double x161 = x160 - x16;
     const double x162 = 6.605859375e-05 * x146;
     const double x163 = x146 * x162;
@@ -12625,6 +13323,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x165 = x144 * x164;
     const double x166 = x163 + x165;
     const double x167 = x166 + 0.003771341448423233;
+    pivot[0] = x167;
+    double total = x167;
     const double x168 = 0.003838243803185 * x54;
     const double x169 = x167 + x168;
     const double x170 = x37 * x169;
@@ -12674,6 +13374,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x214 = x212 * x213;
     const double x215 = x209 + x214;
     const double x216 = x207 - x215;
+    pivot[pitch] = x216;
+    total = total + x216;
     const double x217 = 1.0 / x216;
     const double x218 = x210 - x211;
     const double x219 = 0.01643350047875 + x218;
@@ -12744,6 +13446,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x284 = x18 * x283;
     const double x285 = x258 - x284;
     const double x286 = x252 - x285;
+    const double x15 = u[3 * stride];
     const double x287 = x286 - x15;
     const double x288 = x54 * x66;
     const double x289 = x161 * x213;
@@ -12793,6 +13496,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x333 = x331 * x332;
     const double x334 = x327 + x333;
     const double x335 = x320 - x334;
+    pivot[2 * pitch] = x335;
+    total = total + x335;
     const double x336 = 1.0 / x335;
     const double x337 = 0.013793413942275 * x54;
     const double x338 = x229 - x337;
@@ -12838,6 +13543,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x378 = 0.39225 * x377;
     const double x379 = x286 - x378;
     const double x380 = x359 - x379;
+    const double x14 = u[2 * stride];
     const double x381 = x380 + x14;
     const double x382 = x161 * x325;
     const double x383 = x288 + x382;
@@ -12927,6 +13633,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x467 = x426 * x466;
     const double x468 = x465 + x467;
     const double x469 = x461 - x468;
+    pivot[3 * pitch] = x469;
+    total = total + x469;
     const double x470 = 1.0 / x469;
     const double x471 = x429 * x470;
     const double x472 = 1.3929342791666666 * x123;
@@ -12945,6 +13653,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x485 = 0.425 * x484;
     const double x486 = x380 + x485;
     const double x487 = x474 - x486;
+    const double x13 = u[stride];
     const double x488 = x487 - x13;
     const double x489 = x161 * x410;
     const double x490 = x288 + x489;
@@ -13026,6 +13735,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x566 = x560 + x565;
     const double x567 = x21 * x566;
     const double x568 = x553 - x567;
+    const double x12 = u[0];
     const double x569 = x12 - x568;
     const double x570 = x497 + x569;
     const double x571 = x54 * x221;
@@ -13067,16 +13777,24 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x607 = x429 * x471;
     const double x608 = x606 + x607;
     const double x609 = x599 - x608;
+    pivot[4 * pitch] = x609;
+    total = total + x609;
     const double x610 = x570 / x609;
+    a[0] = x610;
+    total = total + x610;
     const double x611 = x470 * x495;
     const double x612 = x471 * x610;
     const double x613 = x611 + x612;
     const double x614 = -x613;
+    a[stride] = x614;
+    total = total + x614;
     const double x615 = x336 * x386;
     const double x616 = x466 * x613;
     const double x617 = x352 * x610;
     const double x618 = x616 + x617;
     const double x619 = x615 + x618;
+    a[2 * stride] = x619;
+    total = total + x619;
     const double x620 = x217 * x291;
     const double x621 = x332 * x619;
     const double x622 = x423 * x613;
@@ -13085,6 +13803,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x625 = x623 - x624;
     const double x626 = x620 + x625;
     const double x627 = -x626;
+    a[3 * stride] = x627;
+    total = total + x627;
     const double x628 = x161 * x195;
     const double x629 = x213 * x626;
     const double x630 = x325 * x619;
@@ -13095,6 +13815,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x635 = x633 + x634;
     const double x636 = x628 + x635;
     const double x637 = -x636;
+    a[4 * stride] = x637;
+    total = total + x637;
     const double x638 = 7569.03790432263 * x66;
     const double x639 = x619 - x626;
     const double x640 = x54 * x639;
@@ -13103,6 +13825,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x643 = x79 * x610;
     const double x644 = x642 - x643;
     const double x645 = x638 - x644;
+    a[5 * stride] = x645;
+    total = total + x645;
     const double x647 = x6 * x6;
     const double x648 = 0.007141 * x647;
     const double x649 = x155 * x155;
@@ -13249,6 +13973,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x790 = x788 + x789;
     const double x791 = x786 + x790;
     const double x792 = x648 + x791;
+    const double x646 = sine[5 * pitch];
     const double x793 = x646 * x792;
     const double x795 = x144 * x748;
     const double x796 = x146 * x761;
@@ -13321,16 +14046,23 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x863 = x851 - x862;
     const double x864 = 0.007141 * x610;
     const double x865 = x863 - x864;
+    const double x794 = cosine[5 * pitch];
     const double x866 = x794 * x865;
     const double x867 = x793 + x866;
     const double x868 = -x867;
+    reactions[0] = x868;
+    total = total + x868;
     const double x869 = x794 * x792;
     const double x870 = x646 * x865;
     const double x871 = x869 - x870;
+    reactions[stride] = x871;
+    total = total + x871;
     const double x872 = x26 * x850;
     const double x873 = x21 * x861;
     const double x874 = x872 + x873;
     const double x875 = 36.297 - x874;
+    reactions[2 * stride] = x875;
+    total = total + x875;
     const double x876 = x645 - x723;
     const double x877 = 0.0001321171875 * x876;
     const double x878 = 0.09465 * x763;
@@ -13500,30 +14232,46 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1042 = x950 + x1041;
     const double x1043 = x794 * x1042;
     const double x1044 = x948 - x1043;
+    reactions[3 * stride] = x1044;
+    total = total + x1044;
     const double x1045 = x794 * x947;
     const double x1046 = x646 * x1042;
     const double x1047 = x1045 + x1046;
     const double x1048 = -x1047;
+    reactions[4 * stride] = x1048;
+    total = total + x1048;
     const double x1049 = x794 * x863;
     const double x1050 = x646 * x791;
     const double x1051 = x1049 + x1050;
     const double x1052 = -x1051;
+    reactions[6 * stride] = x1052;
+    total = total + x1052;
     const double x1053 = x646 * x863;
     const double x1054 = x794 * x791;
     const double x1055 = x1053 - x1054;
     const double x1056 = -x1055;
+    reactions[7 * stride] = x1056;
+    total = total + x1056;
     const double x1057 = -x874;
+    reactions[8 * stride] = x1057;
+    total = total + x1057;
     const double x1058 = 0.089159 * x1055;
     const double x1059 = x794 * x1039;
     const double x1060 = x1058 - x1059;
+    reactions[9 * stride] = x1060;
+    total = total + x1060;
     const double x1061 = x646 * x1039;
     const double x1062 = 0.089159 * x1051;
     const double x1063 = x1061 + x1062;
     const double x1064 = -x1063;
+    reactions[10 * stride] = x1064;
+    total = total + x1064;
     const double x1065 = x26 * x1023;
     const double x1066 = x21 * x1037;
     const double x1067 = x1065 + x1066;
     const double x1068 = -x1067;
+    reactions[11 * stride] = x1068;
+    total = total + x1068;
     const double x1069 = x794 * x21;
     const double x1070 = x1069 * x843;
     const double x1071 = x794 * x26;
@@ -13532,6 +14280,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1074 = x646 * x786;
     const double x1075 = x1073 + x1074;
     const double x1076 = -x1075;
+    reactions[12 * stride] = x1076;
+    total = total + x1076;
     const double x1077 = x646 * x21;
     const double x1078 = x1077 * x843;
     const double x1079 = x646 * x26;
@@ -13540,10 +14290,14 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1082 = x794 * x786;
     const double x1083 = x1081 - x1082;
     const double x1084 = -x1083;
+    reactions[13 * stride] = x1084;
+    total = total + x1084;
     const double x1085 = x26 * x843;
     const double x1086 = x21 * x854;
     const double x1087 = x1085 + x1086;
     const double x1088 = -x1087;
+    reactions[14 * stride] = x1088;
+    total = total + x1088;
     const double x1089 = 0.425 * x1077;
     const double x1090 = x1089 * x1087;
     const double x1091 = 0.425 * x26;
@@ -13554,6 +14308,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1096 = x1071 * x1027;
     const double x1097 = x1095 - x1096;
     const double x1098 = x1094 - x1097;
+    reactions[15 * stride] = x1098;
+    total = total + x1098;
     const double x1099 = x1077 * x1015;
     const double x1100 = x1079 * x1027;
     const double x1101 = x1099 - x1100;
@@ -13563,6 +14319,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1105 = x1102 + x1104;
     const double x1106 = x1101 + x1105;
     const double x1107 = -x1106;
+    reactions[16 * stride] = x1107;
+    total = total + x1107;
     const double x1108 = x1103 * x1083;
     const double x1109 = x1089 * x1075;
     const double x1110 = x1108 - x1109;
@@ -13570,6 +14328,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1112 = x21 * x1027;
     const double x1113 = x1111 + x1112;
     const double x1114 = x1110 - x1113;
+    reactions[17 * stride] = x1114;
+    total = total + x1114;
     const double x1115 = x20 * x1069;
     const double x1116 = x25 * x1071;
     const double x1117 = x1115 - x1116;
@@ -13582,6 +14342,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1124 = x646 * x779;
     const double x1125 = x1123 + x1124;
     const double x1126 = -x1125;
+    reactions[18 * stride] = x1126;
+    total = total + x1126;
     const double x1127 = x20 * x1077;
     const double x1128 = x25 * x1079;
     const double x1129 = x1127 - x1128;
@@ -13594,6 +14356,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1136 = x794 * x779;
     const double x1137 = x1135 - x1136;
     const double x1138 = -x1137;
+    reactions[19 * stride] = x1138;
+    total = total + x1138;
     const double x1139 = x26 * x20;
     const double x1140 = x21 * x25;
     const double x1141 = x1139 + x1140;
@@ -13604,6 +14368,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1146 = x1145 * x834;
     const double x1147 = x1142 + x1146;
     const double x1148 = -x1147;
+    reactions[20 * stride] = x1148;
+    total = total + x1148;
     const double x1149 = 0.39225 * x1129;
     const double x1150 = x1089 + x1149;
     const double x1151 = x1150 * x1147;
@@ -13615,6 +14381,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1157 = x1121 * x1001;
     const double x1158 = x1156 + x1157;
     const double x1159 = x1155 - x1158;
+    reactions[21 * stride] = x1159;
+    total = total + x1159;
     const double x1160 = x1129 * x989;
     const double x1161 = x1133 * x1001;
     const double x1162 = x1160 + x1161;
@@ -13625,6 +14393,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1167 = x1163 + x1166;
     const double x1168 = x1162 + x1167;
     const double x1169 = -x1168;
+    reactions[22 * stride] = x1169;
+    total = total + x1169;
     const double x1170 = x1165 * x1137;
     const double x1171 = x1150 * x1125;
     const double x1172 = x1170 - x1171;
@@ -13632,6 +14402,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1174 = x1145 * x1001;
     const double x1175 = x1173 + x1174;
     const double x1176 = x1172 - x1175;
+    reactions[23 * stride] = x1176;
+    total = total + x1176;
     const double x1177 = x19 * x1117;
     const double x1178 = x37 * x1121;
     const double x1179 = x1177 - x1178;
@@ -13643,6 +14415,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1185 = x1183 + x1184;
     const double x1186 = x1185 * x804;
     const double x1187 = x1182 - x1186;
+    reactions[24 * stride] = x1187;
+    total = total + x1187;
     const double x1188 = x19 * x1129;
     const double x1189 = x37 * x1133;
     const double x1190 = x1188 - x1189;
@@ -13654,6 +14428,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1196 = x1194 + x1195;
     const double x1197 = x1196 * x804;
     const double x1198 = x1193 - x1197;
+    reactions[25 * stride] = x1198;
+    total = total + x1198;
     const double x1199 = x19 * x1141;
     const double x1200 = x37 * x1145;
     const double x1201 = x1199 - x1200;
@@ -13663,6 +14439,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1205 = x1203 + x1204;
     const double x1206 = x1205 * x804;
     const double x1207 = x1202 - x1206;
+    reactions[26 * stride] = x1207;
+    total = total + x1207;
     const double x1208 = x1179 * x975;
     const double x1209 = x646 * x915;
     const double x1210 = x1208 - x1209;
@@ -13673,6 +14451,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1215 = x1213 + x1214;
     const double x1216 = x1210 + x1215;
     const double x1217 = -x1216;
+    reactions[27 * stride] = x1217;
+    total = total + x1217;
     const double x1218 = x1153 * x1187;
     const double x1219 = 0.10915 * x646;
     const double x1220 = x1165 - x1219;
@@ -13682,12 +14462,16 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1224 = x794 * x915;
     const double x1225 = x1223 + x1224;
     const double x1226 = x1222 - x1225;
+    reactions[28 * stride] = x1226;
+    total = total + x1226;
     const double x1227 = x1201 * x975;
     const double x1228 = x1220 * x1198;
     const double x1229 = x1212 * x1187;
     const double x1230 = x1228 - x1229;
     const double x1231 = x1227 + x1230;
     const double x1232 = -x1231;
+    reactions[29 * stride] = x1232;
+    total = total + x1232;
     const double x1233 = x54 * x1179;
     const double x1234 = x646 * x18;
     const double x1235 = x1233 + x1234;
@@ -13699,6 +14483,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1241 = x1239 - x1240;
     const double x1242 = x1241 * x709;
     const double x1243 = x1238 + x1242;
+    reactions[30 * stride] = x1243;
+    total = total + x1243;
     const double x1244 = x54 * x1190;
     const double x1245 = x794 * x18;
     const double x1246 = x1244 - x1245;
@@ -13710,6 +14496,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1252 = x1250 + x1251;
     const double x1253 = x1252 * x709;
     const double x1254 = x1249 + x1253;
+    reactions[31 * stride] = x1254;
+    total = total + x1254;
     const double x1255 = x54 * x1201;
     const double x1256 = x1255 * x763;
     const double x1257 = x1205 * x797;
@@ -13717,6 +14505,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1259 = x18 * x1201;
     const double x1260 = x1259 * x709;
     const double x1261 = x1258 + x1260;
+    reactions[32 * stride] = x1261;
+    total = total + x1261;
     const double x1262 = x1235 * x901;
     const double x1263 = x1185 * x953;
     const double x1264 = x1262 - x1263;
@@ -13728,6 +14518,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1270 = x1269 * x1254;
     const double x1271 = x1267 + x1270;
     const double x1272 = x1264 - x1271;
+    reactions[33 * stride] = x1272;
+    total = total + x1272;
     const double x1273 = x1246 * x901;
     const double x1274 = x1196 * x953;
     const double x1275 = x1273 - x1274;
@@ -13737,6 +14529,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1279 = x1278 * x1261;
     const double x1280 = x1276 + x1279;
     const double x1281 = x1275 + x1280;
+    reactions[34 * stride] = x1281;
+    total = total + x1281;
     const double x1282 = x1255 * x901;
     const double x1283 = x1205 * x953;
     const double x1284 = x1282 - x1283;
@@ -13744,58 +14538,10 @@ static inline UR5_INLINE double ur5_forward_dynamics_reactions_lane(
     const double x1286 = x1266 * x1243;
     const double x1287 = x1285 - x1286;
     const double x1288 = x1284 - x1287;
-    pivot[0] = x167;
-    pivot[stride] = x216;
-    pivot[2 * stride] = x335;
-    pivot[3 * stride] = x469;
-    pivot[4 * stride] = x609;
-    a[0] = x610;
-    a[stride] = x614;
-    a[2 * stride] = x619;
-    a[3 * stride] = x627;
-    a[4 * stride] = x637;
-    a[5 * stride] = x645;
-    reactions[0] = x868;
-    reactions[stride] = x871;
-    reactions[2 * stride] = x875;
-    reactions[3 * stride] = x1044;
-    reactions[4 * stride] = x1048;
-    reactions[5 * stride] = 0.0;
-    reactions[6 * stride] = x1052;
-    reactions[7 * stride] = x1056;
-    reactions[8 * stride] = x1057;
-    reactions[9 * stride] = x1060;
-    reactions[10 * stride] = x1064;
-    reactions[11 * stride] = x1068;
-    reactions[12 * stride] = x1076;
-    reactions[13 * stride] = x1084;
-    reactions[14 * stride] = x1088;
-    reactions[15 * stride] = x1098;
-    reactions[16 * stride] = x1107;
-    reactions[17 * stride] = x1114;
-    reactions[18 * stride] = x1126;
-    reactions[19 * stride] = x1138;
-    reactions[20 * stride] = x1148;
-    reactions[21 * stride] = x1159;
-    reactions[22 * stride] = x1169;
-    reactions[23 * stride] = x1176;
-    reactions[24 * stride] = x1187;
-    reactions[25 * stride] = x1198;
-    reactions[26 * stride] = x1207;
-    reactions[27 * stride] = x1217;
-    reactions[28 * stride] = x1226;
-    reactions[29 * stride] = x1232;
-    reactions[30 * stride] = x1243;
-    reactions[31 * stride] = x1254;
-    reactions[32 * stride] = x1261;
-    reactions[33 * stride] = x1272;
-    reactions[34 * stride] = x1281;
     reactions[35 * stride] = x1288;
-    return (((((x610 + x614) + (x619 + x627)) + ((x637 + x645) + (x868 + x871))) + (((x875 + x1044) + (x1048 +
-        x1052)) + ((x1056 + x1057) + (x1060 + x1064)))) + ((((x1068 + x1076) + (x1084 + x1088)) + ((x1098 +
-        x1107) + (x1114 + x1126))) + (((x1138 + x1148) + (x1159 + x1169)) + ((x1176 + x1187) + (x1198 +
-        x1207))))) + ((((x1217 + x1226) + (x1232 + x1243)) + ((x1254 + x1261) + (x1272 + x1281))) + (((x1288 +
-        x167) + (x216 + x335)) + (x469 + x609)));
+    total = total + x1288;
+    reactions[5 * stride] = 0.0;
+    return total;
 }
 
 int ur5_forward_dynamics_reactions(
@@ -13806,13 +14552,14 @@ int ur5_forward_dynamics_reactions(
     double *restrict reactions)
 {
     double angle[8] = {0.0}, sine[8] = {0.0}, cosine[8] = {0.0};
-    ur5_forward_dynamics_reactions_angles(1, q, v, u, angle);
+    ur5_forward_dynamics_reactions_angles(1, 1, q, v, u, angle);
     angle[6] = angle[5];
     angle[7] = angle[5];
     ur5_sincos(4, angle, sine, cosine);
     ur5_sincos(2, angle + 4, sine + 4, cosine + 4);
     double pivot[5] = {0.0};
-    const double total = ur5_forward_dynamics_reactions_lane(1, q, v, u, a, reactions, sine, cosine, pivot);
+    const double total = ur5_forward_dynamics_reactions_lane(1, 1, q, v, u, a, reactions, sine, cosine,
+        pivot);
     const int outcome = fabs(pivot[0]) <= 3.8374000000000006e-12 || fabs(pivot[1]) <= 1.6686e-11 ||
         fabs(pivot[2]) <= 6.031900000000001e-10 || fabs(pivot[3]) <= 3.3841000000000003e-09 || fabs(pivot[4])
         <= 3.5163000000000008e-09 ? 1 : !isfinite(total) ? 2 : 0;
@@ -13825,33 +14572,31 @@ int ur5_forward_dynamics_reactions(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_forward_dynamics_reactions_block(
+    size_t stride,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
     double *restrict a,
     double *restrict reactions,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[48], sine[48], cosine[48];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_forward_dynamics_reactions_angles(8, q + lane, v + lane, u + lane, angle + lane);
+        ur5_forward_dynamics_reactions_angles(stride, 8, q + lane, v + lane, u + lane, angle + lane);
     }
-    for (size_t k = 0; k < 48; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
+    ur5_sincos_block(48, angle, sine, cosine);
     double pivot[40];
-    double total[8];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_forward_dynamics_reactions_lane(8, q + lane, v + lane, u + lane, a + lane, reactions
-            + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = fabs(pivot[0 * 8 + lane]) <= 3.8374000000000006e-12 || fabs(pivot[1 * 8 + lane]) <=
-            1.6686e-11 || fabs(pivot[2 * 8 + lane]) <= 6.031900000000001e-10 || fabs(pivot[3 * 8 + lane]) <=
-            3.3841000000000003e-09 || fabs(pivot[4 * 8 + lane]) <= 3.5163000000000008e-09 ? 1 :
-            !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
+            reactions + lane, sine + lane, cosine + lane, pivot + lane);
+        sum = fabs(pivot[0 + lane]) <= 3.8374000000000006e-12 ? (double)NAN : sum;
+        sum = fabs(pivot[8 + lane]) <= 1.6686e-11 ? (double)NAN : sum;
+        sum = fabs(pivot[16 + lane]) <= 6.031900000000001e-10 ? (double)NAN : sum;
+        sum = fabs(pivot[24 + lane]) <= 3.3841000000000003e-09 ? (double)NAN : sum;
+        sum = fabs(pivot[32 + lane]) <= 3.5163000000000008e-09 ? (double)NAN : sum;
+        total[lane] = sum;
     }
 }
 #endif
@@ -13907,27 +14652,40 @@ static int ur5_forward_dynamics_reactions_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double v_block[48];
-        double u_block[48];
-        double a_block[48];
-        double reactions_block[288];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_gather(6, first, some, stride, v, v_block);
-        ur5_gather(6, first, some, stride, u, u_block);
-        ur5_forward_dynamics_reactions_block(q_block, v_block, u_block, a_block, reactions_block, outcome);
-        ur5_scatter(6, first, some, stride, a_block, a);
-        ur5_scatter(36, first, some, stride, reactions_block, reactions);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(6, stride, v + first + 8);
+                ur5_prefetch(6, stride, u + first + 8);
+                ur5_prefetch(6, stride, a + first + 8);
+                ur5_prefetch(36, stride, reactions + first + 8);
+            }
+            ur5_forward_dynamics_reactions_block(stride, q + first, v + first, u + first, a + first, reactions
+                + first, total);
+        } else {
+            double q_block[48];
+            double v_block[48];
+            double u_block[48];
+            double a_block[48];
+            double reactions_block[288];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_gather(6, first, some, stride, v, v_block);
+            ur5_gather(6, first, some, stride, u, u_block);
+            ur5_forward_dynamics_reactions_block(8, q_block, v_block, u_block, a_block, reactions_block,
+                total);
+            ur5_scatter(6, first, some, stride, a_block, a);
+            ur5_scatter(36, first, some, stride, reactions_block, reactions);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_forward_dynamics_reactions_one(first + lane, stride, q, v, u, a,
-                    reactions);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_forward_dynamics_reactions_one(first + lane, stride, q, v, u, a, reactions);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
@@ -13995,84 +14753,86 @@ int ur5_forward_dynamics_reactions_batch_soa(
 
 static inline UR5_INLINE void ur5_limb_margins_angles(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict angle)
 {
     (void)stride;
+    (void)pitch;
     const double x1 = q[stride];
     const double x2 = q[2 * stride];
     const double x3 = q[3 * stride];
     const double x4 = q[4 * stride];
     angle[0] = x3;
-    angle[stride] = x2;
-    angle[2 * stride] = x1;
-    angle[3 * stride] = x4;
+    angle[pitch] = x2;
+    angle[2 * pitch] = x1;
+    angle[3 * pitch] = x4;
 }
 
 static inline UR5_INLINE double ur5_limb_margins_lane(
     size_t stride,
+    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)stride;
-    const double x0 = q[0];
-    const double x5 = q[5 * stride];
-    const double x11 = sine[0];
-    const double x6 = cosine[0];
-    const double x12 = sine[stride];
-    const double x7 = cosine[stride];
-    const double x26 = sine[2 * stride];
-    const double x28 = cosine[2 * stride];
-    const double x37 = sine[3 * stride];
-    const double x8 = 0.425 * x7;
-    const double x9 = 0.39225 + x8;
-    const double x10 = x6 * x9;
-    const double x13 = 0.425 * x12;
-    const double x14 = x11 * x13;
-    const double x15 = x10 - x14;
-    const double x16 = 2.7086104016056645 * x15;
-    const double x17 = 1.062452430029822 * x11;
-    const double x18 = x16 * x17;
-    const double x19 = 1.062452430029822 * x6;
-    const double x20 = x11 * x9;
-    const double x21 = x6 * x13;
-    const double x22 = x20 + x21;
-    const double x23 = 2.7086104016056645 * x22;
-    const double x24 = x19 * x23;
-    const double x25 = x18 - x24;
+    (void)pitch;
+    const double x26 = sine[2 * pitch];
+    const double x40 = 0.089159 * x26;
+    const double x28 = cosine[2 * pitch];
+    const double x43 = 0.089159 * x28;
+    const double x7 = cosine[pitch];
     const double x27 = x26 * x7;
+    const double x12 = sine[pitch];
     const double x29 = x28 * x12;
-    const double x30 = x27 + x29;
-    const double x31 = x6 * x30;
     const double x32 = x26 * x12;
     const double x33 = x28 * x7;
-    const double x34 = x32 - x33;
-    const double x35 = x11 * x34;
-    const double x36 = x31 - x35;
-    const double x38 = 0.25636997451197613 * x37;
-    const double x39 = x36 * x38;
-    const double x40 = 0.089159 * x26;
+    const double x8 = 0.425 * x7;
+    const double x13 = 0.425 * x12;
+    const double x11 = sine[0];
+    const double x17 = 1.062452430029822 * x11;
     const double x41 = 0.425 - x40;
-    const double x42 = x7 * x41;
-    const double x43 = 0.089159 * x28;
     const double x44 = x12 * x43;
-    const double x45 = x42 - x44;
-    const double x46 = 0.39225 + x45;
-    const double x47 = x11 * x46;
-    const double x48 = x12 * x41;
     const double x49 = x7 * x43;
-    const double x50 = x48 + x49;
-    const double x51 = x6 * x50;
-    const double x52 = x47 + x51;
-    const double x53 = x36 * x52;
+    const double x30 = x27 + x29;
+    const double x6 = cosine[0];
+    const double x19 = 1.062452430029822 * x6;
+    const double x34 = x32 - x33;
+    const double x9 = 0.39225 + x8;
+    const double x14 = x11 * x13;
+    const double x21 = x6 * x13;
+    const double x42 = x7 * x41;
+    const double x48 = x12 * x41;
+    const double x37 = sine[3 * pitch];
+    const double x38 = 0.25636997451197613 * x37;
+    const double x31 = x6 * x30;
     const double x54 = x11 * x30;
+    const double x35 = x11 * x34;
     const double x55 = x6 * x34;
+    const double x10 = x6 * x9;
+    const double x20 = x11 * x9;
+    const double x45 = x42 - x44;
+    const double x50 = x48 + x49;
+    const double x36 = x31 - x35;
     const double x56 = x54 + x55;
-    const double x57 = x6 * x46;
+    const double x15 = x10 - x14;
+    const double x22 = x20 + x21;
+    const double x46 = 0.39225 + x45;
+    const double x51 = x6 * x50;
     const double x58 = x11 * x50;
+    const double x39 = x36 * x38;
+    const double x16 = 2.7086104016056645 * x15;
+    const double x23 = 2.7086104016056645 * x22;
+    const double x47 = x11 * x46;
+    const double x57 = x6 * x46;
+    const double x18 = x16 * x17;
+    const double x24 = x19 * x23;
+    const double x52 = x47 + x51;
     const double x59 = x57 - x58;
+    const double x25 = x18 - x24;
+    const double x53 = x36 * x52;
     const double x60 = x56 * x59;
     const double x61 = x53 - x60;
     const double x62 = 2.7086104016056645 * x61;
@@ -14081,7 +14841,12 @@ static inline UR5_INLINE double ur5_limb_margins_lane(
     const double x65 = x25 * x64;
     const double x66 = -x65;
     margins[0] = x66;
-    return (x66 + x0) + x5;
+    double total = x66;
+    const double x0 = q[0];
+    total = total + x0;
+    const double x5 = q[5 * stride];
+    total = total + x5;
+    return total;
 }
 
 int ur5_limb_margins(
@@ -14089,9 +14854,9 @@ int ur5_limb_margins(
     double *restrict margins)
 {
     double angle[4] = {0.0}, sine[4] = {0.0}, cosine[4] = {0.0};
-    ur5_limb_margins_angles(1, q, angle);
+    ur5_limb_margins_angles(1, 1, q, angle);
     ur5_sincos(4, angle, sine, cosine);
-    const double total = ur5_limb_margins_lane(1, q, margins, sine, cosine);
+    const double total = ur5_limb_margins_lane(1, 1, q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         ur5_set_nan(margins, 1);
@@ -14101,25 +14866,21 @@ int ur5_limb_margins(
 
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 static void ur5_limb_margins_block(
+    size_t stride,
     const double *restrict q,
     double *restrict margins,
-    int *restrict status)
+    double *restrict total)
 {
     double angle[32], sine[32], cosine[32];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        ur5_limb_margins_angles(8, q + lane, angle + lane);
+        ur5_limb_margins_angles(stride, 8, q + lane, angle + lane);
     }
-    for (size_t k = 0; k < 32; k += 4) {
-        ur5_sincos(4, angle + k, sine + k, cosine + k);
-    }
-    double total[8];
+    ur5_sincos_block(32, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = ur5_limb_margins_lane(8, q + lane, margins + lane, sine + lane, cosine + lane);
-    }
-    for (size_t lane = 0; lane < 8; ++lane) {
-        status[lane] = !isfinite(total[lane]) ? 2 : 0;
+        double sum = ur5_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine + lane);
+        total[lane] = sum;
     }
 }
 #endif
@@ -14156,20 +14917,29 @@ static int ur5_limb_margins_some(
     int worst = 0;
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
-        double q_block[48];
-        double margins_block[8];
-        int outcome[8];
-        ur5_gather(6, first, some, stride, q, q_block);
-        ur5_limb_margins_block(q_block, margins_block, outcome);
-        ur5_scatter(1, first, some, stride, margins_block, margins);
+        double total[8];
+        if (some == 8 && stride != 0) {
+            if (first + 16 <= stride) {
+                ur5_prefetch(6, stride, q + first + 8);
+                ur5_prefetch(1, stride, margins + first + 8);
+            }
+            ur5_limb_margins_block(stride, q + first, margins + first, total);
+        } else {
+            double q_block[48];
+            double margins_block[8];
+            ur5_gather(6, first, some, stride, q, q_block);
+            ur5_limb_margins_block(8, q_block, margins_block, total);
+            ur5_scatter(1, first, some, stride, margins_block, margins);
+        }
         for (size_t lane = 0; lane < some; ++lane) {
-            if (outcome[lane] != 0) {
-                outcome[lane] = ur5_limb_margins_one(first + lane, stride, q, margins);
+            int outcome = 0;
+            if (!isfinite(total[lane])) {
+                outcome = ur5_limb_margins_one(first + lane, stride, q, margins);
             }
             if (status != NULL) {
-                status[first + lane] = outcome[lane];
+                status[first + lane] = outcome;
             }
-            worst = outcome[lane] > worst ? outcome[lane] : worst;
+            worst = outcome > worst ? outcome : worst;
         }
         return worst;
     }
