@@ -121,37 +121,6 @@ def test_constraint_singularity_of_the_seed() -> None:
         assert np.abs(sides[d] - sides[-d]).max() < 30 * d + 1e-8
 
 
-# -- flat delta ------------------------------------------------------------------------------------------
-
-
-def test_flat_delta() -> None:
-    """All rods in the platform's plane: six lines of rank 3. Accelerations with status -2, drives refused.
-
-    Samples that are not finite at this reference configuration must not choose pivots (`elimination.magnitude`):
-    when they did, twelve-digit accelerations of the states around it became 20 % wrong with status 0.
-    """
-    found = derive(
-        changed(catalogue_text("delta"), ('[parameters.rods]\nvalue = "0.7"', '[parameters.rods]\nvalue = "0.45"'))
-    )
-    assert any("the reference configuration is singular" in note for note in found.notes)
-    q, v, _ = found.system.sample_states
-    u = np.array([1.0, -2.0, 3.0])
-    still = np.zeros_like(v[0])
-    for function in ("forward_dynamics", "forward_dynamics_reactions"):
-        results, status = found(function, q[0], still, u)
-        assert status == -2 and all(np.isfinite(x).all() for x in results)
-    results, _ = found("forward_dynamics", q[0], still, u)
-    expected = precise.doubles(precise.accelerations(found, q[0], still, u))
-    assert relative(results[0], expected) < 1e-13
-    for function in ("inverse_dynamics", "velocity", "acceleration", "null_space"):
-        results, status = found(function, *(x[0] for x in found.test_inputs[function]))
-        assert status == 1 and np.isnan(results[0]).all()
-    for k in (1, 2):  # around it
-        (a,), status = found("forward_dynamics", q[k], v[k], u)
-        assert status <= 0
-        assert relative(a, precise.doubles(precise.accelerations(found, q[k], v[k], u, 18))) < 1e-12
-
-
 # -- five-bar at the edge of its workspace ----------------------------------------------------------------
 
 
@@ -293,9 +262,9 @@ def test_universal_joint_at_ninety_degrees() -> None:
     q = np.array(found.system.reference)
     q[names["A"]] = np.pi / 2
     (residual,), _ = found("closure", q)
-    if np.abs(residual).max() < 1e-15:
-        (a,), status = found("forward_dynamics", q, np.zeros(3), [1.7])
-        assert status == -2 and np.isfinite(a).all()
+    assert np.abs(residual).max() < 1e-15
+    (a,), status = found("forward_dynamics", q, np.zeros(3), [1.7])
+    assert status == -2 and a == pytest.approx([1.7 / 0.02, 0.0, 0.0], rel=1e-13, abs=1e-13)
 
 
 def test_spherical_joint_at_every_lock_of_every_set_of_euler_angles() -> None:
@@ -401,8 +370,8 @@ def test_couple_normal_to_two_nearly_parallel_axes(backend: str) -> None:
     dynamics report the lost rank.
     """
     found = crossed_axes()
-    closure = {"closure_jacobian": found.programs["closure_jacobian"]}
-    compiled = load(dataclasses.replace(found, programs=closure), backend="c") if backend == "c" else None
+    few = {name: found.programs[name] for name in ("closure_jacobian", "forward_dynamics")}
+    compiled = load(dataclasses.replace(found, programs=few), backend="c", flags=("-O1",)) if backend == "c" else None
     names, rates = columns(found), {c.label: k for k, c in enumerate(found.system.tree.v)}
     rows = [row.label for cut in found.system.cuts for row in cut.rows]
     random = np.random.default_rng(4)
@@ -427,18 +396,21 @@ def test_couple_normal_to_two_nearly_parallel_axes(backend: str) -> None:
             jacobian = flat.reshape(100, len(rates), -1).swapaxes(1, 2)
         assert np.isfinite(jacobian).all()
         couple = jacobian[:, rows.index("U.mn")]
-        for k in range(0, 100, 10 if theta else 100):
+        for k in range(100):
             exact = precise.walked(found.programs["closure_jacobian"], q[k])[0]
             wanted = [exact[j * len(rows) + rows.index("U.mn")] for j in range(len(rates))]
             size = precise.MP.norm(wanted)
+            assert theta - 1e-12 < float(size) * (1 + theta**2) < 1.5 * theta + 1e-12
             if theta:
-                assert abs(float(size) / (np.sin(theta) * np.sqrt(2)) - 1) < 0.5 or float(size) > 0
                 error = np.abs(
                     couple[k] / np.linalg.norm(couple[k]) - precise.doubles([w / size for w in wanted])
                 ).max()
                 assert error < 4 * np.finfo(float).eps / np.sin(theta), (theta, error)
     still = np.zeros((100, len(rates)))
-    (a,), status = found("forward_dynamics", q, still)
+    if compiled:
+        a, status = compiled.forward_dynamics(q, still, check=False)  # type: ignore[misc]
+    else:
+        (a,), status = found("forward_dynamics", q, still)
     assert np.isfinite(a).all() and (status == -2).all()  # theta = 0
 
 
