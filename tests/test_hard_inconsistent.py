@@ -235,12 +235,16 @@ def test_zero_length_limb() -> None:
     "old, new",
     [
         ('inertia = ["axial", "across", "across"]', 'inertia = ["axial*1000000", "across*1000000", "across*1000000"]'),
+        ('inertia = ["axial", "across", "across"]', 'inertia = ["axial*1000", "across*1000", "across*1000"]'),
+        ("mass = 1\ncom = [1, -1, \"1/2\"]", "mass = \"1/1000\"\ncom = [1, -1, \"1/2\"]"),
         ("mass = 1\ncom = [1, -1, \"1/2\"]", "mass = \"1/1000000\"\ncom = [1, -1, \"1/2\"]"),
         ("mass = 1\ncom = [1, -1, \"1/2\"]", "mass = 1\ncom = [1000, -1000, 500]"),
     ],
 )  # fmt: skip
 def test_units_wrong_by_a_thousand(old: str, new: str) -> None:
-    """kg mm^2 for kg m^2, mg for kg, mm for m in one body: a warning names the body; the right description has none."""
+    """kg mm^2 or g m^2 for kg m^2, masses in t or kt for kg, mm for m in one body: a warning names the body; the right
+    description has none.
+    """
     assert not changed(benchmark_text("bricard")).warnings
     warnings = changed(benchmark_text("bricard"), (old, new)).warnings
     assert any(warning.startswith("bodies.rod") for warning in warnings), warnings
