@@ -248,10 +248,12 @@ def test_fast_top_in_steady_precession() -> None:
 
 
 def test_fast_squeezer() -> None:
-    """Accelerations of 1e6 rad/s^2 in 0.03 s: beta to 1e-7 rad, as the case asks, at the default tolerance."""
-    assert "beta <= 1e-7" in case(32)["pass_criterion"]
+    """Accelerations of 1e6 rad/s^2 in 0.03 s: beta to 1e-7 rad and F, 7 mm from the crank's axis, to 1e-9 m, at the
+    default tolerance.
+    """
+    assert "|F-ref| <= 1e-9 m, beta <= 1e-7" in case(32)["pass_criterion"]
     run = run_of("andrews", scene_of("andrews"))
-    assert error_of("andrews", run) < 1e-7
+    assert error_of("andrews", run) < min(1e-7, 1e-9 / 0.007)
     assert np.abs(np.diff(run.v, axis=0)).max() * 1000 > 1e5
 
 
