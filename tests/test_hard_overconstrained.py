@@ -145,7 +145,7 @@ def test_a_motor_on_each_of_six_joints_for_one_freedom() -> None:
             rate = [precise.MP.mpf(y) + sign * h * z for y, z in zip(v[k], a[k], strict=True)]
             ends.append(precise.MP.fsum(precise.walked(found.programs["energy"], at, rate)[0]))
         power = float((ends[0] - ends[1]) / (2 * h))
-        assert abs(power - u[k] @ rates[k]) < 1e-9 * max(1.0, abs(power))
+        assert abs(power - u[k] @ rates[k]) < 1e-9  # W, of up to 4 W
 
 
 # -- other overconstrained loops ---------------------------------------------------------------------------
