@@ -3,7 +3,8 @@
 Where there is no hand-written function, the figure in cycles is that of an earlier measurement of the best known code
 (`RECORDED`: AVX-512 at 3.95 GHz, gcc 12). Such a row compares both with the hand-written drives of the seed:
 (ours / lean seed, here) over (recorded / recorded lean seed), so that clock and load of this machine cancel.
-Hand-written functions check nothing; ours return a status for pivots and for numbers that are not finite. The lean
+Hand-written functions check nothing; ours return a status for pivots and for numbers that are not finite. They take
+their inputs to be consistent, and read those that serve best. The lean
 joint reactions read the platform's coordinates only, which fix all others by roots; ours take the sines of the angles
 of all joints as they come, which is most of what they lose eight at a time.
 """
@@ -20,10 +21,10 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.benchmark import Compiled, difference, pointers, single, states
+from symscrew.benchmark import Compiled, difference, pointers, states
 from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
-from symscrew.model import derive
+from symscrew.model import Model, derive
 from symscrew.timing import Times, interleaved
 
 from ..tables import table
@@ -32,6 +33,7 @@ SEED = "three_ups_upu_s_physical"
 STATES = 64  # which the caches hold
 BLOCK = 8
 AGREEMENT = 1e-10
+STEP = "step of 1 ms (RK4)"  # on forward_dynamics, by runge_kutta.h
 FLAGS = (
     *("-fopenmp-simd", "-mprefer-vector-width=512", "-fno-tree-slp-vectorize"),
     *("-ffinite-math-only", "-fno-signed-zeros", "-fno-trapping-math"),  # products with constant zeros vanish
@@ -73,6 +75,8 @@ ROWS = (
     Row(SEED, "joint_reactions", EIGHT, "lean_seed_reactions_batch", 108.0),
     Row(SEED, "forward_dynamics", ONE, "lean_seed_forward", 511.0),
     Row(SEED, "forward_dynamics", LANES, "lean_seed_forward_lanes"),
+    Row(SEED, STEP, ONE, "lean_seed_step", 2500.0),
+    Row(SEED, STEP, LANES, "lean_seed_step_lanes"),
     Row(SEED, "velocity", ONE, "lean_seed_velocity"),
     Row(SEED, "platform_jacobian", ONE, "lean_seed_jacobian"),
     Row(SEED, "inverse_dynamics_independent_derivatives", ONE, None, 1777.0),
@@ -143,26 +147,19 @@ def _measures(
     """ns per state of ours and of the lean function, and their relative difference."""
     derivatives = any("derivatives" in row.function for row in rows)
     model = derive(catalogue.load(mechanism), derivatives=derivatives)
-    functions = list(dict.fromkeys(row.function for row in rows))
+    functions = list(dict.fromkeys(_program(row) for row in rows))
     compiled = Compiled(model, functions)
-    one_by_one = folder / f"{mechanism}.so"
-    for file, text in print_c(compiled.model, lanes=False).items():
-        (folder / file).write_text(text, encoding="utf-8")
-    compile_c(folder / f"{mechanism}.c", one_by_one)
-    code = ctypes.CDLL(str(one_by_one))
+    code = {form: _library(compiled.model, folder, lanes=form == LANES) for form in (ONE, LANES)}
     found = []
     for row in rows:
         if row.form == EIGHT:
-            ours, results = _timed(
-                compiled, row.function, compiled.function(row.function, "_batch_soa"), BLOCK, whole=True
-            )
-        elif row.form == LANES:
-            ours, results = single(compiled, row.function, STATES)
+            ours, results = _timed(compiled, row, compiled.function(row.function, "_batch_soa"), BLOCK, whole=True)
         else:
-            ours, results = _timed(compiled, row.function, getattr(code, f"{mechanism}_{row.function}"), 1)
+            name = "step" if row.function == STEP else row.function
+            ours, results = _timed(compiled, row, getattr(code[row.form], f"{mechanism}_{name}"), 1)
         theirs, error = None, 0.0
         if row.lean is not None:
-            theirs, others = _timed(compiled, row.function, getattr(lean, row.lean), BLOCK if row.form == EIGHT else 1)
+            theirs, others = _timed(compiled, row, getattr(lean, row.lean), BLOCK if row.form == EIGHT else 1)
             error = max(difference(a[: len(b)], b) for a, b in zip(results, others, strict=True))
             if not error < AGREEMENT:
                 raise RuntimeError(f"{row.name}: differs from {row.lean} by {error:.1e}; nothing to compare")
@@ -170,19 +167,40 @@ def _measures(
     return found
 
 
+def _program(row: Row) -> str:
+    """The generated function of a row, or that within its step."""
+    return "forward_dynamics" if row.function == STEP else row.function
+
+
+def _library(model: Model, folder: Path, *, lanes: bool) -> ctypes.CDLL:
+    """Generated functions with equal limbs side by side or one after the other, and a step on forward dynamics."""
+    here = folder / ("lanes" if lanes else "one")
+    here.mkdir(exist_ok=True)
+    for file, text in print_c(model, lanes=lanes).items():
+        (here / file).write_text(text, encoding="utf-8")
+    if model.name == SEED:
+        header = Path(__file__).with_name("runge_kutta.h")
+        step = f"#define JOIN(a, b) a##_##b\n#define JOINED(a, b) JOIN(a, b)\n#define STEP {SEED}_step\n"
+        with (here / f"{SEED}.c").open("a", encoding="utf-8") as code:
+            code.write(f'{step}#define FORWARD {SEED}_forward_dynamics\n#include "{header}"\n')
+    library = here / f"{model.name}.so"
+    compile_c(here / f"{model.name}.c", library)
+    return ctypes.CDLL(str(library))
+
+
 def _timed(
-    compiled: Compiled, name: str, function: Any, block: int, *, whole: bool = False
+    compiled: Compiled, row: Row, function: Any, block: int, *, whole: bool = False
 ) -> tuple[Measure, list[np.ndarray]]:
     """ns per state of a function of `block` states side by side, [entry][state], and its results (states, size).
 
     `whole`: the generated function for any number of states.
     """
-    program = compiled.model.programs[name]
-    ports = (*program.inputs, *program.outputs)
-    given = [_blocks(x, block) for x in states(compiled.model, name, STATES)]
-    results = [np.full((STATES // block, port.size * block), np.nan) for port in program.outputs]
+    program = compiled.model.programs[_program(row)]
+    ports = program.inputs[:2] if row.function == STEP else program.outputs  # a step gives coordinates and rates
+    given = [_blocks(x, block) for x in states(compiled.model, program.name, STATES)]
+    results = [np.full((STATES // block, port.size * block), np.nan) for port in ports]
     arrays = [*given, *results]
-    sizes = (ctypes.c_size_t * 8)(*[port.size * block for port in ports])
+    sizes = (ctypes.c_size_t * 8)(*[array.shape[1] for array in arrays])
     places = (ctypes.c_void_p * 8)(*[array.ctypes.data for array in arrays]) if whole else pointers(arrays)
     count, loop = STATES // block, compiled.loops.time_block if whole else compiled.loops.time_single
 

@@ -247,3 +247,11 @@ int lean_seed_jacobian(const double *restrict q, double *restrict jacobian)
     }
     return 0;
 }
+
+#define JOINED(a, b) TIMES(a, b)
+#define STEP lean_seed_step
+#define FORWARD lean_seed_forward
+#include "runge_kutta.h"
+#define STEP lean_seed_step_lanes
+#define FORWARD lean_seed_forward_lanes
+#include "runge_kutta.h"
