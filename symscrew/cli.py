@@ -132,7 +132,10 @@ def parser() -> argparse.ArgumentParser:
     accuracy = _command(verbs, "accuracy", commands.study_accuracy, "what accuracy costs in time: methods side by side")
     text = "a name of `symscrew list`, a scene file, or a folder of benchmark problems"
     accuracy.add_argument("mechanism", metavar="NAME|SCENE|FOLDER", help=text)
-    text = "which study; default: all of a mechanism, forward of a scene (growth: cost over the number of loops)"
+    text = (
+        "kinematics, momentum, forward, precision, effects, claims or all of these; growth (over the number of loops), "
+        "problems, transcription; default: all of a mechanism, forward of a scene"
+    )
     accuracy.add_argument("--study", metavar="STUDY", help=text)
     accuracy.add_argument("--problems", metavar="DIR", help="also the benchmark problems of a folder, a row for each")
     accuracy.add_argument("--out", metavar="DIR", required=True, help="for JSON, Markdown table and plots")

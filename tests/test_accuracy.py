@@ -16,7 +16,7 @@ from symscrew.accuracy.chains import Chains, least_squares
 from symscrew.accuracy.claims import newton_euler_program
 from symscrew.accuracy.history import read_reference
 from symscrew.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
-from symscrew.accuracy.measuring import Point
+from symscrew.accuracy.measuring import Point, Study
 from symscrew.accuracy.momentum import drive_map, drives_of, momenta_of, neighbour, reference_rates
 from symscrew.accuracy.report import front
 from symscrew.accuracy.states import States, Subject, body_states_of, paper_states, random_states
@@ -352,6 +352,31 @@ def test_command_leaves_json_table_and_plots(tmp_path: Path, capsys: pytest.Capt
     shown = capsys.readouterr().out
     assert shown.startswith("| study")
     assert "inverse dynamics" in shown
+
+
+def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`--study all` of a scene: the studies that it has (here one, given), and why it has not the others."""
+    from symscrew.accuracy import command
+
+    points = (Point("a", "", 0.5, quartiles([1.0])), Point("b", "", None, None, "a pivot is small"))
+    given = Study("forward", "A study", points, "error", "time", "ms", "none", None)
+    usual = command._function
+
+    def function(name: str):  # type: ignore[no-untyped-def]
+        return usual(name) if name in ("kinematics", "momentum", "claims") else lambda *_: lambda *_: given
+
+    monkeypatch.setattr(command, "_function", function)
+    monkeypatch.setattr("symscrew.accuracy.plots.save", lambda *_: [])
+    assert main(["accuracy", str(EXAMPLES / "simple_pendulum.toml"), "--study", "all", "--out", str(tmp_path)]) == 0
+    content, table = (json.loads((tmp_path / "accuracy.json").read_text()), (tmp_path / "accuracy.md").read_text())
+    assert [reason.split(":")[0] for reason in content["left_out"]] == ["kinematics", "momentum", "claims"]
+    assert [len(study["points"]) for study in content["studies"]] == [2, 2, 2]
+    for text in (*content["left_out"], "failed: a pivot is small"):
+        assert text in table
+    shown = capsys.readouterr().out
+    assert all(f"left out: {reason}" in shown for reason in content["left_out"])
 
 
 @pytest.mark.slow

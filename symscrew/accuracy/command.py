@@ -57,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
             left_out.append(f"{name}: {error}")
     directory.mkdir(parents=True, exist_ok=True)
     name = subject.model.name if subject is not None and path is None else Path(options.mechanism).stem
-    written = _write(name, studies, facts, directory)
+    written = _write(name, studies, facts, left_out, directory)
     print(report.short(studies))
     for study in studies:
         own = "not known" if study.reference_error is None else f"{study.reference_error:.1e}"
@@ -71,13 +71,13 @@ def run(options: argparse.Namespace) -> int:
     return 0 if studies and worked else 1
 
 
-def _write(name: str, studies: list[Study], facts: dict[str, str], directory: Path) -> list[Path]:
+def _write(name: str, studies: list[Study], facts: dict[str, str], left_out: list[str], directory: Path) -> list[Path]:
     from symscrew.accuracy import plots
 
     pictures = [path for study in studies for path in plots.save(study, directory)]
-    text = report.markdown(name, studies, facts, [p.name for p in pictures])
+    text = report.markdown(name, studies, facts, [p.name for p in pictures], left_out)
     return [
-        write_text(directory / "accuracy.json", report.as_json(name, studies, facts)),
+        write_text(directory / "accuracy.json", report.as_json(name, studies, facts, left_out)),
         write_text(directory / "accuracy.md", text),
         *pictures,
     ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import Any
 
 from symscrew.accuracy.measuring import Point, Study
 from symscrew.console import table
@@ -14,18 +13,20 @@ from symscrew.timing import Times
 UNITS = {"ns": 1e9, "ms": 1e3, "s": 1.0}
 
 
-def values(name: str, studies: Sequence[Study], machine: Mapping[str, str]) -> dict[str, Any]:
-    """Everything as numbers and texts; costs in seconds."""
-    return {"subject": name, "machine": dict(machine), "studies": [asdict(study) for study in studies]}
+def as_json(name: str, studies: Sequence[Study], machine: Mapping[str, str], left_out: Sequence[str] = ()) -> str:
+    """The raw results, everything as numbers and texts, costs in seconds; `left_out`: studies that there are not."""
+    values = {"subject": name, "machine": dict(machine), "studies": [asdict(study) for study in studies]}
+    return json.dumps({**values, "left_out": list(left_out)}, indent=1, allow_nan=False, default=float) + "\n"
 
 
-def as_json(name: str, studies: Sequence[Study], machine: Mapping[str, str]) -> str:
-    """The raw results."""
-    return json.dumps(values(name, studies, machine), indent=1, allow_nan=False, default=float) + "\n"
-
-
-def markdown(name: str, studies: Sequence[Study], machine: Mapping[str, str], pictures: Sequence[str]) -> str:
-    """All points of all studies, with references, preparation, notes and the machine."""
+def markdown(
+    name: str,
+    studies: Sequence[Study],
+    machine: Mapping[str, str],
+    pictures: Sequence[str],
+    left_out: Sequence[str] = (),
+) -> str:
+    """All points of all studies, with references, preparation, notes, the machine, and why studies are left out."""
     lines = [f"# Accuracy against time: {name}", ""]
     for study in studies:
         lines += [f"## {study.title}", "", *about(study), "", points_table(study.points, study), ""]
@@ -33,6 +34,8 @@ def markdown(name: str, studies: Sequence[Study], machine: Mapping[str, str], pi
             lines += [f"**{title}**", "", table(header, rows), ""]
         lines += [f"![{study.title}]({p})" for p in pictures if p.startswith(study.name) and p.endswith(".png")]
         lines.append("")
+    if left_out:
+        lines += ["## Left out", "", *(f"- {reason}" for reason in left_out), ""]
     lines += ["## Machine", "", table(("part", "found"), list(machine.items())), ""]
     return "\n".join(lines)
 
