@@ -83,6 +83,16 @@ ROWS = (
     Row("stewart_6ups", "inverse_dynamics_platform", ONE, "lean_stewart"),
     Row("stewart_6ups", "inverse_dynamics_platform", LANES, "lean_stewart"),
     *(
+        Row("delta", function, form, f"lean_delta_{name}")
+        for function, name in (
+            ("inverse_dynamics", "drives"),
+            ("velocity", "velocity"),
+            ("platform_jacobian", "jacobian"),
+        )
+        for form in (ONE, LANES)
+        if name != "jacobian" or form == ONE
+    ),
+    *(
         Row(arm, function, ONE, None if "derivatives" in function else f"lean_{arm}_{function}", recorded)
         for arm, figures in (("ur5", (296.0, 371.0, 1067.0)), ("panda", (395.0, 687.0, 2765.0)))
         for function, recorded in zip(ARM, (*figures, None, None), strict=True)
@@ -135,7 +145,7 @@ def _line(row: Row, times: dict[str, Times], agreement: dict[str, float]) -> lis
 def _lean(folder: Path) -> ctypes.CDLL:
     """All hand-written functions in one library."""
     here = Path(__file__).parent
-    text = "".join(f'#include "{path}"\n' for path in sorted(here.glob("*.c")))
+    text = "".join(f'#include "{here / name}.c"\n' for name in ("seed", "seed_forward", "stewart", "delta", "arms"))
     (folder / "lean.c").write_text(text, encoding="utf-8")
     compile_c(folder / "lean.c", folder / "lean.so", flags=[*FLAGS, f"-I{here}"])
     return ctypes.CDLL(str(folder / "lean.so"))
@@ -178,7 +188,7 @@ def _library(model: Model, folder: Path, *, lanes: bool) -> ctypes.CDLL:
     here.mkdir(exist_ok=True)
     for file, text in print_c(model, lanes=lanes).items():
         (here / file).write_text(text, encoding="utf-8")
-    if model.name == SEED:
+    if model.name == SEED and "forward_dynamics" in model.programs:
         header = Path(__file__).with_name("runge_kutta.h")
         step = f"#define JOIN(a, b) a##_##b\n#define JOINED(a, b) JOIN(a, b)\n#define STEP {SEED}_step\n"
         with (here / f"{SEED}.c").open("a", encoding="utf-8") as code:

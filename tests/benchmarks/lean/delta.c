@@ -1,0 +1,110 @@
+/* Drives, rates and Jacobian of the delta robot, by hand; see seed.c. No checks.
+
+   The platform does not turn and the two rods of an arm stay parallel: only the arms' angles and the platform's position
+   are read. A slender rod is a third of its mass at each end and a sixth between them; its tension acts along it, and
+   the three equations of the platform give the three tensions. */
+#define DELTA_ARM 0.3
+#define DELTA_ROD_SQUARE 0.48999999999999999
+#define DELTA_RADII (-0.15) /* of the platform less that of the base */
+#define M_ARM 0.4
+#define M_ROD 0.1
+#define M_PLATFORM 0.5
+#define ROOT3_2 0.86602540378443865
+
+static const double delta_c[3] = {1.0, -0.5, -0.5}, delta_s[3] = {0.0, ROOT3_2, -ROOT3_2};
+
+int lean_delta_drives(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u)
+{
+    const lanes angle = {q[0], q[5], q[10], q[10]}, sine = _ZGVdN4v_sin(angle), cosine = _ZGVdN4v_cos(angle);
+    const double g = 9.81, M = M_PLATFORM + 2.0 * M_ROD, ends = M_ROD / 3.0;
+    double f[3] = {M * a[15], M * a[16], M * a[17] + (M_PLATFORM + 3.0 * M_ROD) * g}, n[3][3];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k], w = v[5 * k], square = w * w, gain = a[5 * k];
+        const double out = DELTA_RADII - lc, knee = -ends * (gain * ls + square * lc);
+        n[k][0] = q[15] + delta_c[k] * out;
+        n[k][1] = q[16] + delta_s[k] * out;
+        n[k][2] = q[17] + ls;
+        f[0] += delta_c[k] * knee;
+        f[1] += delta_s[k] * knee;
+        f[2] += ends * (square * ls - gain * lc);
+    }
+    const double x[3] = {n[1][1] * n[2][2] - n[1][2] * n[2][1], n[1][2] * n[2][0] - n[1][0] * n[2][2],
+                         n[1][0] * n[2][1] - n[1][1] * n[2][0]};
+    const double over = 1.0 / (n[0][0] * x[0] + n[0][1] * x[1] + n[0][2] * x[2]);
+    const double y[3] = {f[1] * n[0][2] - f[2] * n[0][1], f[2] * n[0][0] - f[0] * n[0][2],
+                         f[0] * n[0][1] - f[1] * n[0][0]};
+    const double tension[3] = {
+        (f[0] * x[0] + f[1] * x[1] + f[2] * x[2]) * over, -(y[0] * n[2][0] + y[1] * n[2][1] + y[2] * n[2][2]) * over,
+        (y[0] * n[1][0] + y[1] * n[1][1] + y[2] * n[1][2]) * over};
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k];
+        /* force of the rods on the knee, radial and upwards */
+        const double fx = ends * (delta_c[k] * a[15] + delta_s[k] * a[16])
+                          + tension[k] * (delta_c[k] * n[k][0] + delta_s[k] * n[k][1]);
+        const double fz = ends * a[17] + tension[k] * n[k][2] + (0.5 * M_ARM + M_ROD) * g;
+        u[k] = (M_ARM + 2.0 * M_ROD) / 3.0 * DELTA_ARM * DELTA_ARM * a[5 * k] - ls * fx - lc * fz;
+    }
+    return 0;
+}
+
+/* Rates of the tree from the platform's velocity. */
+int lean_delta_velocity(const double *restrict q, const double *restrict y, double *restrict v)
+{
+    const lanes angle = {q[0], q[5], q[10], q[10]}, sine = _ZGVdN4v_sin(angle), cosine = _ZGVdN4v_cos(angle);
+    double nX[3], nY[3], nZ[3], square[3], arm[3], both[3];
+    lanes height;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k];
+        nX[k] = delta_c[k] * q[15] + delta_s[k] * q[16] + DELTA_RADII - lc;
+        nY[k] = delta_c[k] * q[16] - delta_s[k] * q[15];
+        nZ[k] = q[17] + ls;
+        arm[k] = nX[k] * ls + nZ[k] * lc;
+        square[k] = DELTA_ROD_SQUARE - nY[k] * nY[k];
+        height[k] = square[k];
+        both[k] = 1.0 / (arm[k] * square[k]);
+    }
+    height[3] = 1.0;
+    height = roots(height);
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k], over = both[k] * arm[k];
+        const double vX = delta_c[k] * y[0] + delta_s[k] * y[1], vY = delta_c[k] * y[1] - delta_s[k] * y[0];
+        const double rate = -(nX[k] * vX + nY[k] * vY + nZ[k] * y[2]) * (both[k] * square[k]);
+        const double turn = ((vX + ls * rate) * nZ[k] - (y[2] + lc * rate) * nX[k]) * over - rate;
+        const double tilt = vY * height[k] * over;
+        v[5 * k] = rate;
+        v[5 * k + 1] = v[5 * k + 3] = turn;
+        v[5 * k + 2] = v[5 * k + 4] = tilt;
+    }
+    v[15] = y[0];
+    v[16] = y[1];
+    v[17] = y[2];
+    v[18] = v[19] = v[20] = 0.0;
+    return 0;
+}
+
+/* Twists at O of the platform per rate of the tree: its velocity, and turning about its point. */
+int lean_delta_jacobian(const double *restrict q, double *restrict jacobian)
+{
+    platform at;
+    turned(q + 18, &at);
+    for (int k = 0; k < 126; ++k) {
+        jacobian[k] = 0.0;
+    }
+    jacobian[93] = jacobian[100] = jacobian[107] = 1.0;
+#define COLUMN(k, e)                                                                                               \
+    jacobian[k] = at.e[0];                                                                                         \
+    jacobian[k + 1] = at.e[1];                                                                                     \
+    jacobian[k + 2] = at.e[2];                                                                                     \
+    jacobian[k + 3] = q[16] * at.e[2] - q[17] * at.e[1];                                                           \
+    jacobian[k + 4] = q[17] * at.e[0] - q[15] * at.e[2];                                                           \
+    jacobian[k + 5] = q[15] * at.e[1] - q[16] * at.e[0];
+    COLUMN(108, X)
+    COLUMN(114, Y)
+    COLUMN(120, Z)
+    return 0;
+}
