@@ -56,7 +56,11 @@ EXAMPLES = {
         "symscrew fmu examples/scenes/hanging_platform.toml --out platform.fmu",
         "symscrew fmu ur5 --out ur5.fmu --fmi 2",
     ),
-    "accuracy": ("symscrew accuracy three_ups_upu_s --study precision --out study",),
+    "accuracy": (
+        "symscrew accuracy three_ups_upu_s --study precision --out study",
+        "symscrew accuracy examples/benchmarks --out problems",
+        "symscrew accuracy examples/benchmarks/n_four_bar.toml --study growth --out growth",
+    ),
     "optimise": ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",),
     "draw": ("symscrew draw three_ups_upu_s --out seed.png",),
     "view": ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html"),
