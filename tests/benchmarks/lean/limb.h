@@ -14,28 +14,12 @@ typedef struct {
     REAL fx, fy, fz, length, lower_x, lower_y, lower_z, upper_x, upper_y, moment_x, moment_y, mz;
 } NAME(leg);
 
-static inline __attribute__((always_inline)) NAME(leg) NAME(limb)(
-    REAL dX, REAL dY, REAL dZ, REAL vX, REAL vY, REAL vZ, REAL aX, REAL aY, REAL aZ)
+/* From axes, angular velocity w and acceleration b, accelerations per length k, and the tip's acceleration a. */
+static inline __attribute__((always_inline)) NAME(leg) NAME(forces)(
+    REAL c, REAL s, REAL across, REAL along, REAL slope, REAL length, REAL over_length, REAL wx, REAL wy, REAL wz,
+    REAL bx, REAL by, REAL bz, REAL kx, REAL ky, REAL kz, REAL ax, REAL ay, REAL az)
 {
-    const REAL square = dY * dY + dZ * dZ;
-    const REAL height = ROOT(square);
-    const REAL length = ROOT(square + dX * dX);
-    const REAL both = 1.0 / (height * length);
-    const REAL over_height = both * length, over_length = both * height;
-    const REAL c = dZ * over_height, s = -dY * over_height;
-    const REAL across = height * over_length, along = dX * over_length, slope = dX * over_height;
-    /* tip in leg axes */
-    const REAL vW = c * vZ - s * vY, aW = c * aZ - s * aY;
-    const REAL vx = across * vX - along * vW, vy = c * vY + s * vZ, vz = along * vX + across * vW;
-    const REAL ax = across * aX - along * aW, ay = c * aY + s * aZ, az = along * aX + across * aW;
-    /* turning: k is the acceleration per length along the leg */
-    const REAL wx = -vy * over_length, wy = vx * over_length, wz = slope * wx;
-    const REAL twice = 2.0 * vz;
-    const REAL kx = (ax - twice * wy) * over_length, ky = (ay + twice * wx) * over_length;
-    const REAL kz = -(wx * wx + wy * wy);
     const REAL turn = wy * wz;
-    const REAL bx = turn - ky, by = kx - wx * wz;
-    const REAL bz = slope * bx + wx * wy * (1.0 + slope * slope);
     const REAL gx = -G * along * c, gy = G * s, gz = G * across * c;
     /* moments about the joint */
     const REAL lower_x = E1 * kx + gx, lower_y = E1 * ky + gy;
@@ -69,6 +53,46 @@ static inline __attribute__((always_inline)) NAME(leg) NAME(limb)(
     leg.fY = c * fy - s * fW;
     leg.fZ = s * fy + c * fW;
     return leg;
+}
+
+static inline __attribute__((always_inline)) NAME(leg) NAME(limb)(
+    REAL dX, REAL dY, REAL dZ, REAL vX, REAL vY, REAL vZ, REAL aX, REAL aY, REAL aZ)
+{
+    const REAL square = dY * dY + dZ * dZ;
+    const REAL height = ROOT(square);
+    const REAL length = ROOT(square + dX * dX);
+    const REAL both = 1.0 / (height * length);
+    const REAL over_height = both * length, over_length = both * height;
+    const REAL c = dZ * over_height, s = -dY * over_height;
+    const REAL across = height * over_length, along = dX * over_length, slope = dX * over_height;
+    /* tip in leg axes */
+    const REAL vW = c * vZ - s * vY, aW = c * aZ - s * aY;
+    const REAL vx = across * vX - along * vW, vy = c * vY + s * vZ, vz = along * vX + across * vW;
+    const REAL ax = across * aX - along * aW, ay = c * aY + s * aZ, az = along * aX + across * aW;
+    /* turning: k is the acceleration per length along the leg */
+    const REAL wx = -vy * over_length, wy = vx * over_length, wz = slope * wx;
+    const REAL twice = 2.0 * vz;
+    const REAL kx = (ax - twice * wy) * over_length, ky = (ay + twice * wx) * over_length;
+    const REAL kz = -(wx * wx + wy * wy);
+    const REAL turn = wy * wz;
+    const REAL bx = turn - ky, by = kx - wx * wz;
+    const REAL bz = slope * bx + wx * wy * (1.0 + slope * slope);
+    return NAME(forces)(c, s, across, along, slope, length, over_length, wx, wy, wz, bx, by, bz, kx, ky, kz, ax, ay, az);
+}
+
+/* The same from the leg's own coordinates, rates v and accelerations a: two angles, given by s, c and sine, cosine, and
+   the slider. lean: sine of its lean at rest, towards X. */
+static inline __attribute__((always_inline)) NAME(leg) NAME(own)(
+    REAL s, REAL c, REAL sine, REAL cosine, REAL slider, REAL v1, REAL v2, REAL v3, REAL a1, REAL a2, REAL a3, REAL lean)
+{
+    const REAL along = lean * cosine + LEG_COSINE * sine, across = LEG_COSINE * cosine - lean * sine;
+    const REAL length = slider + LEG_OFFSET, over_height = 1.0 / (length * across);
+    const REAL over_length = over_height * across, slope = along * length * over_height;
+    const REAL wx = across * v1, wz = along * v1, v12 = v1 * v2, twice = 2.0 * v3;
+    const REAL bx = across * a1 - along * v12, bz = along * a1 + across * v12;
+    const REAL kx = a2 + wx * wz, ky = v2 * wz - bx, kz = -(wx * wx + v2 * v2);
+    return NAME(forces)(c, s, across, along, slope, length, over_length, wx, v2, wz, bx, a2, bz, kx, ky, kz,
+                        length * kx + twice * v2, length * ky - twice * wx, a3 + length * kz);
 }
 
 /* Wrenches (force, moment about O) of a leg's joints in local axes, both bodies having the same inertia: base on lower,

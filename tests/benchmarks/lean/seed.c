@@ -14,6 +14,8 @@
 #define R_TIP 0.5
 #define HEIGHT 0.51961524227066319
 #define G 9.81
+#define LEG_COSINE 0.86602540378443865
+#define LEG_OFFSET 0.3
 #define M1 1.42
 #define M2 1.42
 #define E1 0.15
@@ -130,19 +132,31 @@ static inline __attribute__((always_inline)) void drives(
     couple[3] = size * nz;
 }
 
-/* Drives, and if `all` is wanted the wrenches of all joints. */
+/* Coordinates, rates and accelerations of the tree; sines and cosines of its angles: those of the first ones of the four
+   legs, then cosines, then those of the second ones, which turn the other way in local axes in legs 2 and 4. */
+typedef struct {
+    int given;
+    const double *q, *v, *a, *sines;
+} tree;
+
+/* Drives; if the tree's coordinates are given, legs from these, and the wrenches of all joints. */
 static inline __attribute__((always_inline)) void state(
     const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u,
-    double *restrict reactions, size_t stride, int all)
+    double *restrict reactions, size_t stride, tree own)
 {
     axes at, v, a;
     leg_one legs[4];
     double b[3], g[4], h[4], tips[4][3], couple[4];
     motion(pose, rate, gain, stride, &at, &v, &a, b);
+#define AT(m, i) own.m[(size_t)(i) * stride]
+#define OWN(k, side, sign)                                                                                         \
+    own_one(AT(sines, k), AT(sines, 4 + k), sign AT(sines, 8 + k), AT(sines, 12 + k), AT(q, 3 * k + 2),            \
+            AT(v, 3 * k), sign AT(v, 3 * k + 1), AT(v, 3 * k + 2), AT(a, 3 * k), sign AT(a, 3 * k + 1),            \
+            AT(a, 3 * k + 2), -(side 0.5))
 #define LEG(k, side, axis, X, Y, sign, x_, y_)                                                                     \
     {                                                                                                              \
         const double CX = at.z[X] side at.axis[X], CY = sign(at.z[Y] side at.axis[Y]), CZ = at.z[2] side at.axis[2]; \
-        const leg_one leg = limb_one(                                                                              \
+        const leg_one leg = own.given ? OWN(k, side, sign) : limb_one(                                             \
             CX - (0.0 side R_BASE), CY, CZ, v.z[X] side v.axis[X], sign(v.z[Y] side v.axis[Y]),                    \
             v.z[2] side v.axis[2], a.z[X] side a.axis[X], sign(a.z[Y] side a.axis[Y]), a.z[2] side a.axis[2]);     \
         const double force = (0.0 side R_BASE) * leg.across;                                                       \
@@ -163,7 +177,7 @@ static inline __attribute__((always_inline)) void state(
     LEG(3, +, y, 1, 0, -, -mY, mX)
     drives(g, h, legs[0].cosine, legs[0].sine, legs[0].across, legs[0].along, legs[0].slope, legs[0].reciprocal,
            tips[0], at.y, b, u, stride, couple);
-    if (!all) {
+    if (!own.given) {
         return;
     }
     const double zero[4] = {0.0, 0.0, 0.0, 0.0};
@@ -204,24 +218,51 @@ static inline __attribute__((always_inline)) void state(
     }
 }
 
+static const tree platform_only = {0, NULL, NULL, NULL, NULL};
+
 int lean_seed(const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u)
 {
-    state(pose, rate, gain, u, u, 1, 0);
+    state(pose, rate, gain, u, u, 1, platform_only);
     return 0;
 }
 
-/* Joint coordinates in: what the platform's own ones fix is not read. */
+lanes _ZGVdN4v_sin(lanes);
+lanes _ZGVdN4v_cos(lanes);
+static inline __attribute__((always_inline)) void sines_of(const double *restrict q, lanes *restrict found)
+{
+    const lanes one = {q[0], q[3], q[6], q[9]}, two = {q[1], q[4], q[7], q[10]};
+    found[0] = _ZGVdN4v_sin(one);
+    found[1] = _ZGVdN4v_cos(one);
+    found[2] = _ZGVdN4v_sin(two);
+    found[3] = _ZGVdN4v_cos(two);
+}
+
 int lean_seed_reactions(
     const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
     double *restrict reactions)
 {
-    state(q + 12, v + 12, a + 12, u, reactions, 1, 1);
+    lanes sines[4];
+    sines_of(q, sines);
+    const double all[16] = {
+        sines[0][0], sines[0][1], sines[0][2], sines[0][3], sines[1][0], sines[1][1], sines[1][2], sines[1][3],
+        sines[2][0], sines[2][1], sines[2][2], sines[2][3], sines[3][0], sines[3][1], sines[3][2], sines[3][3]};
+    state(q + 12, v + 12, a + 12, u, reactions, 1, (tree){1, q, v, a, all});
     return 0;
+}
+
+static inline __attribute__((always_inline)) leg_four own_lanes(tree own, lanes side)
+{
+    lanes sines[4];
+    sines_of(own.q, sines);
+    const lanes turned = {1.0, -1.0, 1.0, -1.0};
+#define THIRD(m, i) ((lanes){own.m[i], own.m[i + 3], own.m[i + 6], own.m[i + 9]})
+    return own_four(sines[0], sines[1], turned * sines[2], sines[3], THIRD(q, 2), THIRD(v, 0), turned * THIRD(v, 1),
+                    THIRD(v, 2), THIRD(a, 0), turned * THIRD(a, 1), THIRD(a, 2), -0.5 * side);
 }
 
 static inline __attribute__((always_inline)) void in_lanes(
     const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u,
-    double *restrict reactions)
+    double *restrict reactions, tree own)
 {
     axes at, v, a;
     double b[3], couple[4];
@@ -231,7 +272,7 @@ static inline __attribute__((always_inline)) void in_lanes(
 #define HUB(m, X, Y) ((lanes){m.z[X], m.z[Y], m.z[X], m.z[Y]})
 #define CROSS(m) ((lanes){m.z[1], -m.z[0], m.z[1], -m.z[0]} + side * (lanes){m.x[1], -m.y[0], m.x[1], -m.y[0]})
     const lanes CX = HUB(at, 0, 1) + side * AXIS(at, 0, 1), CY = CROSS(at), CZ = HUB(at, 2, 2) + side * AXIS(at, 2, 2);
-    const leg_four leg = limb_four(
+    const leg_four leg = own.given ? own_lanes(own, side) : limb_four(
         CX - R_BASE * side, CY, CZ, HUB(v, 0, 1) + side * AXIS(v, 0, 1), CROSS(v), HUB(v, 2, 2) + side * AXIS(v, 2, 2),
         HUB(a, 0, 1) + side * AXIS(a, 0, 1), CROSS(a), HUB(a, 2, 2) + side * AXIS(a, 2, 2));
     const lanes arm = R_BASE * side * leg.across;
@@ -285,7 +326,7 @@ static inline __attribute__((always_inline)) void in_lanes(
 int lean_seed_lanes(
     const double *restrict pose, const double *restrict rate, const double *restrict gain, double *restrict u)
 {
-    in_lanes(pose, rate, gain, u, NULL);
+    in_lanes(pose, rate, gain, u, NULL, platform_only);
     return 0;
 }
 
@@ -293,7 +334,7 @@ int lean_seed_reactions_lanes(
     const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
     double *restrict reactions)
 {
-    in_lanes(q + 12, v + 12, a + 12, u, reactions);
+    in_lanes(q + 12, v + 12, a + 12, u, reactions, (tree){1, q, v, a, NULL});
     return 0;
 }
 
@@ -302,18 +343,39 @@ int lean_seed_batch(
 {
 #pragma omp simd
     for (int k = 0; k < 8; ++k) {
-        state(pose + k, rate + k, gain + k, u + k, u + k, 8, 0);
+        state(pose + k, rate + k, gain + k, u + k, u + k, 8, platform_only);
     }
     return 0;
 }
+
+/* Sines and cosines in loops of their own: of one angle together GCC does not take them in vectors. */
+double sin(double) __attribute__((simd("notinbranch")));
+double cos(double) __attribute__((simd("notinbranch")));
 
 int lean_seed_reactions_batch(
     const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
     double *restrict reactions)
 {
+    double sines[16 * 8] __attribute__((aligned(64)));
+#pragma GCC unroll 4
+    for (int leg = 0; leg < 4; ++leg) {
+#pragma omp simd
+        for (int k = 0; k < 8; ++k) {
+            sines[8 * leg + k] = sin(q[24 * leg + k]);
+            sines[8 * leg + 64 + k] = sin(q[24 * leg + 8 + k]);
+        }
+    }
+#pragma GCC unroll 4
+    for (int leg = 0; leg < 4; ++leg) {
+#pragma omp simd
+        for (int k = 0; k < 8; ++k) {
+            sines[8 * leg + 32 + k] = cos(q[24 * leg + k]);
+            sines[8 * leg + 96 + k] = cos(q[24 * leg + 8 + k]);
+        }
+    }
 #pragma omp simd
     for (int k = 0; k < 8; ++k) {
-        state(q + 96 + k, v + 96 + k, a + 96 + k, u + k, reactions + k, 8, 1);
+        state(q + 96 + k, v + 96 + k, a + 96 + k, u + k, reactions + k, 8, (tree){1, q + k, v + k, a + k, sines + k});
     }
     return 0;
 }

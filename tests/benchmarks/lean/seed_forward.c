@@ -6,9 +6,6 @@
 #undef NAME
 #define NAME(a) TIMES(a, KIND)
 
-#define LEG_COSINE 0.86602540378443865
-#define LEG_OFFSET 0.3
-
 #define REAL double
 #define KIND one
 #include "swing.h"
@@ -19,12 +16,6 @@
 #include "swing.h"
 #undef REAL
 #undef KIND
-
-#ifndef LEAN_SINES
-#define LEAN_SINES
-lanes _ZGVdN4v_sin(lanes);
-lanes _ZGVdN4v_cos(lanes);
-#endif
 
 typedef struct {
     double X[3], Y[3], Z[3];       /* axes of the platform */
@@ -199,11 +190,11 @@ int lean_seed_velocity(const double *restrict q, const double *restrict y, doubl
     turned(q + 12, &at);
     double w[3];
 #define ROWS(k, side)                                                                                              \
-    const double lean_##k = -(side 0.5), A_##k = side R_BASE, length_##k = q[3 * k + 2] + LEG_OFFSET;                \
-    const double along_##k = lean_##k * cosine[k] + LEG_COSINE * sine[k];                                            \
-    const double across_##k = LEG_COSINE * cosine[k] - lean_##k * sine[k];                                           \
-    const double over_##k = 1.0 / (length_##k * across_##k);                                                         \
-    const double ratio_##k = (A_##k + length_##k * along_##k) * over_##k;                                            \
+    const double lean_##k = -(side 0.5), A_##k = side R_BASE, length_##k = q[3 * k + 2] + LEG_OFFSET;              \
+    const double along_##k = lean_##k * cosine[k] + LEG_COSINE * sine[k];                                          \
+    const double across_##k = LEG_COSINE * cosine[k] - lean_##k * sine[k];                                         \
+    const double over_##k = 1.0 / (length_##k * across_##k);                                                       \
+    const double ratio_##k = (A_##k + length_##k * along_##k) * over_##k;                                          \
     const double turn_##k = 1.0 + A_##k * along_##k * (over_##k * across_##k);
     ROWS(0, -)
     ROWS(1, -)
@@ -219,10 +210,10 @@ int lean_seed_velocity(const double *restrict q, const double *restrict y, doubl
     w[2] = -n.kY * size;
 #define RATES(k, sign, wX, wY)                                                                                     \
     {                                                                                                              \
-        const double wy = c[k] * (wY) + s[k] * w[2], wW = c[k] * w[2] - s[k] * (wY);                                 \
-        v[3 * k] = (wX) - ratio_##k * wW;                                                                            \
-        v[3 * k + 1] = sign turn_##k * wy;                                                                           \
-        v[3 * k + 2] = -A_##k * across_##k * wy;                                                                     \
+        const double wy = c[k] * (wY) + s[k] * w[2], wW = c[k] * w[2] - s[k] * (wY);                               \
+        v[3 * k] = (wX) - ratio_##k * wW;                                                                          \
+        v[3 * k + 1] = sign turn_##k * wy;                                                                         \
+        v[3 * k + 2] = -A_##k * across_##k * wy;                                                                   \
     }
     RATES(0, +, w[0], w[1])
     RATES(1, -, w[1], -w[0])
