@@ -76,6 +76,7 @@ ROWS = (
     Row(SEED, "joint_reactions", EIGHT, "lean_seed_reactions_batch", 108.0),
     Row(SEED, "forward_dynamics", ONE, "lean_seed_forward", 511.0),
     Row(SEED, "forward_dynamics", LANES, "lean_seed_forward_lanes"),
+    Row(SEED, "forward_dynamics", EIGHT, "lean_seed_forward_batch"),
     Row(SEED, STEP, ONE, "lean_seed_step", 2500.0),
     Row(SEED, STEP, LANES, "lean_seed_step_lanes"),
     Row(SEED, "velocity", ONE, "lean_seed_velocity"),

@@ -21,7 +21,8 @@ int lean_delta_drives(
     double f[3] = {M * a[15], M * a[16], M * a[17] + (M_PLATFORM + 3.0 * M_ROD) * g}, n[3][3];
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
-        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k], w = v[5 * k], square = w * w, gain = a[5 * k];
+        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k], w = v[5 * k], square = w * w;
+        const double gain = a[5 * k];
         const double out = DELTA_RADII - lc, knee = -ends * (gain * ls + square * lc);
         n[k][0] = q[15] + delta_c[k] * out;
         n[k][1] = q[16] + delta_s[k] * out;

@@ -77,13 +77,15 @@ static inline __attribute__((always_inline)) NAME(leg) NAME(limb)(
     const REAL turn = wy * wz;
     const REAL bx = turn - ky, by = kx - wx * wz;
     const REAL bz = slope * bx + wx * wy * (1.0 + slope * slope);
-    return NAME(forces)(c, s, across, along, slope, length, over_length, wx, wy, wz, bx, by, bz, kx, ky, kz, ax, ay, az);
+    return NAME(forces)(c, s, across, along, slope, length, over_length, wx, wy, wz, bx, by, bz, kx, ky, kz,
+                        ax, ay, az);
 }
 
 /* The same from the leg's own coordinates, rates v and accelerations a: two angles, given by s, c and sine, cosine, and
    the slider. lean: sine of its lean at rest, towards X. */
 static inline __attribute__((always_inline)) NAME(leg) NAME(own)(
-    REAL s, REAL c, REAL sine, REAL cosine, REAL slider, REAL v1, REAL v2, REAL v3, REAL a1, REAL a2, REAL a3, REAL lean)
+    REAL s, REAL c, REAL sine, REAL cosine, REAL slider, REAL v1, REAL v2, REAL v3, REAL a1, REAL a2, REAL a3,
+    REAL lean)
 {
     const REAL along = lean * cosine + LEG_COSINE * sine, across = LEG_COSINE * cosine - lean * sine;
     const REAL length = slider + LEG_OFFSET, over_height = 1.0 / (length * across);

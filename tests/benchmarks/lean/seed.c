@@ -132,8 +132,8 @@ static inline __attribute__((always_inline)) void drives(
     couple[3] = size * nz;
 }
 
-/* Coordinates, rates and accelerations of the tree; sines and cosines of its angles: those of the first ones of the four
-   legs, then cosines, then those of the second ones, which turn the other way in local axes in legs 2 and 4. */
+/* Coordinates, rates and accelerations of the tree; sines, then cosines of the first angles of the four legs, then those
+   of the second ones, which turn the other way in local axes in legs 2 and 4. */
 typedef struct {
     int given;
     const double *q, *v, *a, *sines;
@@ -237,15 +237,22 @@ static inline __attribute__((always_inline)) void sines_of(const double *restric
     found[3] = _ZGVdN4v_cos(two);
 }
 
+static inline __attribute__((always_inline)) void sines_one(const double *restrict q, double *restrict all)
+{
+    lanes found[4];
+    sines_of(q, found);
+#pragma GCC unroll 16
+    for (int k = 0; k < 16; ++k) {
+        all[k] = found[k / 4][k % 4];
+    }
+}
+
 int lean_seed_reactions(
     const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
     double *restrict reactions)
 {
-    lanes sines[4];
-    sines_of(q, sines);
-    const double all[16] = {
-        sines[0][0], sines[0][1], sines[0][2], sines[0][3], sines[1][0], sines[1][1], sines[1][2], sines[1][3],
-        sines[2][0], sines[2][1], sines[2][2], sines[2][3], sines[3][0], sines[3][1], sines[3][2], sines[3][3]};
+    double all[16];
+    sines_one(q, all);
     state(q + 12, v + 12, a + 12, u, reactions, 1, (tree){1, q, v, a, all});
     return 0;
 }
@@ -352,11 +359,8 @@ int lean_seed_batch(
 double sin(double) __attribute__((simd("notinbranch")));
 double cos(double) __attribute__((simd("notinbranch")));
 
-int lean_seed_reactions_batch(
-    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
-    double *restrict reactions)
+static inline __attribute__((always_inline)) void sines_eight(const double *restrict q, double *restrict sines)
 {
-    double sines[16 * 8] __attribute__((aligned(64)));
 #pragma GCC unroll 4
     for (int leg = 0; leg < 4; ++leg) {
 #pragma omp simd
@@ -373,6 +377,14 @@ int lean_seed_reactions_batch(
             sines[8 * leg + 96 + k] = cos(q[24 * leg + 8 + k]);
         }
     }
+}
+
+int lean_seed_reactions_batch(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u,
+    double *restrict reactions)
+{
+    double sines[16 * 8] __attribute__((aligned(64)));
+    sines_eight(q, sines);
 #pragma omp simd
     for (int k = 0; k < 8; ++k) {
         state(q + 96 + k, v + 96 + k, a + 96 + k, u + k, reactions + k, 8, (tree){1, q + k, v + k, a + k, sines + k});

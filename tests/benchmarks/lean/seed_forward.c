@@ -1,8 +1,8 @@
-/* Accelerations of the seed's tree from its coordinates, rates and drives: one state, and four limbs in four lanes. The
-   limbs are taken into the platform's inertia (swing.h), the passive couple of the first into a row of the platform's
-   acceleration, and two equations remain. Nothing is checked; rates of the platform are taken to fit those of the limbs.
+/* Accelerations of the seed's tree from its coordinates, rates and drives: one state, four limbs in four lanes, and
+   eight states side by side. The limbs are taken into the platform's inertia (swing.h), the passive couple of the first into a row of the platform's
+   acceleration, and two equations remain. Nothing is checked.
 
-   Also a step of Runge and Kutta's fourth-order method on it, and the rates of the tree from those of two coordinates. */
+   Also a step of Runge and Kutta's fourth-order method on it, and the tree's rates from those of two coordinates. */
 #undef NAME
 #define NAME(a) TIMES(a, KIND)
 
@@ -37,6 +37,7 @@ static inline __attribute__((always_inline)) void moved(
     const double *restrict pose, const double *restrict rate, platform *restrict at)
 {
     turned(pose, at);
+#pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
         at->w[k] = rate[0] * at->X[k] + rate[1] * at->Y[k] + rate[2] * at->Z[k];
     }
@@ -113,17 +114,20 @@ static inline __attribute__((always_inline)) void put_platform(
     out[2] = at->Z[0] * w[0] + at->Z[1] * w[1] + at->Z[2] * w[2];
 }
 
-int lean_seed_forward(
-    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a)
+/* One state, or one of several side by side; sines as in seed.c. */
+static inline __attribute__((always_inline)) void forward(
+    const double *restrict q, const double *restrict v, const double *restrict u, const double *restrict angles,
+    size_t stride, double *restrict a)
 {
     platform at;
-    lanes s, c, sine, cosine;
-    sines(q, &s, &c, &sine, &cosine);
-    moved(q + 12, v + 12, &at);
+#define AT_(m, i) m[(size_t)(i) * stride]
+    const double pose[4] = {AT_(q, 12), AT_(q, 13), AT_(q, 14), AT_(q, 15)};
+    const double rate[3] = {AT_(v, 12), AT_(v, 13), AT_(v, 14)};
+    moved(pose, rate, &at);
     const double *w = at.w;
 #define SWUNG(k, side, sign, wY)                                                                                   \
-    swung_one(s[k], c[k], sine[k], cosine[k], q[3 * k + 2], v[3 * k], sign v[3 * k + 1], v[3 * k + 2], u[k], wY, w[2], \
-              side R_BASE, -(side 0.5))
+    swung_one(AT_(angles, k), AT_(angles, 4 + k), sign AT_(angles, 8 + k), AT_(angles, 12 + k), AT_(q, 3 * k + 2), \
+              AT_(v, 3 * k), sign AT_(v, 3 * k + 1), AT_(v, 3 * k + 2), AT_(u, k), wY, w[2], side R_BASE, -(side 0.5))
     const swing_one one = SWUNG(0, -, +, w[1]), two = SWUNG(1, -, -, -w[0]);
     const swing_one three = SWUNG(2, +, +, w[1]), four = SWUNG(3, +, -, -w[0]);
     const row n = held(one.c, one.s, one.across, one.along, one.ratio, one.turn, at.Y);
@@ -133,15 +137,41 @@ int lean_seed_forward(
         one.YZ + three.YZ + (two.XZ + four.XZ), one.ZZ + three.ZZ + (two.ZZ + four.ZZ)};
     const double F[3] = {
         one.X + three.X - (two.Y + four.Y), one.Y + three.Y + (two.X + four.X), one.Z + three.Z + (two.Z + four.Z)};
-    double b[3];
-    accelerated(&at, &n, held_rate(&n, &one, v[0], v[1]), I, F, b);
-    follow_one(&one, b[0], b[1], b[2], a);
-    follow_one(&two, b[1], -b[0], b[2], a + 3);
-    follow_one(&three, b[0], b[1], b[2], a + 6);
-    follow_one(&four, b[1], -b[0], b[2], a + 9);
-    a[4] = -a[4];
-    a[10] = -a[10];
-    put_platform(&at, b, a + 12);
+    double b[3], out[3];
+    accelerated(&at, &n, held_rate(&n, &one, v[0], v[stride]), I, F, b);
+#define FOLLOW(limb, k, sign, wX, wY)                                                                              \
+    follow_one(&limb, wX, wY, b[2], out);                                                                          \
+    AT_(a, k) = out[0];                                                                                            \
+    AT_(a, k + 1) = sign out[1];                                                                                   \
+    AT_(a, k + 2) = out[2];
+    FOLLOW(one, 0, +, b[0], b[1])
+    FOLLOW(two, 3, -, b[1], -b[0])
+    FOLLOW(three, 6, +, b[0], b[1])
+    FOLLOW(four, 9, -, b[1], -b[0])
+    put_platform(&at, b, out);
+    AT_(a, 12) = out[0];
+    AT_(a, 13) = out[1];
+    AT_(a, 14) = out[2];
+}
+
+int lean_seed_forward(
+    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a)
+{
+    double angles[16];
+    sines_one(q, angles);
+    forward(q, v, u, angles, 1, a);
+    return 0;
+}
+
+int lean_seed_forward_batch(
+    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a)
+{
+    double angles[16 * 8] __attribute__((aligned(64)));
+    sines_eight(q, angles);
+#pragma omp simd
+    for (int k = 0; k < 8; ++k) {
+        forward(q + k, v + k, u + k, angles + k, 8, a + k);
+    }
     return 0;
 }
 

@@ -1,4 +1,4 @@
-/* One UPS limb of forward dynamics from its own coordinates, for any REAL: double, or a vector with a limb in each lane.
+/* One UPS limb of forward dynamics from its own coordinates, for any REAL: double, or a vector of limbs.
 
    Local axes as in limb.h, A the base point's X. The limb's rates are rows of the platform's angular velocity w:
    first angle wX - ratio wW, second angle turn wy, slider -reach wy, in the axes X, y = (0, c, s), W = (0, -s, c).
