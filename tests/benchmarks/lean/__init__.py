@@ -80,6 +80,7 @@ ROWS = (
     Row(SEED, STEP, ONE, "lean_seed_step", 2500.0),
     Row(SEED, STEP, LANES, "lean_seed_step_lanes"),
     Row(SEED, "velocity", ONE, "lean_seed_velocity"),
+    Row(SEED, "velocity", LANES, "lean_seed_velocity_lanes"),
     Row(SEED, "platform_jacobian", ONE, "lean_seed_jacobian"),
     Row(SEED, "inverse_dynamics_independent_derivatives", ONE, None, 1777.0),
     Row("stewart_6ups", "inverse_dynamics_platform", ONE, "lean_stewart"),

@@ -211,6 +211,19 @@ int lean_seed_forward_lanes(
     return 0;
 }
 
+/* Angular velocity of the platform from the rates of qx and qy. */
+static inline __attribute__((always_inline)) void swept(
+    const double *restrict q, const double *restrict y, const row *n, double *restrict w)
+{
+    /* 2 d(qx) = q0 wX + (qz - e qy) wY, 2 d(qy) = -qz wX + (q0 + e qx) wY, with wZ = e wY; all times kZ */
+    const double b = q[15] * n->kZ + q[14] * n->kY, d = q[12] * n->kZ - q[13] * n->kY;
+    const double over = 2.0 / (q[12] * d + q[15] * b);
+    w[0] = (d * y[0] - b * y[1]) * over;
+    const double size = (q[12] * y[1] + q[15] * y[0]) * over;
+    w[1] = n->kZ * size;
+    w[2] = -n->kY * size;
+}
+
 /* Rates of the tree from those of qx and qy: the first limb's row gives the angular velocity about the vertical. */
 int lean_seed_velocity(const double *restrict q, const double *restrict y, double *restrict v)
 {
@@ -231,13 +244,7 @@ int lean_seed_velocity(const double *restrict q, const double *restrict y, doubl
     ROWS(2, +)
     ROWS(3, +)
     const row n = held(c[0], s[0], across_0, along_0, ratio_0, turn_0, at.Y);
-    /* 2 d(qx) = q0 wX + (qz - e qy) wY, 2 d(qy) = -qz wX + (q0 + e qx) wY, with wZ = e wY; all times kZ */
-    const double b = q[15] * n.kZ + q[14] * n.kY, d = q[12] * n.kZ - q[13] * n.kY;
-    const double over = 2.0 / (q[12] * d + q[15] * b);
-    w[0] = (d * y[0] - b * y[1]) * over;
-    const double size = (q[12] * y[1] + q[15] * y[0]) * over;
-    w[1] = n.kZ * size;
-    w[2] = -n.kY * size;
+    swept(q, y, &n, w);
 #define RATES(k, sign, wX, wY)                                                                                     \
     {                                                                                                              \
         const double wy = c[k] * (wY) + s[k] * w[2], wW = c[k] * w[2] - s[k] * (wY);                               \
@@ -249,6 +256,33 @@ int lean_seed_velocity(const double *restrict q, const double *restrict y, doubl
     RATES(1, -, w[1], -w[0])
     RATES(2, +, w[0], w[1])
     RATES(3, -, w[1], -w[0])
+    put_platform(&at, w, v + 12);
+    return 0;
+}
+
+int lean_seed_velocity_lanes(const double *restrict q, const double *restrict y, double *restrict v)
+{
+    platform at;
+    lanes s, c, sine, cosine;
+    sines(q, &s, &c, &sine, &cosine);
+    turned(q + 12, &at);
+    double w[3];
+    const lanes side = {-1.0, -1.0, 1.0, 1.0}, lean = -0.5 * side, A = R_BASE * side;
+    const lanes length = (lanes){q[2], q[5], q[8], q[11]} + LEG_OFFSET;
+    const lanes along = lean * cosine + LEG_COSINE * sine, across = LEG_COSINE * cosine - lean * sine;
+    const lanes over = 1.0 / (length * across), ratio = (A + length * along) * over;
+    const lanes turn = 1.0 + A * along * (over * across);
+    const row n = held(c[0], s[0], across[0], along[0], ratio[0], turn[0], at.Y);
+    swept(q, y, &n, w);
+    const lanes wX = {w[0], w[1], w[0], w[1]}, wY = {w[1], -w[0], w[1], -w[0]}, wZ = {w[2], w[2], w[2], w[2]};
+    const lanes wy = c * wY + s * wZ, wW = c * wZ - s * wY;
+    const lanes first = wX - ratio * wW, second = turn * wy, third = -A * across * wy;
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) {
+        v[3 * k] = first[k];
+        v[3 * k + 1] = k % 2 ? -second[k] : second[k];
+        v[3 * k + 2] = third[k];
+    }
     put_platform(&at, w, v + 12);
     return 0;
 }
