@@ -49,6 +49,10 @@ class Model:
     system: System
     notes: tuple[str, ...] = ()
 
+    def only(self, names: Sequence[str]) -> Model:
+        """The model with those functions of these names that it has, and no others."""
+        return replace(self, programs={name: p for name, p in self.programs.items() if name in names})
+
     def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         """Evaluate a function on NumPy arrays (*batch, size): its results and the status."""
         program = self.programs[function]

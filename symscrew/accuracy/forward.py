@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -156,13 +157,30 @@ def ours(scene: Scene, library: native.Library, start: tuple, error_of: Callable
     for tolerance in OURS:
         chosen = replace(scene, integrator=replace(scene.integrator, method="dop853", step=None, tolerance=tolerance))
         setups.append(
-            _our_setup(chosen, library, start, error_of, f"{OWN}: DOP853, projection", f"tolerance {tolerance:g}")
+            whole_run(
+                chosen,
+                library,
+                start,
+                error_of,
+                f"{OWN}: DOP853, projection",
+                f"tolerance {tolerance:g}",
+                {"panel": "DOP853"},
+            )
         )
     return setups
 
 
-def _our_setup(scene, library, start, error_of, curve, setting) -> Setup:  # type: ignore[no-untyped-def]
-    found: list = []
+def whole_run(
+    scene: Scene,
+    library: native.Library,
+    start: tuple,
+    error_of: Callable[[Array], float],
+    curve: str,
+    setting: str,
+    facts: dict[str, Any],
+) -> Setup:
+    """One call of `symscrew simulate`, in processor time; `error_of` takes the coordinates at all outputs."""
+    found: list[Array] = []
 
     def run() -> float:
         begin = time.thread_time()
@@ -173,7 +191,7 @@ def _our_setup(scene, library, start, error_of, curve, setting) -> Setup:  # typ
         found[:] = [history.q]
         return taken
 
-    return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, {"panel": "DOP853"})
+    return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, facts)
 
 
 def _all_formulations(scene: Scene, made: Formulated, error_of: Callable[[Array], float], full: bool) -> list[Setup]:

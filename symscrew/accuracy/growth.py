@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.accuracy.forward import beginning
+from symscrew.accuracy.forward import beginning, whole_run
 from symscrew.accuracy.history import read_reference
 from symscrew.accuracy.loops import compiled, one_file, pointer
 from symscrew.accuracy.measuring import Point, Setup, Stopwatch, Study, measured
@@ -139,22 +139,13 @@ def _simulated(scene: Scene, plant: Plant, fixed: Setup, watch: Stopwatch) -> Se
     start = beginning(scene, plant.model, plant)
     crank = [c.label for c in plant.system.tree.q].index("A0")
     exact, _ = _exact(int(fixed.facts["N"]))
-    found: list[Array] = []
 
-    def run() -> float:
-        begin = time.thread_time()
-        history = native.run(library, scene, start)
-        taken = time.thread_time() - begin
-        if not history.ok:
-            raise ArithmeticError(history.status)
-        found[:] = [history.q]
-        return taken
-
-    def error() -> float:
-        return float(np.abs(-found[0][:, crank] - exact).max())
+    def error(q: Array) -> float:
+        return float(np.abs(-q[:, crank] - exact).max())
 
     facts = {"N": fixed.facts["N"], "operations": fixed.facts["operations"], "series": SIMULATED}
-    return Setup(fixed.curve.replace(FIXED, SIMULATED), fixed.setting, run, error, DURATION, facts)
+    curve = fixed.curve.replace(FIXED, SIMULATED)
+    return whole_run(scene, library, start, error, curve, fixed.setting, facts)
 
 
 def _peers(path: Path | None) -> list[str]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -146,7 +146,7 @@ def study(mechanism: Mechanism, scene: Scene, motion: Motion | None, progress: P
         model = derive(mechanism)
     derived = time.perf_counter()
     with progress.step(f"{mechanism.name}: print and compile its functions"):
-        functions = load(only(model, USED), backend=backend)
+        functions = load(model.only(USED), backend=backend)
     compiled = time.perf_counter()
     if motion is None:
         with progress.step(f"{mechanism.name}: {scene.steps} steps of the motion"):
@@ -167,11 +167,6 @@ def study(mechanism: Mechanism, scene: Scene, motion: Motion | None, progress: P
         max(relative(reactions[:, half], expected[:, half]) for half in (slice(0, 3), slice(3, 6))),
         timings, derived - start, compiled - derived,
     )  # fmt: skip
-
-
-def only(model: Model, names: Sequence[str]) -> Model:
-    """The model with the functions of these names that it has, and no others."""
-    return replace(model, programs={name: p for name, p in model.programs.items() if name in names})
 
 
 def check_closed(functions: CompiledModel, motion: Motion) -> None:
@@ -226,7 +221,7 @@ def assume_no_spin(case: Case, every: int = 10) -> Assumption:
 def at_rest(mechanism: Mechanism, scene: Scene) -> Statics:
     """Drives that hold the mechanism in its reference configuration under gravity and the scene's load."""
     model = derive(mechanism, (Gravity(), ExternalWrench(scene.loaded_point)))
-    functions = load(only(model, ("inverse_dynamics",)), backend="casadi")
+    functions = load(model.only(("inverse_dynamics",)), backend="casadi")
     rest = np.zeros(len(model.system.tree.v))
     u = functions.inverse_dynamics(model.system.reference, rest, rest, np.array(scene.load))
     return Statics(functions["inverse_dynamics"].outputs[0].labels, np.asarray(u))

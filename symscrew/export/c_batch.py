@@ -278,14 +278,22 @@ def _some(model: str, symbol: str, program: Program | Iteration, precision: Prec
         *lines,
         "    for (size_t lane = 0; lane < some; ++lane) {",
         *wrapped_code(f"const int outcome = {one};", "        "),
-        "        if (status != NULL) {",
-        "            status[first + lane] = outcome;",
-        "        }",
-        "        worst = outcome > worst ? outcome : worst;",
-        "    }",
+        *_told("    "),
         "    return worst;",
         "}",
     ]
+
+
+def _told(indent: str) -> list[str]:
+    """The end of a loop over states: the outcome goes to the caller."""
+    lines = [
+        "    if (status != NULL) {",
+        "        status[first + lane] = outcome;",
+        "    }",
+        "    worst = outcome > worst ? outcome : worst;",
+        "}",
+    ]
+    return [indent + line for line in lines]
 
 
 def _blocked(model: str, symbol: str, program: Program | Iteration, precision: Precision, one: str) -> list[str]:
@@ -322,11 +330,7 @@ def _blocked(model: str, symbol: str, program: Program | Iteration, precision: P
         "            if (!isfinite(total[lane])) {",
         *wrapped_code(f"outcome = {one};", " " * 16),
         "            }",
-        "            if (status != NULL) {",
-        "                status[first + lane] = outcome;",
-        "            }",
-        "            worst = outcome > worst ? outcome : worst;",
-        "        }",
+        *_told("        "),
         "        return worst;",
         "    }",
     ]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -27,8 +26,7 @@ FUNCTIONS = ("assemble", "limb_margins", "constraint_margin", "actuation_margins
 
 def compiled(model: Model) -> Call:
     """What the figure evaluates, compiled alone: less than a second, where interpreting takes twenty."""
-    programs = {name: program for name, program in model.programs.items() if name in FUNCTIONS}
-    return calls_of(load(replace(model, programs=programs)))
+    return calls_of(load(model.only(FUNCTIONS)))
 
 
 def figure(model: Model, call: Call) -> Any:
