@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from model_states import model, relative
 
-from symscrew.compiled import compile_c, find_compiler
+from symscrew.compiled import compile_c, find_compiler, load
 from symscrew.export.c import print_c, print_source
 from symscrew.export.listing import checked_slots, live_instructions
 from symscrew.lanes import corresponding, signed
@@ -185,3 +185,23 @@ def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
     assert not kept(f"-D{name.upper()}_LIMB_BY_LIMB")
     assert not kept(f"-D{name.upper()}_SCALAR", "-D__AVX2__")
     assert kept("-D__AVX2__")
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("function", [PLATFORM, "joint_reactions", "platform_jacobian"])
+def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> None:
+    """Each entry of each input in turn, in a batch of states and alone; a good state beside them is not touched."""
+    found = replace(model(CASES[0][0]), programs={function: model(CASES[0][0]).programs[function]})
+    compiled = load(found, backend="c", vectorised=True, flags=("-O1",))
+    good = [np.atleast_2d(x)[0] for x in found.test_inputs[function]]
+    places = [(i, k) for i, x in enumerate(good) for k in range(x.size)]
+    arrays = [np.repeat(x[None], len(places) + 1, 0) for x in good]
+    for row, (i, k) in enumerate(places):
+        arrays[i][row, k] = value
+    *results, status = compiled[function](*arrays, check=False)
+    assert (status[:-1] > 0).all() and status[-1] == 0
+    assert all(np.isnan(r[:-1]).all() and np.isfinite(r[-1]).all() for r in results)
+    for row, place in enumerate(places):
+        *_, alone = compiled[function](*(x[row] for x in arrays), check=False)
+        assert alone > 0, place

@@ -12,18 +12,19 @@ from model_states import model, relative
 from symscrew.compiled import find_compiler, load
 from symscrew.export import c_parts
 from symscrew.export.c import print_source
-from symscrew.export.c_function import Printed
+from symscrew.export.c_function import RUN, Printed
 from symscrew.export.c_precision import DOUBLE
 from symscrew.model import Model
 from symscrew.program import Program
 
 FUNCTIONS = ("forward_dynamics_reactions", "joint_reactions", "inverse_dynamics", "close_position", "mass_matrix")
+SINGLE = "\nint stewart_6ups_mass_matrix("
 
 
 @pytest.fixture
 def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Everything counts as long."""
-    for name, value in {"LONG": 1, "PART": 37, "CLEARED": 3}.items():
+    for name, value in {"LONG": 1, "PART": 37}.items():
         monkeypatch.setattr(c_parts, name, value)
 
 
@@ -63,8 +64,21 @@ def test_a_place_is_given_away_only_after_its_last_reader(short_parts: None) -> 
                 holds[parts.waiting[instruction.target]] = instruction.target
 
 
-def test_zeros_of_a_wide_matrix_are_not_stored_one_by_one(short_parts: None) -> None:
+def zeros_of_the_mass_matrix() -> None:
+    """Runs of zeros of the Stewart platform's mass matrix are written by loops, in front of the lane."""
+    (matrix,) = chosen("stewart_6ups").programs["mass_matrix"].results
     source = print_source(chosen("stewart_6ups"))
-    body = source[source.index("double stewart_6ups_mass_matrix_lane(") :]
-    body = body[: body.index("\n}")]
-    assert "mass_matrix[k] = 0.0;" in body and not re.search(r"mass_matrix\[\d+\] = 0\.0", body)
+    body, function = (source[source.index(start) :] for start in ("double stewart_6ups_mass_matrix_lane(", SINGLE))
+    body, function = (text[: text.index("\n}")] for text in (body, function))
+    alone = len(re.findall(r"mass_matrix\[[^]]*\] = 0\.0", body))
+    runs = [range(int(a), int(b)) for a, b in re.findall(r"size_t k = (\d+); k < (\d+); \+\+k\)", function)]
+    assert alone + sum(map(len, runs)) == matrix.count(0.0) and alone < matrix.count(0.0) / 10
+    assert min(map(len, runs)) >= RUN and all(matrix[k] == 0.0 for run in runs for k in run)
+
+
+def test_zeros_of_a_wide_matrix_are_not_stored_one_by_one() -> None:
+    zeros_of_the_mass_matrix()
+
+
+def test_zeros_of_a_function_in_parts_are_not_stored_one_by_one(short_parts: None) -> None:
+    zeros_of_the_mass_matrix()

@@ -167,6 +167,14 @@ def block(printed: Printed) -> list[str]:
         declare(f"{symbol}_block", ["size_t stride", *arguments(program, precision), f"{real} *restrict total"], VOID),
         "{",
     ]
+    for name, run in printed.cleared:
+        lines += [
+            f"    for (size_t k = {run.start}; k < {run.stop}; ++k) {{",
+            f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
+            f"            {name}[k * stride + lane] = {precision.number(0.0)};",
+            "        }",
+            "    }",
+        ]
     count, extra = len(printed.angles.gathered), []
     loop = [f"    {upper}_VECTORISE", f"    for (size_t lane = 0; lane < {LANES}; ++lane) {{"]
     inputs = [f"{name} + lane" for name in printed.handed(outputs=False)]

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 
 from symscrew.export import c_lanes
 from symscrew.export.c_angles import Angles, calls, gather
@@ -27,10 +28,13 @@ NAMES_OF_LOCALS = "count status k worst outcome total next residual change orien
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
 NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
+NAMES_OF_LOCALS += " sum sum0 sum1 sum2 sum3"
 ALONE = ("1", "1")  # stride and pitch of one state
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
 PER_RESULT = 30  # instructions for every result: with less of them, the order that suits these is the one derived
+SUMS = 4  # of what must be finite: one alone is a long chain of additions that wait for each other
+RUN = 8  # zeros in a row that are written by a loop
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
 
@@ -123,10 +127,25 @@ class Printed:
         return [f"    const {self.precision.real} {self.prefix}{s} = {self.entered[s]};" for s in slots]
 
     @cached_property
+    def cleared(self) -> list[tuple[str, range]]:
+        """Runs of zeros in outputs, which are written before the lane, by loops."""
+        found = []
+        for port, slots in zip(self.program.outputs, self.program.results, strict=True):
+            first = 0
+            for zero, some in groupby(repr(slot) == "0.0" for slot in slots):
+                run = range(first, first := first + len(list(some)))
+                if zero and len(run) >= RUN:
+                    found.append((self.names[port.name], run))
+        return found
+
+    @cached_property
     def stored(self) -> list[tuple[str, int | float]]:
-        """The entries of outputs and pivots, and what goes there."""
+        """The entries of outputs and pivots, and what goes there, but for zeros that are there already."""
         outputs = zip(self.program.outputs, self.program.results, strict=True)
-        found = [(f"{self.names[port.name]}[{self.at(k)}]", s) for port, slots in outputs for k, s in enumerate(slots)]
+        cleared = {(name, k) for name, run in self.cleared for k in run}
+        named = [(self.names[port.name], slots) for port, slots in outputs]
+        entries = [(name, k, s) for name, slots in named for k, s in enumerate(slots) if (name, k) not in cleared]
+        found = [(f"{name}[{self.at(k)}]", slot) for name, k, slot in entries]
         return found + [(f"pivot[{self.at(k, 'pitch')}]", slot) for k, (slot, _) in enumerate(self.program.guards)]
 
     def unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
@@ -155,7 +174,7 @@ def _streamed(printed: Printed) -> Iterator[str]:
     for place, slot in printed.stored:
         places.setdefault(operand(slot), []).append(place)
     waiting = dict.fromkeys(checked_slots(printed.program))
-    started = False
+    terms = 0
 
     def first_read(slot: int | float) -> Iterator[str]:
         if isinstance(slot, int) and slot not in known:
@@ -163,12 +182,13 @@ def _streamed(printed: Printed) -> Iterator[str]:
             yield f"const {real} {prefix}{slot} = {printed.entered[slot]};"
 
     def ready(slot: int | float) -> Iterator[str]:
-        nonlocal started
+        nonlocal terms
         yield from (f"{place} = {operand(slot)};" for place in places.pop(operand(slot), ()))
         if isinstance(slot, int) and slot in waiting:
             del waiting[slot]
-            yield f"total = total + {operand(slot)};" if started else f"{real} total = {operand(slot)};"
-            started = True
+            name = f"sum{terms % SUMS}"
+            yield f"{name} = {name} + {operand(slot)};" if terms >= SUMS else f"{real} {name} = {operand(slot)};"
+            terms += 1
 
     many = len(printed.stored) * PER_RESULT > len(printed.angles.rest)
     instructions = printed.angles.rest if many else ordered(printed.angles.rest)
@@ -183,7 +203,8 @@ def _streamed(printed: Printed) -> Iterator[str]:
     for slot in (*(left[text] for text in places), *waiting):
         yield from first_read(slot)
         yield from ready(slot)
-    yield "return total;" if started else f"return {printed.precision.number(0.0)};"
+    sums = [f"sum{k}" for k in range(min(terms, SUMS))]
+    yield f"return {balanced_sum(sums or [printed.precision.number(0.0)])};"
 
 
 def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
@@ -281,6 +302,8 @@ def function(printed: Printed, signature: str, second: str = "") -> list[str]:
         ]
     if program.guards:
         lines += [f"    {real} pivot[{len(program.guards)}] = {{{zero}}};"]
+    for name, run in printed.cleared:
+        lines += [f"    for (size_t k = {run.start}; k < {run.stop}; ++k) {{", f"        {name}[k] = {zero};", "    }"]
     handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
     call = f"{printed.symbol}_lane({', '.join(handed)});"
     side_by_side = f"{printed.symbol}_packed_lane({', '.join(handed)});"

@@ -27,7 +27,6 @@ from symscrew.program import Instruction
 LONG = 5500  # functions of more than so many instructions and entries stored are printed in parts
 STORED = 4  # instructions that an entry of an output counts as: compilers take a function's stores by pairs
 PART = 500  # instructions of a part
-CLEARED = 16  # zeros of an output from which on a loop writes them
 
 
 def long(printed: Printed) -> bool:
@@ -179,20 +178,13 @@ def _given(parts: Parts) -> list[str]:
     """Entries of outputs and pivots that no part computes: constants and inputs."""
     printed = parts.printed
     program, number = printed.program, printed.precision.number
+    cleared = {(name, k) for name, run in printed.cleared for k in run}
     lines = []
     for port, slots in zip(program.outputs, program.results, strict=True):
         name = printed.names[port.name]
-        cleared = sum(not isinstance(s, int) and s == 0.0 for s in slots) > CLEARED
-        if cleared:
-            lines += [
-                f"    for (size_t k = 0; k < {port.size}; ++k) {{",
-                f"        {name}[k] = {number(0.0)};",
-                "    }",
-            ]
         for k, slot in enumerate(slots):
-            if slot in parts.defined or (cleared and not isinstance(slot, int) and slot == 0.0):
-                continue
-            lines.append(f"    {name}[{k}] = {parts.entered[slot] if isinstance(slot, int) else number(slot)};")
+            if slot not in parts.defined and (name, k) not in cleared:
+                lines.append(f"    {name}[{k}] = {parts.entered[slot] if isinstance(slot, int) else number(slot)};")
     for k, (slot, _) in enumerate(program.guards):
         if slot not in parts.defined:
             lines.append(f"    pivot[{k}] = {parts.entered[slot]};")
