@@ -51,7 +51,8 @@ class Cut:
     """A cut joint: its links, its point in both, the axes it has in both, and its rows.
 
     `hub_point` is the joint's point in the hub, `contact` the hub's point that is now at the tip's point (the
-    same unless the joint slides). `triad` holds in its rows two unit vectors across the joint's single axis
+    same unless the joint slides), `arm` the way to it from the hub's origin through the limb, in tip axes (None:
+    it is better seen through the hub). `triad` holds in its rows two unit vectors across the joint's single axis
     and the axis, tip axes. `reference` is hub_R_tip in the reference configuration. The rows of `parent_axes`
     are the absolute axes of the reference configuration, carried by the joint's parent, in that link's axes.
     """
@@ -68,11 +69,17 @@ class Cut:
     reference: Matrix
     parent_axes: Matrix
     tip_is_parent: bool
+    arm: Vector | None = None
     rows: tuple[Row, ...] = ()
 
 
-def cuts(tree: Tree, frames: Sequence[Frame], geometry: Geometry, placed: Sequence[Placement]) -> tuple[Cut, ...]:
-    """Every cut joint with its reciprocal wrenches, for given placements."""
+def cuts(
+    tree: Tree, frames: Sequence[Frame], geometry: Geometry, placed: Sequence[Placement], *, through_limbs: bool = True
+) -> tuple[Cut, ...]:
+    """Every cut joint with its reciprocal wrenches, for given placements of links whose loops are closed.
+
+    Without `through_limbs` places on a hub are seen through the hub: where limbs follow from it, that is known.
+    """
     shared = [0] * len(tree.links)
     for joint in tree.cut:
         shared[tree.link_of_body[joint.parent]] += 1
@@ -82,7 +89,8 @@ def cuts(tree: Tree, frames: Sequence[Frame], geometry: Geometry, placed: Sequen
         parent, child = tree.link_of_body[joint.parent], tree.link_of_body[joint.child]
         parent_first = parent != GROUND and (shared[parent] <= shared[child] or child == GROUND)
         tip, hub = (parent, child) if parent_first else (child, parent)
-        result.append(_cut(tree, frames, geometry, placed, joint, tip, hub))
+        cut = _cut(tree, frames, geometry, placed, joint, tip, hub)
+        result.append(replace(cut, arm=_arm(tree, placed, cut) if through_limbs else None))
     return tuple(result)
 
 
@@ -279,11 +287,38 @@ def closure_bias(
     return tuple(result)
 
 
+def _arm(tree: Tree, placed: Sequence[Placement], cut: Cut) -> Vector | None:
+    """From the hub's origin to the contact through the limb, tip axes; None where the way through the hub is shorter.
+
+    Where the loops are closed, a hub that turns about a point of the limb's base has it through the limb just as
+    well, and there most of it is constant or zero: a leg on its universal joint sees the centre in a plane of its own.
+    """
+    if cut.hub == GROUND:
+        return None
+    hub = tree.links[cut.hub]
+    if hub.motion.kind != "S" or hub.parent not in (GROUND, *tree.path(cut.tip)):
+        return None
+    return subtract(cut.tip_point, carry_point(tree, placed, hub.parent, cut.tip, placed[cut.hub].offset))
+
+
+def on_hub(cut: Cut, tree: Tree, placed: Sequence[Placement], force: Vector, couple: Vector) -> tuple[Vector, Vector]:
+    """A wrench at the cut joint (tip axes) as force and moment about the hub's origin, axes before the hub's motion."""
+    if cut.arm is not None:
+        couple = add(couple, cross(cut.arm, force))
+    force, couple = (carry(tree, placed, cut.tip, cut.hub, vector, before=True) for vector in (force, couple))
+    if cut.arm is None:
+        couple = add(couple, cross(placed[cut.hub].before(cut.contact), force))
+    return force, couple
+
+
 def _hub_acceleration(cut: Cut, tree: Tree, placed: Sequence[Placement], hub: Rates) -> Vector:
     """Acceleration of the hub's point at the cut joint, tip axes.
 
     Where several limbs meet on a spherical hub, its acceleration matrix is rotated once for all of them.
     """
+    if cut.arm is not None:
+        origin, spin, gain = (carry(tree, placed, cut.hub, cut.tip, x) for x in (hub.origin, hub.omega, hub.alpha))
+        return add(origin, add(cross(gain, cut.arm), cross(spin, cross(spin, cut.arm))))
     if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":
         return carry(tree, placed, cut.hub, cut.tip, hub.at(cut.contact))
     turn = placed[cut.hub].turn

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from symscrew.closure import Cut, Row, carry
+from symscrew.closure import Cut, Row, on_hub
 from symscrew.elimination import SAFE, Affine, Column, Guard, Pivot, choose_pivot, magnitude, solve_for, substitute
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
@@ -84,11 +84,8 @@ class Setting:
         for c, cut in enumerate(self.cuts):
             if cut.hub != link.index:
                 continue
-            arm = placed.before(cut.contact)
             for column, (f, m) in at_cut(c).items():
-                f = carry(self.tree, self.placed, cut.tip, cut.hub, f, before=True)
-                m = carry(self.tree, self.placed, cut.tip, cut.hub, m, before=True)
-                accumulate(result, column, f, add(m, cross(arm, f)))
+                accumulate(result, column, *on_hub(cut, self.tree, self.placed, f, m))
         return result
 
 

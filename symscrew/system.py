@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.closure import Cut, Row, carry, closure_bias, closure_residual, cuts, drive_row
+from symscrew.closure import Cut, Row, closure_bias, closure_residual, cuts, drive_row, on_hub
 from symscrew.elementary import cos, sin
 from symscrew.frames import Frame, Geometry, link_frames
 from symscrew.joints import JOINT_TYPES
@@ -27,6 +27,7 @@ from symscrew.screws import Pose, Twist, Vector, add, cross, dot, subtract, tran
 from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND, Tree, spanning_tree
 
+Wrench = tuple[Vector, Vector]
 SAMPLES = 5
 SEED = 20230811
 
@@ -67,7 +68,7 @@ class System:
             other.__dict__.pop(name, None)
         other.inputs = Coordinates(tuple(q), tuple(v or self.inputs.v), tuple(a or self.inputs.a))
         other.placed = placements(self.tape, self.tree, self.frames, other.inputs.q, turns)
-        other.cuts = cuts(self.tree, self.frames, self.geometry, other.placed)
+        other.cuts = cuts(self.tree, self.frames, self.geometry, other.placed, through_limbs=not turns)
         return other
 
     def _inputs(self) -> Coordinates:
@@ -158,24 +159,33 @@ class System:
         rows = []
         for row in cut.rows:
             entries: dict[int, Node] = {}
-            self._push(entries, cut.tip, cut.tip_point, row.force, row.couple, 1)
+            below: dict[int, Wrench] = {}
+            if cut.tip != GROUND:
+                placed = self.placed[cut.tip]
+                moment = add(row.couple, cross(cut.tip_point, row.force))
+                below = self._push(entries, cut.tip, placed.before(row.force), placed.before(moment), 1)
             if cut.hub != GROUND:
-                force, couple = (
-                    carry(self.tree, self.placed, cut.tip, cut.hub, v, before=True) for v in (row.force, row.couple)
-                )
-                arm = self.placed[cut.hub].before(cut.contact)
-                self._push_before(entries, cut.hub, force, add(couple, cross(arm, force)), -1)
+                parent = self.tree.links[cut.hub].parent
+                if cut.arm is not None and parent in below:
+                    force, moment = self._outwards(cut.hub, *below[parent])
+                else:
+                    force, moment = on_hub(cut, self.tree, self.placed, row.force, row.couple)
+                self._push(entries, cut.hub, force, moment, -1)
             rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
         return rows
 
-    def _push(self, entries: dict, link: int, point: tuple, force: tuple, couple: tuple, sign: int) -> None:
-        if link != GROUND:
-            placed = self.placed[link]
-            moment = add(couple, cross(point, force))
-            self._push_before(entries, link, placed.before(force), placed.before(moment), sign)
+    def _outwards(self, index: int, force: Vector, moment: Vector) -> Wrench:
+        """A wrench at the origin of a link's parent as one at the link's, in the axes before its motion."""
+        placed = self.placed[index]
+        back = transpose(placed.rotation)
+        return transform(back, force), transform(back, subtract(moment, cross(placed.offset, force)))
 
-    def _push_before(self, entries: dict, index: int, force: tuple, moment: tuple, sign: int) -> None:
-        """Push a unit wrench from a link (axes before its motion) to the ground, noting S . w of each row."""
+    def _push(self, entries: dict, index: int, force: Vector, moment: Vector, sign: int) -> dict[int, Wrench]:
+        """Push a unit wrench from a link (axes before its motion) to the ground, noting S . w of each row.
+
+        Returns the wrench at the origin of every link inside it, in that link's axes.
+        """
+        below: dict[int, Wrench] = {}
         while True:
             link, frame, placed = self.tree.links[index], self.frames[index], self.placed[index]
             if link.motion.kind == "F":
@@ -191,8 +201,9 @@ class System:
             force = transform(placed.rotation, force)
             moment = add(transform(placed.rotation, moment), cross(placed.offset, force))
             index = link.parent
+            below[index] = force, moment
             if index == GROUND:
-                return
+                return below
             force, moment = self.placed[index].before(force), self.placed[index].before(moment)
 
     def bias(self, rate: Sequence[Rates]) -> list[Node]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from symscrew.closure import carry, drive_row
+from symscrew.closure import carry, drive_row, on_hub
 from symscrew.effects.effect import Contact, Effect, State, Transmission
 from symscrew.effects.parts import Parts
 from symscrew.errors import DescriptionError
@@ -256,11 +256,8 @@ class Acting(Parts):
             tip = placed[cut.tip]
             self._load(cut.tip, tip.before(f), tip.before(add(couple, cross(cut.tip_point, f))))
         if cut.hub != GROUND:
-            f, couple = (
-                scale(-1, carry(system.tree, placed, cut.tip, cut.hub, vector, before=True)) for vector in (f, couple)
-            )
-            arm = placed[cut.hub].before(cut.contact)
-            self._load(cut.hub, f, add(couple, cross(arm, f)))
+            f, m = on_hub(cut, system.tree, placed, scale(-1, f), scale(-1, couple))
+            self._load(cut.hub, f, m)
 
     def _load(self, link: int, force: Vector, moment: Vector) -> None:
         f, m = self.loads.get(link, (ZERO, ZERO))
