@@ -22,7 +22,7 @@ from symscrew.errors import DescriptionError, shorten
 from symscrew.expressions import CONSTANTS, FUNCTIONS, MAX_NODES, exact, node_count, numeric
 from symscrew.limbs import plan_limb
 from symscrew.mechanism import Body, Limb, Mechanism, Parameter
-from symscrew.names import check_name, check_text
+from symscrew.names import check_mechanism_name, check_name, check_text
 from symscrew.reader import Reader
 from symscrew.validation import validate
 
@@ -44,7 +44,7 @@ class MechanismBuilder:
         `characteristic_length` [m] is what norms that mix lengths and angles divide lengths by; left out it is
         the root mean square distance of the joints' and named points from their centre.
         """
-        self._name = check_name(name, "mechanism.name")
+        self._name = check_mechanism_name(name, "mechanism.name")
         self._ground = check_name(ground, "mechanism.ground")
         self._platform = None if platform is None else check_name(platform, "mechanism.platform")
         self._description = check_text(description, "mechanism.description")

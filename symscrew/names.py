@@ -6,6 +6,7 @@ import keyword
 import re
 
 from symscrew.errors import DescriptionError, shorten
+from symscrew.library_names import taken_as_file
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)
 
@@ -35,6 +36,17 @@ def check_name(name: object, where: str) -> str:
     if name in RESERVED:
         raise DescriptionError(f"{where}: {name!r} is a keyword of C, C++ or Python; use another name")
     return name
+
+
+def check_mechanism_name(name: object, where: str) -> str:
+    """`name`, if it can be an identifier and the name of C files; raises DescriptionError otherwise."""
+    checked = check_name(name, where)
+    taken = taken_as_file(checked)
+    if taken is not None:
+        raise DescriptionError(
+            f"{where}: {name!r} would give {name}.h and {name}.c, which would be mistaken for {taken}; use another name"
+        )
+    return checked
 
 
 def check_text(text: object, where: str, *, limit: int = 4000) -> str:

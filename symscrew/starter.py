@@ -21,7 +21,7 @@ from symscrew.errors import DescriptionError
 from symscrew.expressions import to_text
 from symscrew.joints import JOINT_TYPES
 from symscrew.limbs import LimbType, parse_mechanism_string
-from symscrew.names import check_name
+from symscrew.names import check_mechanism_name
 
 Point: TypeAlias = Any  # a sympy.Matrix of three entries
 R, r, H, b, l = sympy.symbols("R r H b l", positive=True)
@@ -55,7 +55,7 @@ def description_text(name: str, limbs: str) -> str:
     Raises:
         DescriptionError: a string or a name that cannot be read.
     """
-    check_name(name, "mechanism.name")
+    check_mechanism_name(name, "mechanism.name")
     types = parse_mechanism_string(limbs)
     if len(types) == 1:
         kind, layouts = "serial", [_arm(types[0])]

@@ -15,7 +15,7 @@ from symscrew.tape import Symbol
 PACKAGE = Path(symscrew.__file__).parent
 
 STAGES = (
-    ("errors", "joints", "mechanism", "replacement", "screws"),
+    ("errors", "joints", "library_names", "mechanism", "replacement", "screws"),
     ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "sections", "starter", "usage"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("elementary", "least_squares", "operations", "tape", "differentiation", "program", "rank_revealing", "jacobians"),

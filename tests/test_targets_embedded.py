@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -67,6 +68,13 @@ def test_counts_are_repeatable_and_of_the_right_size(measured) -> None:
         operations = found.programs[name].operations["total"]
         assert operations < single[name]["instructions"] < 8 * operations
         assert measured["ur5", "m4f", "double"]["functions"][name]["instructions"] > 5 * single[name]["instructions"]
+
+
+@pytest.mark.tools
+@EMULATED
+def test_a_mechanism_may_be_called_like_a_file_of_the_board() -> None:
+    started = replace(pendulum(), name="start")
+    assert measure(started, "m4f", functions=["mass_matrix"])["functions"]["mass_matrix"]["error"] < 1e-5
 
 
 @pytest.mark.tools

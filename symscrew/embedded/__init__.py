@@ -51,6 +51,7 @@ FLAGS = (
 WARNINGS = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wvla", "-Werror")
 SHIFT = 6  # 2^6 ns of emulated time per instruction
 TICK = 40  # ns of the boards' timer
+BOARD = "board"
 STATES = 2
 TIMEOUT = 120
 
@@ -114,8 +115,9 @@ def measure(
         files = {**print_c(model, precision=real, batches=False), "main.c": print_main(model, chosen, real)}
         for name, text in files.items():
             (folder / name).write_text(text, encoding="utf-8")
-        for file in resources.files(__package__).joinpath("board").iterdir():
-            (folder / file.name).write_bytes(file.read_bytes())
+        (folder / BOARD).mkdir()  # a mechanism may be called like one of its files
+        for file in resources.files(__package__).joinpath(BOARD).iterdir():
+            (folder / BOARD / file.name).write_bytes(file.read_bytes())
         _compile(model, target, folder)
         lines = _run(target, folder)
         flash, frames = _flash(folder, model.name), _frames(folder, model.name)
@@ -151,7 +153,7 @@ def _belongs(symbol: str, function: str, model: Model) -> bool:
 
 def print_main(model: Model, functions: Sequence[str], real: Precision) -> str:
     """The program: calls at test states, their statuses, ticks of the timer, stack and results as hexadecimal bits."""
-    lines = [f'#include "{model.name}.h"', '#include "measure.h"', ""]
+    lines = [f'#include "{model.name}.h"', f'#include "{BOARD}/measure.h"', ""]
     for f, name in enumerate(functions):
         program = model.programs[name]
         states = _states(model, name, real)
@@ -208,9 +210,9 @@ def _compile(model: Model, core: Core, folder: Path) -> None:
         "-nostartfiles",
         "-Wl,--gc-sections",
         "-T",
-        "mps2.ld",
+        f"{BOARD}/mps2.ld",
         "main.c",
-        "start.c",
+        f"{BOARD}/start.c",
         "model.o",
         "-lm",
         "-o",

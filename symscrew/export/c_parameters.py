@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import plain, wrapped
+from symscrew.library_names import members
 from symscrew.model import Model
-from symscrew.names import check_name
 
 
 def parameter_type(model: Model, precision: Precision) -> list[str]:
@@ -24,9 +24,10 @@ def parameter_type(model: Model, precision: Precision) -> list[str]:
     about = wrapped("Run-time parameters: `by_name` and the functions' argument `p` are the same numbers. Start")
     about += [f"with {model.name}_parameters parameters = {upper}_PARAMETERS_DEFAULT;"]
     lines = ["", "/*", *(f" * {line}" for line in about), " */", "typedef union {", "    struct {"]
+    names = members(parameter.name for parameter in chosen)
     for parameter, number in zip(chosen, numbers, strict=True):
         text = plain(f"[{parameter.unit}] {parameter.description or parameter.name}; default {number.strip('()')}")
-        lines += [f"        {precision.real} {check_name(parameter.name, 'parameter')}; /* {text} */"]
+        lines += [f"        {precision.real} {names[parameter.name]}; /* {text} */"]
     lines += ["    } by_name;", f"    {precision.real} p[{len(chosen)}];", f"}} {model.name}_parameters;"]
     lines += [f"#define {upper}_PARAMETERS_DEFAULT {{{{ \\"]
     lines += [f"    {number}{',' if k + 1 < len(numbers) else ''} \\" for k, number in enumerate(numbers)]

@@ -11,6 +11,7 @@ from __future__ import annotations
 from symscrew.export.c import STATUS_MACROS, argument_names
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, check_names, plain
+from symscrew.library_names import namespace
 from symscrew.model import Model
 from symscrew.program import STATUS, Iteration, Program
 
@@ -57,7 +58,8 @@ def print_cpp(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     lines += [f"#ifndef {guard}", f"#define {guard}", "", "#include <array>", "#include <cstddef>"]
     lines += ["#include <type_traits>", "#if defined(__has_include)", "#if __has_include(<version>)"]
     lines += ["#include <version>", "#endif", "#endif", "#if defined(__cpp_lib_span)", "#include <span>", "#endif"]
-    lines += ["", f'#include "{model.name}.h"', "", f"namespace {model.name} {{", ""]
+    space = namespace(model.name)
+    lines += ["", f'#include "{model.name}.h"', "", f"namespace {space} {{", ""]
     lines += ["enum class Status : int {"]
     lines += [f"    {macro.lower()} = {code}," for code, macro in STATUS_MACROS.items() if code in STATUS]
     lines += ["};", "", "/* What a status means. */", "inline const char *text(Status status) noexcept", "{"]
@@ -65,7 +67,7 @@ def print_cpp(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     lines += VIEWS.rstrip().replace("REAL", precision.real).splitlines()
     for name, program in model.programs.items():
         lines += ["", *_function(model.name, name, program, precision.real)]
-    lines += ["", f"}} /* namespace {model.name} */", "", f"#endif /* {guard} */", ""]
+    lines += ["", f"}} /* namespace {space} */", "", f"#endif /* {guard} */", ""]
     return {f"{model.name}.hpp": "\n".join(lines)}
 
 

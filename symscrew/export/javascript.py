@@ -47,7 +47,8 @@ TABLE = {
 }
 
 WORDS = "arguments debugger eval function implements in instanceof interface let module null package super undefined"
-RESERVED = frozenset(f"{WORDS} var with document globalThis self top window".split())
+OBJECTS = "Array Float64Array Infinity Math NaN Number Object TypeError exports isFinite require"
+RESERVED = frozenset(f"{WORDS} {OBJECTS} var with document globalThis self top window".split())
 
 RUNTIME = """
   /* The arrays of a call, after a check of how many there are and how long they are. */

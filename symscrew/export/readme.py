@@ -9,6 +9,7 @@ import numpy as np
 
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain
+from symscrew.library_names import members, namespace
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
@@ -115,7 +116,7 @@ def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> l
 
 def _typed(model: Model) -> list[str]:
     """Run-time parameters with their names and defaults, if there are any: what a user changes."""
-    chosen = [p.name for p in model.mechanism.parameters.values() if p.run_time]
+    chosen = list(members(p.name for p in model.mechanism.parameters.values() if p.run_time).values())
     line = f"    {model.name}_parameters p_ = {model.name.upper()}_PARAMETERS_DEFAULT;"
     return [f"{line} /* such as p_.by_name.{chosen[0]} */"] if chosen else []
 
@@ -134,8 +135,8 @@ def _cpp(model: Model, name: str, program: Program | Iteration, *, real: str) ->
         "{",
         *arrays,
         *typed,
-        f"    const auto result = {model.name}::{name}({', '.join(passed)});",
-        f'    std::printf("%s: %.12g\\n", {model.name}::text(result.status), result.{_member(program)}[0]);',
+        f"    const auto result = {namespace(model.name)}::{name}({', '.join(passed)});",
+        f'    std::printf("%s: %.12g\\n", {namespace(model.name)}::text(result.status), result.{_member(program)}[0]);',
         "    return result.ok() ? 0 : 1;",
         "}",
     ]

@@ -31,6 +31,7 @@ from symscrew.interchange.geometry import (
     plus,
     scaled,
 )
+from symscrew.library_names import taken_as_file
 from symscrew.mechanism import Mechanism
 from symscrew.names import RESERVED
 
@@ -95,7 +96,7 @@ def mechanism(outline: Outline) -> Mechanism:
     renamed = [f"{old} -> {new}" for names in (named_bodies, named_joints) for old, new in names.items() if old != new]
     notes = [*outline.notes, *(["names: " + ", ".join(renamed)] if renamed else [])]
     builder = MechanismBuilder(
-        next(iter(safe_names([outline.name]).values())),
+        _mechanism_name(outline.name),
         ground=named_bodies[outline.ground],
         platform=named_bodies.get(outline.platform) if outline.platform else None,
         description=printable(outline.description)[:4000],
@@ -157,6 +158,11 @@ def _identifier(name: str) -> str:
     text = re.sub(r"[^A-Za-z0-9_]", "_", name)[:60]
     text = text if re.match(r"[A-Za-z]", text) else f"n{text}"
     return f"{text}_" if text in RESERVED else text
+
+
+def _mechanism_name(name: str) -> str:
+    new = _identifier(name)
+    return f"{new}_" if taken_as_file(new) else new
 
 
 def printable(text: str) -> str:
