@@ -20,9 +20,11 @@ from model_states import model as catalogued
 from model_states import relative
 from runs import prepared
 
+from symscrew import catalogue
 from symscrew.compiled import CompileError, find_compiler, load
 from symscrew.export.c import print_c
-from symscrew.model import Model
+from symscrew.export.casadi_external import jacobians_model
+from symscrew.model import Model, derive
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
 FUNCTIONS = (
@@ -110,7 +112,11 @@ def test_gcc_and_clang(name: str, functions: Sequence[str], tmp_path: Path) -> N
 
 
 def program_of(found: Model, states: Sequence[Sequence[np.ndarray]]) -> str:
-    """A C program that calls every function at given states, good and bad, also in batches, and prints the statuses."""
+    """A C program that calls every function at given states, good and bad, and prints how many statuses differ.
+
+    Single calls, and batches of both layouts over all states and over all but three, so that blocks are left
+    over. Arrays are exactly as large as documented: one entry beyond is an error.
+    """
     lines = [
         f'#include "{found.name}.h"',
         "#include <math.h>",
@@ -127,19 +133,29 @@ def program_of(found: Model, states: Sequence[Sequence[np.ndarray]]) -> str:
             values = ", ".join(
                 "NAN" if np.isnan(x) else "INFINITY" if np.isinf(x) else repr(float(x)) for x in array.ravel()
             )
-            lines.append(f"        static const double in{k}[] = {{{values}}};")
-        for k, port in enumerate(program.outputs):  # exactly as large as documented: one entry beyond is an error
+            lines.append(f"        static const double in{k}[] = {{{values or '0.0'}}};")
+            lines.append(f"        double *side{k} = malloc(sizeof(in{k}));")
+            wide = max(array.shape[1], 1)
+            lines.append(f"        for (int i = 0; i < {array.size}; ++i) {{")
+            lines.append(f"            side{k}[i % {wide} * {count} + i / {wide}] = in{k}[i];")
+            lines.append("        }")
+        for k, port in enumerate(program.outputs):
             lines.append(f"        double *out{k} = malloc({count} * {port.size} * sizeof(double) + !{port.size});")
-        lines.append(f"        int *status = malloc({count} * sizeof(int)), total = 0;")
+        lines.append(f"        int *status = malloc({count} * sizeof(int)), *other = malloc({count} * sizeof(int));")
+        lines.append("        int total = 0;")
+        sides = [f"side{k}" for k in range(len(arrays))]
         ins = [f"in{k}" for k in range(len(arrays))]
         outs = [f"out{k}" for k in range(len(program.outputs))]
-        lines.append(f"        {symbol}_batch({count}, {', '.join([*ins, *outs])}, status);")
+        for some_states in (count - 3, count):
+            lines.append(f"        {symbol}_batch_soa({some_states}, {count}, {', '.join([*sides, *outs])}, other);")
+            lines.append(f"        {symbol}_batch({some_states}, {', '.join([*ins, *outs])}, status);")
         lines.append(f"        for (int i = 0; i < {count}; ++i) {{")
         single = [f"in{k} + i * {array.shape[1]}" for k, array in enumerate(arrays)]
         single += [f"out{k} + i * {port.size}" for k, port in enumerate(program.outputs)]
-        lines.append(f"            total += status[i] != {symbol}({', '.join(single)});")
+        lines.append(f"            const int one = {symbol}({', '.join(single)});")
+        lines.append("            total += (status[i] != one) + (other[i] != one);")
         lines += ["        }", f'        printf("{function} %d\\n", total);']
-        lines += [f"        free({out});" for out in outs] + ["        free(status);", "    }"]
+        lines += [f"        free({name});" for name in (*outs, *sides, "status", "other")] + ["    }"]
     return "\n".join([*lines, "    return 0;", "}", ""])
 
 
@@ -166,14 +182,32 @@ def run_program(found: Model, folder: Path, compile_with: Sequence[str], run_wit
     assert "runtime error" not in done.stderr and "ERROR" not in done.stderr.replace("ERROR SUMMARY: 0", "")
 
 
-@pytest.mark.tools
-@pytest.mark.parametrize(
-    "name, functions", [("four_bar", FUNCTIONS), ("three_ups_upu_s", ("inverse_dynamics", "closure"))]
+SANITIZED = (
+    "four_bar",
+    "pendulum",
+    "ur5",
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("three_ups_upu_s", "delta", "stewart_6ups")),
 )
-def test_address_and_undefined_behaviour_sanitizers(name: str, functions: Sequence[str], tmp_path: Path) -> None:
-    """Clean, at good states and bad ones, by single calls and by batches; both statuses are the same."""
-    flags = ("-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-    run_program(some(name, functions), tmp_path, (tool("gcc"), *flags))
+SANITIZE = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", SANITIZED)
+def test_address_and_undefined_behaviour_sanitizers(name: str, tmp_path: Path) -> None:
+    """All functions clean, at good states and bad ones, by single calls and by batches; statuses are the same."""
+    run_program(catalogued(name), tmp_path, (tool("gcc"), "-O0", *SANITIZE))
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", ["four_bar", pytest.param("ur5", marks=pytest.mark.slow)])
+def test_derivatives_and_jacobians_under_sanitizers(name: str, tmp_path: Path) -> None:
+    """So are derivatives, regressors, and the Jacobians of CasADi's external functions."""
+    further = derive(catalogue.load(name), derivatives=True, regressor=True)
+    new = [function for function in further.programs if function not in catalogued(name).programs]
+    assert len(new) > 4
+    for folder, found in (("derivatives", further.only(new)), ("jacobians", jacobians_model(catalogued(name))[0])):
+        (tmp_path / folder).mkdir()
+        run_program(found, tmp_path / folder, (tool("gcc"), "-O0", *SANITIZE))
 
 
 @pytest.mark.tools
@@ -183,8 +217,7 @@ def test_the_sanitizers_see_an_array_that_is_too_short(tmp_path: Path) -> None:
     text = program_of(found, good_and_bad(found))
     source = written(found, tmp_path)
     (tmp_path / "main.c").write_text(text.replace("* sizeof(double) + !", "* sizeof(double) - 8 + !", 1))
-    flags = ("-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-    command = [tool("gcc"), *flags, "-std=c99", "main.c", source.name, "-o", "checked", "-lm"]
+    command = [tool("gcc"), "-O1", *SANITIZE, "-std=c99", "main.c", source.name, "-o", "checked", "-lm"]
     assert subprocess.run(command, capture_output=True, check=False, cwd=tmp_path).returncode == 0
     done = subprocess.run(["./checked"], capture_output=True, text=True, check=False, cwd=tmp_path)
     assert done.returncode != 0 and "heap-buffer-overflow" in done.stderr
