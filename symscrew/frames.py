@@ -30,6 +30,7 @@ from symscrew.screws import (
     transpose,
 )
 from symscrew.tape import Node, Tape, high_precision
+from symscrew.tape_expressions import expression_node
 from symscrew.tree import GROUND, Link, Tree
 
 UNITS: tuple[Vector, Vector, Vector] = IDENTITY
@@ -82,7 +83,7 @@ class Geometry:
     def scalar(self, expression: object) -> Node:
         """A number of the description as a node; 60 digits of the same expression are computed once."""
         if expression not in self._scalars:
-            node = self.tape.expression(self.mechanism.baked(expression), self.parameters)  # type: ignore[arg-type]
+            node = expression_node(self.tape, self.mechanism.baked(expression), self.parameters)  # type: ignore[arg-type]
             self._scalars[expression] = self.tape.settle(node)
         return self._scalars[expression]
 

@@ -13,7 +13,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -146,7 +146,7 @@ class Tape:
         return self._make("neg", (x,), None if x.value is None else -x.value)
 
     def add(self, x: Node, y: Node) -> Node:
-        """x + y; differences and sums of negatives are normalised."""
+        """x + y; differences and sums of negatives are normalised, and in (u + v) - u and the like u is left out."""
         if x is self.zero:
             return y
         if y is self.zero:
@@ -161,6 +161,12 @@ class Tape:
         a, b = (x.args[0] if x_negative else x), (y.args[0] if y_negative else y)
         if a is b:
             return self.zero if x_negative != y_negative else self.mul(self.node(-2 if x_negative else 2), a)
+        for whole, inverted, part, sign in ((a, x_negative, b, y_negative), (b, y_negative, a, x_negative)):
+            if whole.op in ("add", "sub"):
+                terms = [(whole.args[0], inverted), (whole.args[1], inverted != (whole.op == "sub"))]
+                if (part, not sign) in terms:
+                    rest, negative = terms[1 - terms.index((part, not sign))]
+                    return self.neg(rest) if negative else rest
         if x_negative == y_negative:
             if b.index < a.index:
                 a, b = b, a
@@ -267,51 +273,6 @@ class Tape:
             self._known[key] = found
             self.nodes.append(found)
         return found
-
-    def expression(self, expression: sympy.Expr, symbols: Mapping[sympy.Symbol, Node]) -> Node:
-        """A SymPy expression of the description as a node; `symbols` gives the run-time parameters."""
-        if not expression.free_symbols:
-            return self.constant(expression)
-        if isinstance(expression, sympy.Symbol):
-            return symbols[expression]
-        args = [self.expression(arg, symbols) for arg in expression.args]
-        if expression.is_Add or expression.is_Mul:
-            combine = self.add if expression.is_Add else self.mul
-            total = args[0]
-            for arg in args[1:]:
-                total = combine(total, arg)
-            return total
-        if expression.is_Pow:
-            return self._power(args[0], expression.exp)
-        return self._named(type(expression).__name__, args)
-
-    def _named(self, name: str, args: Sequence[Node]) -> Node:
-        """A function of the grammar, or of its derivatives, in terms of the tape's operations."""
-        x = args[0]
-        if name in ("sqrt", "sin", "cos", "tan", "exp", "atan2"):
-            return self.function(name, *args)
-        if name == "Abs":
-            return self.function("abs", x)
-        if name == "cot":
-            return self.reciprocal(self.function("tan", x))
-        if name == "atan":
-            return self.function("atan2", x, self.one)
-        if name in ("asin", "acos"):
-            other = self.sqrt(self.one - x * x)
-            return self.function("atan2", *((x, other) if name == "asin" else (other, x)))
-        if name == "sign":
-            positive = self.function("select", self.function("less", self.zero, x), self.one, self.zero)
-            return self.function("select", self.function("less", x, self.zero), -self.one, positive)
-        raise ValueError(f"expected functions of the grammar, got {name}")
-
-    def _power(self, base: Node, exponent: sympy.Expr) -> Node:
-        if exponent.is_Rational and exponent.q in (1, 2) and abs(exponent.p) <= 64:
-            factor = base if exponent.q == 1 else self.sqrt(base)
-            result = factor
-            for _ in range(abs(exponent.p) - 1):
-                result = self.mul(result, factor)
-            return result if exponent.p > 0 else self.reciprocal(result)
-        raise ValueError(f"expected an integer or half-integer power up to 64 of a run-time parameter, got {exponent}")
 
     # -- values at samples ----------------------------------------------------------------------------
 

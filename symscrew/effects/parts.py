@@ -21,6 +21,7 @@ from symscrew.reader import Reader
 from symscrew.screws import dot
 from symscrew.system import System
 from symscrew.tape import Node
+from symscrew.tape_expressions import expression_node
 
 TIME = sympy.Symbol("t", real=True)
 
@@ -91,7 +92,7 @@ class Parts:
         if TIME in expression.free_symbols and TIME not in known:
             known[TIME] = self.time
         try:
-            return self.system.tape.expression(self.system.mechanism.baked(expression), known)
+            return expression_node(self.system.tape, self.system.mechanism.baked(expression), known)
         except (ValueError, AttributeError, KeyError) as error:
             raise DescriptionError(f"{what}: cannot be turned into code: {error}") from error
 

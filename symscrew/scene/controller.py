@@ -15,6 +15,7 @@ from symscrew.model import Model
 from symscrew.program import Function, Port, Program, lower
 from symscrew.scene.scene import Scene
 from symscrew.tape import Node, Tape
+from symscrew.tape_expressions import expression_node
 
 STANDARD = ("q", "v", "u", "x", "t", "p")
 
@@ -119,7 +120,7 @@ class _Expressions:
     def node(self, text: str, where: str) -> Node:
         """The node of an expression."""
         try:
-            return self.tape.expression(parse(text, self.names, where=where), self.symbols)
+            return expression_node(self.tape, parse(text, self.names, where=where), self.symbols)
         except ValueError as error:
             if isinstance(error, DescriptionError):
                 raise
