@@ -17,6 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from symscrew.operations import apply_numpy
+from symscrew.reciprocals import remade, shared_reciprocals
 from symscrew.tape import Node, Tape
 
 COUNTED = {
@@ -196,7 +197,8 @@ STATUS = {
 
 def lower(function: Function) -> Program:
     """The program of a function: dead code gone, quotients and signs where they cost least."""
-    return _Lowering(_factored(function)).program()
+    fewer = _with_roots(function, shared_reciprocals(_roots(function)))
+    return _Lowering(_factored(fewer)).program()
 
 
 def _uses(roots: Sequence[Node]) -> dict[int, int]:
@@ -220,11 +222,10 @@ def _uses(roots: Sequence[Node]) -> dict[int, int]:
 
 def _factored(function: Function) -> Function:
     """The function with a b + a c written as a (b + c) wherever neither product serves anything else."""
-    roots = [n for nodes in function.results for n in nodes] + [g for g, _ in function.guards]
-    uses = _uses(roots)
-    if not roots:
+    uses = _uses(_roots(function))
+    if not uses:
         return function
-    tape = roots[0].tape
+    tape = next(node for node in _roots(function)).tape
     new: dict[int, Node] = {}
     for index in sorted(uses):
         node = tape.nodes[index]
@@ -237,20 +238,20 @@ def _factored(function: Function) -> Function:
         elif args == node.args:
             new[index] = node
         else:
-            new[index] = _remake(tape, node.op, args)
-    results = tuple(tuple(new[n.index] for n in nodes) for nodes in function.results)
-    guards = tuple((new[g.index], threshold) for g, threshold in function.guards)
-    return replace(function, results=results, guards=guards)
+            new[index] = remade(node, args)
+    return _with_roots(function, [new[root.index] for root in _roots(function)])
 
 
-def _remake(tape: Tape, op: str, args: tuple[Node, ...]) -> Node:
-    if op == "mul":
-        return tape.mul(*args)
-    if op == "neg":
-        return tape.neg(*args)
-    if op == "reciprocal":
-        return tape.reciprocal(*args)
-    return tape.function(op, *args)
+def _roots(function: Function) -> list[Node]:
+    """All results, then the guarded pivots."""
+    return [n for nodes in function.results for n in nodes] + [g for g, _ in function.guards]
+
+
+def _with_roots(function: Function, roots: Sequence[Node]) -> Function:
+    """The function with other results and guarded pivots, in the order of `_roots`."""
+    left = iter(roots)
+    results = tuple(tuple(next(left) for _ in nodes) for nodes in function.results)
+    return replace(function, results=results, guards=tuple((next(left), t) for _, t in function.guards))
 
 
 def _factor(tape: Tape, node: Node, args: tuple[Node, ...], uses: Mapping[int, int]) -> Node:

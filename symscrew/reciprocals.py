@@ -1,0 +1,93 @@
+"""Divisions that follow from others: where 1 / (x y) is needed anyway, 1 / x is y times that.
+
+A division takes as long as four to eight products. The pivots of a limb are often products of each other: the length
+of a leg, and its length times the cosine of its lean.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.tape import Node
+
+
+def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
+    """The same expressions with fewer divisions."""
+    order = _evaluation_order(roots)
+    inverted = {node.args[0].index for node in order if node.op == "reciprocal"}
+    replaced: dict[int, tuple[Node, Node]] = {}  # reciprocal of x -> (y, x y)
+    for product in (node for node in order if node.op == "mul" and node.index in inverted):
+        for x, y in (product.args, product.args[::-1]):
+            if x.index in inverted and y.value is None:
+                single = x.tape.reciprocal(x)
+                if single.index not in replaced and not _depends(product, single, replaced):
+                    replaced[single.index] = (y, product)
+    if not replaced:
+        return list(roots)
+    return _rebuilt(roots, replaced)
+
+
+def _evaluation_order(roots: Sequence[Node]) -> list[Node]:
+    found: dict[int, Node] = {}
+    stack = list(roots)
+    while stack:
+        node = stack.pop()
+        if node.index not in found:
+            found[node.index] = node
+            if node.op not in ("symbol", "const"):
+                stack += node.args
+    return [found[index] for index in sorted(found)]
+
+
+def _depends(node: Node, on: Node, replaced: dict[int, tuple[Node, Node]]) -> bool:
+    """Whether `on` stands behind a node once reciprocals are replaced."""
+    stack, seen = [node], set()
+    while stack:
+        here = stack.pop()
+        if here is on:
+            return True
+        if here.index not in seen and here.op not in ("symbol", "const"):
+            seen.add(here.index)
+            stack += replaced.get(here.index, here.args)
+    return False
+
+
+def _rebuilt(roots: Sequence[Node], replaced: dict[int, tuple[Node, Node]]) -> list[Node]:
+    """The roots with their reciprocals replaced; arguments first, in an order of their own."""
+    new: dict[int, Node] = {}
+    stack = list(roots)
+    while stack:
+        node = stack[-1]
+        if node.index in new:
+            stack.pop()
+            continue
+        if node.op in ("symbol", "const"):
+            new[node.index] = node
+            continue
+        needed = replaced.get(node.index, node.args)
+        missing = [arg for arg in needed if arg.index not in new]
+        if missing:
+            stack += missing
+            continue
+        args = tuple(new[arg.index] for arg in needed)
+        if node.index in replaced:
+            new[node.index] = node.tape.mul(args[0], node.tape.reciprocal(args[1]))
+        else:
+            new[node.index] = node if args == node.args else remade(node, args)
+    return [new[root.index] for root in roots]
+
+
+def remade(node: Node, args: Sequence[Node]) -> Node:
+    """A node's operation on other arguments."""
+    tape = node.tape
+    if node.op == "add":
+        return tape.add(*args)
+    if node.op == "sub":
+        return tape.add(args[0], tape.neg(args[1]))
+    if node.op == "mul":
+        return tape.mul(*args)
+    if node.op == "neg":
+        return tape.neg(*args)
+    if node.op == "reciprocal":
+        return tape.reciprocal(*args)
+    return tape.function(node.op, *args)
