@@ -17,16 +17,22 @@ from functools import cached_property
 import numpy as np
 
 from symscrew.articulated import articulated_accelerations
+from symscrew.coriolis import still_forces
+from symscrew.differentiation import count_operations
 from symscrew.drives import solve_symmetric
 from symscrew.effects.acting import Acting
 from symscrew.elimination import Guard, magnitude
 from symscrew.loops import Loops
+from symscrew.projection import Projection
 from symscrew.system import System
 from symscrew.tape import Node
-from symscrew.tree_dynamics import generalised_forces, mass_matrix
+from symscrew.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
 
 LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
+SMALL = 60  # freedoms of a tree up to which both ways of solving are built and counted
 MASSLESS = 1e-13  # least eigenvalue, without units, of an inertia that counts
+
+Accelerations = tuple[list[Node], list[Node], list[Guard]]
 
 
 class Admissible:
@@ -62,20 +68,41 @@ class Admissible:
 
     def curvature(self) -> list[Node]:
         """p in joint rates w: accelerations of the tree with all free joint rates steady."""
-        system = self.system
-        bias = system.bias(system.rates([system.tape.zero] * len(system.tree.v)))
-        return self.loops.dependent([-b for b in bias], [system.tape.zero] * len(self.loops.free))
+        still = [self.system.tape.zero] * len(self.loops.free)
+        return self.loops.dependent([-b for b in self.loops.bias(self.system)], still)
 
-    def accelerations(self, acting: Acting) -> tuple[list[Node], list[Node], list[Guard]]:
-        """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots."""
+    def accelerations(self, acting: Acting) -> Accelerations:
+        """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots.
+
+        Of two ways, equal but for rounding, the one with fewer operations.
+        """
         if not self.system.cuts and len(self.system.tree.v) > LONG:
             a, guards = articulated_accelerations(self.system, acting)
             gains = self.system.joint_rates(a)
             return [gains[k] for k in self.loops.free], a, guards
+        ways = [self._by_columns(acting)]
+        if self.system.cuts and len(self.system.tree.v) <= SMALL:
+            ways.append(self._handed_on(acting))
+        return min(ways, key=lambda way: count_operations(way[1]))
+
+    def _by_columns(self, acting: Acting) -> Accelerations:
+        """With the columns of N, and the recursion at the accelerations p."""
         start = self.curvature()
         right = [-value for value in self.residual(self.system.tree_rates(start), acting)]
         free, guards = self.solve(right)
         return free, self.system.tree_rates(self.moved(start, free)), guards
+
+    def _handed_on(self, acting: Acting) -> Accelerations:
+        """With inertia and forces handed on from the dependent rates to the free ones, limb by limb."""
+        system, free = self.system, self.loops.free
+        matrix = mass_matrix(system, self.reflected)
+        missing = system.joint_rates(still_forces(system, acting, matrix))
+        opening = self.loops.bias(system)
+        projection = Projection(system.tape, self.loops.elimination, in_joint_rates(system, matrix))
+        right = [-value for value in projection.forces(missing, opening, free)]
+        found, guards = self._solved(projection.inertia(free), right)
+        gains = projection.accelerations(dict(zip(free, found, strict=True)), opening)
+        return found, system.tree_rates(gains), guards
 
     def residual(self, a: Sequence[Node], acting: Acting) -> list[Node]:
         """N^T (generalised forces of the tree at its accelerations a, less what acts): zero for a motion."""
@@ -94,7 +121,9 @@ class Admissible:
 
     def solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
         """z' from the projected equations; last columns first, so that branches of a tree stay apart."""
-        lower = self.inertia()
+        return self._solved(self.inertia(), right)
+
+    def _solved(self, lower: Sequence[Sequence[Node]], right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
         n = len(lower)
         order = range(n)[::-1]
         full = [[lower[max(i, j)][min(i, j)] for j in order] for i in order]

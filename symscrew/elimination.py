@@ -134,16 +134,19 @@ def eliminate(
     row_scales: Sequence[float],
     *,
     last: Sequence[Column] = (),
+    defined: Mapping[int, Column] | None = None,
 ) -> Elimination:
     """Choose pivots for rows . unknowns = right in Markowitz order.
 
     `unknowns` and `row_scales` give the unit scale of each column and row. Rows that vanish on the closure
     manifold are redundant, columns without a pivot are free. Columns in `last` are free if there is a choice.
+    `defined`: a row that is there to define an unknown has its pivot there, and the unknown has no other.
     """
+    own = defined or {}
     result = Elimination()
     active = {i: {c: e for c, e in row.items() if c in unknowns} for i, row in enumerate(rows)}
     while active:
-        choice = _markowitz(tape, active, unknowns, row_scales, set(last))
+        choice = _markowitz(tape, active, unknowns, row_scales, set(last), own)
         if choice is None:
             break
         row, column = choice
@@ -173,7 +176,9 @@ def _markowitz(
     unknowns: Mapping[Column, float],
     row_scales: Sequence[float],
     last: set[Column],
+    defined: Mapping[int, Column],
 ) -> tuple[int, Column] | None:
+    others = set(defined.values())
     counts: dict[Column, int] = {}
     sizes: dict[tuple[int, Column], tuple[float, float]] = {}
     for i, row in active.items():
@@ -196,4 +201,5 @@ def _markowitz(
         fill = (row_count[i] - 1) * (counts[column] - 1)
         return (column in last, small, fill, active[i][column].value is None, -sizes[key][0])
 
-    return min(sizes, key=preference)
+    allowed = [(i, c) for i, c in sizes if (c == defined[i] if i in defined else c not in others)]
+    return min(allowed, key=preference, default=None)

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.elimination import NEGLIGIBLE, Elimination, Guard, eliminate
+from symscrew.closure_rows import closure_rows, closure_rows_bias
+from symscrew.elimination import NEGLIGIBLE, Column, Elimination, Guard, eliminate
 from symscrew.errors import DescriptionError
 from symscrew.screws import Vector, add, cross, dot, scale
 from symscrew.system import System
@@ -37,14 +38,22 @@ class Loops:
         self.system = system
         tree = system.tree
         n = len(tree.v)
-        unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
+        unknowns: dict[Column, float] = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
         scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
+        self.closure = closure = closure_rows(system)
+        self.rows = closure.rows
+        for column in closure.defined.values():
+            unknowns[column], scales = 1.0, [*scales, 1.0]
+
+        def eliminated(preferred: Sequence[int]) -> Elimination:
+            return eliminate(system.tape, self.rows, unknowns, scales, last=preferred, defined=closure.defined)
+
         preferred = self._named(independent) if independent else self._preferred()
-        self.elimination: Elimination = eliminate(system.tape, system.jacobian, unknowns, scales, last=preferred)
+        self.elimination = eliminated(preferred)
         if not independent and set(self.elimination.free) != set(preferred):
             # The same pivots as if the choice had been named.
             preferred = sorted(self.elimination.free)
-            self.elimination = eliminate(system.tape, system.jacobian, unknowns, scales, last=preferred)
+            self.elimination = eliminated(preferred)
         free = sorted(self.elimination.free)
         if independent and set(free) != set(preferred):
             names = ", ".join(tree.q[i.q].label for i in self._entries(free))
@@ -116,15 +125,16 @@ class Loops:
     def dependent(self, right: Sequence[Node], free: Sequence[Node]) -> list[Node]:
         """All joint rates w with J w = right and the given free ones."""
         system = self.system
-        values = list(right)
-        for i, row in enumerate(system.jacobian):
+        values = [*right, *[system.tape.zero] * (len(self.rows) - len(right))]
+        for i, row in enumerate(self.rows):
             for k, value in zip(self.free, free, strict=True):
                 if k in row:
                     values[i] = values[i] - row[k] * value
         solution = self.elimination.solve(values)
         result = [system.tape.zero] * len(system.tree.v)
         for k, value in solution.items():
-            result[k] = value  # type: ignore[index]
+            if isinstance(k, int):
+                result[k] = value
         for k, value in zip(self.free, free, strict=True):
             result[k] = value
         return result
@@ -225,6 +235,15 @@ class Loops:
         missing = [wanted - system.inputs.q[entry.q] for wanted, entry in zip(y, self.entries, strict=True)]
         return self.with_rates(particular, missing)
 
+    def bias(self, moving: System) -> list[Node]:
+        """(dJ/dt) v per row, for the system with rates that keep the loops closed."""
+        return closure_rows_bias(self.closure, moving)
+
+    @property
+    def rank(self) -> int:
+        """How many constraint rows are independent."""
+        return sum(row < len(self.system.jacobian) for row, *_ in self.elimination.steps)
+
     @property
     def pivots(self) -> tuple[Node, ...]:
         """All pivots: their product is, up to sign, the determinant of the dependent part."""
@@ -244,7 +263,7 @@ class Loops:
         matrix = system.numeric(system.dense_jacobian(), (system.inputs.q, system.reference[None, :]))
         scales = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
         values = np.linalg.svd(matrix.reshape(-1, len(scales)) * scales, compute_uv=False)
-        return int((values > NEGLIGIBLE * values[0]).sum()) < len(self.elimination.steps)
+        return int((values > NEGLIGIBLE * values[0]).sum()) < self.rank
 
     @property
     def redundant(self) -> tuple[str, ...]:

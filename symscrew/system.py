@@ -159,11 +159,7 @@ class System:
         rows = []
         for row in cut.rows:
             entries: dict[int, Node] = {}
-            below: dict[int, Wrench] = {}
-            if cut.tip != GROUND:
-                placed = self.placed[cut.tip]
-                moment = add(row.couple, cross(cut.tip_point, row.force))
-                below = self._push(entries, cut.tip, placed.before(row.force), placed.before(moment), 1)
+            below = self.limb_wrenches(cut, row, entries)
             if cut.hub != GROUND:
                 parent = self.tree.links[cut.hub].parent
                 if cut.arm is not None and parent in below:
@@ -173,6 +169,18 @@ class System:
                 self._push(entries, cut.hub, force, moment, -1)
             rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
         return rows
+
+    def limb_wrenches(self, cut: Cut, row: Row, entries: dict[int, Node] | None = None) -> dict[int, Wrench]:
+        """A reciprocal wrench at the origin of its tip and of every link inside it, in that link's axes.
+
+        Its power per joint rate of the limb is added to `entries`.
+        """
+        if cut.tip == GROUND:
+            return {}
+        placed, noted = self.placed[cut.tip], {} if entries is None else entries
+        force, moment = row.force, add(row.couple, cross(cut.tip_point, row.force))
+        below = self._push(noted, cut.tip, placed.before(force), placed.before(moment), 1)
+        return {cut.tip: (force, moment), **below}
 
     def _outwards(self, index: int, force: Vector, moment: Vector) -> Wrench:
         """A wrench at the origin of a link's parent as one at the link's, in the axes before its motion."""

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from symscrew.effects.acting import Acting
 from symscrew.equilibrium import accumulate
-from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, regrouped
-from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.recursion import Inertia, Placement, Rates, acceleration_matrix, inertial_wrench, regrouped
+from symscrew.screws import ZERO, Matrix, Vector, add, cross, dot, product, scale, transform, transpose
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import GROUND, Link
@@ -15,10 +15,21 @@ from symscrew.tree import GROUND, Link
 
 def generalised_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
     """Generalised forces (for v) that the accelerations a of the tree need, less what acts."""
+    return balanced_forces(system, acting, a, acting.inertial_wrenches(a))
+
+
+def applied_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
+    """What acts, as generalised forces (for v)."""
+    return [-force for force in balanced_forces(system, acting, a, {})]
+
+
+def balanced_forces(
+    system: System, acting: Acting, a: Sequence[Node], waiting: dict[int, tuple[Vector, Vector]]
+) -> list[Node]:
+    """Generalised forces of wrenches of the links, own axes, less what acts."""
     loads = acting.loads
     tree, tape = system.tree, system.tape
     result = [tape.zero] * len(tree.v)
-    waiting = acting.inertial_wrenches(a)
     for link in reversed(tree.links[1:]):
         placed, frame = system.placed[link.index], system.frames[link.index]
         if link.index not in waiting and link.index not in loads:
@@ -71,7 +82,7 @@ def mass_matrix(system: System, reflected: Mapping[int, Node] | None = None) -> 
             for j, value in _pushed(system, link, wrench):
                 matrix[j][k] = matrix[k][j] = value
         if link.parent != GROUND:
-            moved = _moved_inertia(system, link, composite[link.index])
+            moved = moved_inertia(system.placed[link.index], composite[link.index])
             composite[link.parent] = Inertia(
                 composite[link.parent].mass + moved.mass,
                 add(composite[link.parent].first, moved.first),
@@ -80,6 +91,28 @@ def mass_matrix(system: System, reflected: Mapping[int, Node] | None = None) -> 
     for k, inertia in (reflected or {}).items():
         matrix[k][k] = matrix[k][k] + inertia
     return matrix
+
+
+def in_joint_rates(system: System, inertia: Sequence[Sequence[Node]]) -> list[list[Node]]:
+    """A mass matrix for v as one for joint rates w.
+
+    A body's moment of inertia that is common to several axes needs no rotation: R (J - s 1) R^T + s 1.
+    """
+    matrix = [list(row) for row in inertia]
+    commons: dict[int, Node] = {}
+    for link in system.tree.links[1:]:
+        if link.motion.kind == "S":
+            places = range(link.v.start, link.v.stop)
+            diagonal = [matrix[k][k] for k in places]
+            common = max(diagonal, key=diagonal.count)
+            for k in places:
+                matrix[k][k] = matrix[k][k] - common
+                commons[k] = common
+    columns = [system.joint_rates(row) for row in matrix]
+    turned = [system.joint_rates(column) for column in zip(*columns, strict=True)]
+    for k, common in commons.items():
+        turned[k][k] = turned[k][k] + common
+    return turned
 
 
 def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
@@ -113,15 +146,30 @@ def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[t
         link = system.tree.links[link.parent]
 
 
-def _moved_inertia(system: System, link: Link, inertia: Inertia) -> Inertia:
+def moved_inertia(placed: Placement, inertia: Inertia) -> Inertia:
     """A composite inertia in the parent's axes about the parent's origin."""
-    placed = system.placed[link.index]
-    rows = [placed.inwards(row) for row in inertia.second]
-    columns = [placed.inwards(column) for column in transpose((rows[0], rows[1], rows[2]))]
-    turned = transpose((columns[0], columns[1], columns[2]))
-    first, r = placed.inwards(inertia.first), placed.offset
-    second = tuple(
-        tuple(turned[i][j] + r[i] * first[j] + first[i] * r[j] + inertia.mass * (r[i] * r[j]) for j in range(3))
-        for i in range(3)
-    )
-    return Inertia(inertia.mass, add(first, scale(inertia.mass, r)), second)  # type: ignore[arg-type]
+    mass, first, r = inertia.mass, placed.inwards(inertia.first), placed.offset
+    moved = add(first, scale(mass, r))
+    turned = _turned(placed.rotation, _turned(placed.turn, inertia.second))
+    xx, yy, zz = (turned[i][i] + r[i] * (first[i] + moved[i]) for i in range(3))
+    xy, xz, yz = (turned[i][j] + (r[i] * first[j] + moved[i] * r[j]) for i, j in ((0, 1), (0, 2), (1, 2)))
+    return Inertia(mass, moved, ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
+
+
+def _turned(turn: Matrix, matrix: Matrix) -> Matrix:
+    """A symmetric matrix in other axes.
+
+    A turn about z keeps xx + yy, and its double angle costs three products: with t = c (xx - yy) - 2 s xy the new
+    entries are yy + c t, xx - c t and xy + s t.
+    """
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = matrix
+    if turn[2] == (0, 0, 1):
+        c, s = turn[0][0], turn[1][0]
+        part = c * (xx - yy) - s * (2 * xy)
+        along, across = c * part, xy + s * part
+        x, y = c * xz - s * yz, s * xz + c * yz
+        return ((yy + along, across, x), (across, xx - along, y), (x, y, zz))
+    first, second, third = product(turn, matrix)
+    xx, xy, xz = (dot(first, row) for row in turn)
+    yy, yz = dot(second, turn[1]), dot(second, turn[2])
+    return ((xx, xy, xz), (xy, yy, yz), (xz, yz, dot(third, turn[2])))

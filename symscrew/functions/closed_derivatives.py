@@ -61,7 +61,7 @@ def inverse_derivatives(system: System, effects: Sequence[Effect], loops: Loops)
     missing = system.joint_rates(generalised_forces(motion.system, acting, motion.system.inputs.a))
     rows = system.drive_rows()
     drives = Drives(motion, {u: k for k, u in rows.items()})
-    needed = [_inner(column, missing) for column in motion.columns]
+    needed = [inner(column, missing) for column in motion.columns]
     found = drives.solve(needed)
     if found is None:
         return None
@@ -76,7 +76,7 @@ def inverse_derivatives(system: System, effects: Sequence[Effect], loops: Loops)
         group = []
         for k, column in enumerate(columns):
             shift = moved[k] if g == 0 else [system.tape.zero] * len(u)
-            right = [value - _inner(row, shift) for value, row in zip(column, drives.rows, strict=True)]
+            right = [value - inner(row, shift) for value, row in zip(column, drives.rows, strict=True)]
             solved = drives.solve(right)
             assert solved is not None
             group.append([x + s for x, s in zip(solved[0], shift, strict=True)])
@@ -287,23 +287,23 @@ class ClosedMotion:
         """Changes of N^T r, multipliers and drives held, by y, y_dot, y_ddot: columns of entries per free rate."""
         count, columns, system = len(self.columns), self.columns, self.system
         tree = mass_matrix(system, acting.reflected_inertia)
-        gains = [[_inner(row, system.tree_rates(gain)) for row in tree] for gain in (*self.displaced, *self.following)]
+        gains = [[inner(row, system.tree_rates(gain)) for row in tree] for gain in (*self.displaced, *self.following)]
         every = self._variation([*self.by_steps, *self.by_rates])
         changes = power_changes(every, acting, multipliers, columns, gains)
         in_v = [system.tree_rates(column) for column in columns]
-        momenta = [[_inner(row, column) for row in tree] for column in in_v]
-        inertia = [[_inner(in_v[min(i, k)], momenta[max(i, k)]) for i in range(count)] for k in range(count)]
+        momenta = [[inner(row, column) for row in tree] for column in in_v]
+        inertia = [[inner(in_v[min(i, k)], momenta[max(i, k)]) for i in range(count)] for k in range(count)]
         groups = []
         for start, free in ((0, self.displaced_free), (count, self.following_free)):
             group = []
             for j in range(count):
                 column = [changes[i][start + j] for i in range(count)]
-                group.append([x + _inner(row, free[j]) for x, row in zip(column, inertia, strict=True)])
+                group.append([x + inner(row, free[j]) for x, row in zip(column, inertia, strict=True)])
             groups.append(group)
         half = self.system.tape.reciprocal(self.system.tape.node(2))
         for column, added in zip(groups[0], self.following_free, strict=True):
             for i in range(count):
-                column[i] = column[i] + half * _inner(added, [change[i] for change in groups[1]])
+                column[i] = column[i] + half * inner(added, [change[i] for change in groups[1]])
         return (self.per_y(groups[0]), self.per_y(groups[1]), self.per_y(inertia))
 
     def per_y(self, columns: Matrix) -> Matrix:
@@ -313,7 +313,7 @@ class ClosedMotion:
         for k in range(count):
             unit = [tape.one if i == k else tape.zero for i in range(count)]
             free = _Independent(self.loops).free_rates(unit)
-            result.append([_inner(free, [column[i] for column in columns]) for i in range(len(columns[0]))])
+            result.append([inner(free, [column[i] for column in columns]) for i in range(len(columns[0]))])
         return result
 
 
@@ -351,7 +351,7 @@ class Drives:
         tape = motion.system.tape
         if len(self.places) == count:
             return [[tape.zero] * len(self.places) for _ in columns]
-        normal = [[_inner(x, y) for y in self.rows] for x in self.rows]
+        normal = [[inner(x, y) for y in self.rows] for x in self.rows]
         amounts, _ = solve_symmetric(tape, normal, right, [1.0] * count)
         # What a change of m adds to the bend makes no difference to the drives.
         half = tape.reciprocal(tape.node(2))
@@ -374,7 +374,7 @@ def multipliers(loops: Loops, right: Sequence[Node]) -> dict[int, Node]:
     steps, upper = loops.elimination.steps, loops.elimination.upper
     result: dict[int, Node] = {}
     for count, (row, column, pivot, _) in enumerate(steps):
-        total = right[column]
+        total = right[column] if isinstance(column, int) else loops.system.tape.zero
         for earlier, *_ in steps[:count]:
             if column in upper[earlier]:
                 total = total - upper[earlier][column] * result[earlier]
@@ -386,7 +386,8 @@ def multipliers(loops: Loops, right: Sequence[Node]) -> dict[int, Node]:
     return result
 
 
-def _inner(x: Sequence[Node], y: Sequence[Node]) -> Node:
+def inner(x: Sequence[Node], y: Sequence[Node]) -> Node:
+    """x . y."""
     total = x[0].tape.zero
     for a, b in zip(x, y, strict=True):
         total = total + a * b

@@ -44,8 +44,7 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
         )
     )
     functions.append(_null_space(system, loops, q))
-    bias = system.bias(system.rates([system.tape.zero] * len(system.tree.v)))
-    gains = loops.accelerations_from(loops.inputs("yddot"), bias)
+    gains = loops.accelerations_from(loops.inputs("yddot"), loops.bias(system))
     functions.append(
         function(
             system,

@@ -165,8 +165,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     y_dot, y_ddot = loops.inputs("ydot"), loops.inputs("yddot")
     v = system.tree_rates(loops.rates_from(y_dot))
     moving = system.at(system.inputs.q, {}, v)
-    bias = moving.bias(moving.rates([system.tape.zero] * len(v)))
-    a = system.tree_rates(loops.accelerations_from(y_ddot, bias, moving.joint_rates(v)))
+    a = system.tree_rates(loops.accelerations_from(y_ddot, loops.bias(moving), moving.joint_rates(v)))
     equations = Equations(system.at(system.inputs.q, {}, v, a), effects)
     inputs = [
         (q_port(system), system.inputs.q),

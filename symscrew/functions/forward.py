@@ -121,7 +121,7 @@ def second_paths(system: System, effects: Sequence[Effect], loops: Loops) -> dic
     """The dense quantities that solve forward dynamics again where a pivot of its straight-line code is small."""
     if not system.cuts or Acting(system, effects).needs_reactions or not accelerates(system, effects, loops):
         return {}
-    regular = len(loops.elimination.steps)
+    regular = loops.rank
     rows = tuple(1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows)
     dense = _dense(system, effects)
     return {

@@ -69,8 +69,7 @@ def _independent(system: System, effects: Sequence[Effect], loops: Loops) -> Fun
     y_dot, y_ddot = loops.inputs("ydot"), loops.inputs("yddot")
     w = loops.rates_from(y_dot)
     moving = system.at(system.inputs.q, {}, system.tree_rates(w))
-    bias = moving.bias(moving.rates([system.tape.zero] * len(w)))
-    a = system.tree_rates(loops.accelerations_from(y_ddot, bias, w))
+    a = system.tree_rates(loops.accelerations_from(y_ddot, loops.bias(moving), w))
     acting = Acting(system.at(system.inputs.q, {}, moving.inputs.v, a), effects)
     rows = _projected(null_space(system, loops), _tree_rows(acting.system, acting))
     inputs = [(q_port(system), system.inputs.q), (y_port(loops, "y_dot", 1), y_dot),
