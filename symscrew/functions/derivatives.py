@@ -16,14 +16,14 @@ from dataclasses import dataclass, field, replace
 from symscrew.admissible import Admissible
 from symscrew.differentiation import count_operations, differentiate, substitute
 from symscrew.effects import Acting, Effect
-from symscrew.functions import closed_derivatives
+from symscrew.functions import closed_derivatives, tree_derivatives
 from symscrew.functions.closure import guarded
 from symscrew.functions.forward import driven
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
 from symscrew.screws import Vector, add, cross, dot, scale
 from symscrew.system import System
-from symscrew.tape import Node
+from symscrew.tape import Node, Tape
 
 Seeds = dict[Node, dict[str, Node]]
 TREE_TEXT = "spherical joints: per rotation vector in the child's axes"
@@ -73,9 +73,9 @@ def derivative_functions(
             if known is not None:
                 result.append(_given(found[name], f"{name}_derivatives", groups, text, known, guards=closed))
                 continue
-            result.append(
-                differentiated(found[name], f"{name}_derivatives", groups, text, guards=closed if independent else ())
-            )
+            guards = closed if independent else ()
+            straight = differentiated(found[name], f"{name}_derivatives", groups, text, guards=guards)
+            result.append(min(straight, _of_tree(system, effects, loops, straight, groups), key=_size))
     result += forward_derivatives(system, effects, loops, found)
     if system.parameters:
         result += _by_parameters(system, loops, found)
@@ -90,6 +90,34 @@ def _tree_text(system: System) -> str:
             "meaning of their own; see inverse_dynamics_independent_derivatives"
         )
     return text
+
+
+def _of_tree(
+    system: System, effects: Sequence[Effect], loops: Loops, straight: Function, groups: Sequence[Directions]
+) -> Function:
+    """The derivatives of inverse dynamics from the equations of motion where no loop closes, else as they are."""
+    v, a = system.inputs.v, system.inputs.a
+    if groups[0].name == "y":
+        v, a = (tuple(system.tree_rates(loops.rates_from(loops.inputs(x)))) for x in ("ydot", "yddot"))
+    acting = Acting(system.at(system.inputs.q, {}, v, a), effects)
+    drives = system.drive_rows()
+    spheres = (link for link in system.tree.links if link.index and link.motion.kind == "S")
+    turning = any(k in drives for link in spheres for k in range(link.v.start, link.v.stop))
+    if turning or loops.small.steps or not tree_derivatives.covers(acting):
+        return straight
+    rows = sorted(drives, key=drives.__getitem__)
+    found = iter(_force_changes(loops, acting, a, groups))
+    return replace(
+        straight, results=tuple(tuple(c[k] for c in [next(found) for _ in g.keys] for k in rows) for g in groups)
+    )
+
+
+def _force_changes(loops: Loops, acting: Acting, a: Sequence[Node], groups: Sequence[Directions]) -> list[list[Node]]:
+    """Changes of the generalised forces (for v) of a tree along all directions."""
+    system = acting.system
+    steps = null_space(system, loops) if groups[0].name == "y" else _units(system.tape, len(a))
+    keys = [key for group in groups for key in group.keys]
+    return tree_derivatives.force_changes(acting, a, keys, steps, _merged(groups))
 
 
 def _groups(system: System, loops: Loops, function: Function, *, independent: bool) -> list[Directions]:
@@ -170,8 +198,11 @@ def _implicit(
     free, _, _ = admissible.accelerations(acting)
     held = [tape.symbol(f"held_{k}", "1", f"free joint acceleration {k + 1}, held") for k in range(len(free))]
     a = system.tree_rates(admissible.moved(admissible.curvature(), held))
-    residual = admissible.residual(a, acting)
-    changes = [column for group in _columns(residual, groups) for column in group]
+    if tree_derivatives.covers(acting):
+        forces = _force_changes(loops, acting, a, groups)
+        changes = [[closed_derivatives.inner(w, column) for w in admissible.tree_columns] for column in forces]
+    else:
+        changes = [column for group in _columns(admissible.residual(a, acting), groups) for column in group]
     put = dict(zip(held, free, strict=True))
     solved = [admissible.solve([-c for c in substitute(tape, column, put)])[0] for column in changes]
     values = loops.second_rates(held, system.joint_rates(a), w) if independent else a
@@ -306,9 +337,13 @@ def tree_directions(system: System) -> Directions:
     """One direction of the configuration per entry of v."""
     tape, tree = system.tape, system.tree
     labels = tuple(c.label for c in tree.v)
-    columns = [[tape.one if i == k else tape.zero for i in range(len(labels))] for k in range(len(labels))]
+    seeds = configuration_seeds(system, "q", labels, _units(tape, len(labels)))
     units = tuple("m" if c.kind == "length" else "rad" for c in tree.v)
-    return Directions("q", labels, units, configuration_seeds(system, "q", labels, columns), _text(system))
+    return Directions("q", labels, units, seeds, _text(system))
+
+
+def _units(tape: Tape, count: int) -> list[list[Node]]:
+    return [[tape.one if i == k else tape.zero for i in range(count)] for k in range(count)]
 
 
 def _text(system: System) -> str:
@@ -325,9 +360,7 @@ def independent_directions(system: System, loops: Loops) -> Directions:
 
 def null_space(system: System, loops: Loops) -> list[list[Node]]:
     """Columns: v for a unit rate of each independent coordinate."""
-    tape, count = system.tape, len(loops.entries)
-    unit = [[tape.one if i == k else tape.zero for i in range(count)] for k in range(count)]
-    return [system.tree_rates(loops.rates_from(rates)) for rates in unit]
+    return [system.tree_rates(loops.rates_from(rates)) for rates in _units(system.tape, len(loops.entries))]
 
 
 def parameter_directions(system: System) -> Directions:

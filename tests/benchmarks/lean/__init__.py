@@ -29,6 +29,7 @@ from symscrew.timing import Times, interleaved
 from ..tables import table
 
 SEED = "three_ups_upu_s_physical"
+SOURCES = ("seed", "seed_forward", "stewart", "delta", "arms", "arms_derivatives")
 STATES = 64  # which the caches hold
 BLOCK = 8
 AGREEMENT = 1e-10
@@ -92,7 +93,7 @@ ROWS = (
     ),
     Row("delta", "platform_jacobian", ONE, "lean_delta_jacobian"),
     *(
-        Row(arm, function, ONE, None if "derivatives" in function else f"lean_{arm}_{function}", recorded)
+        Row(arm, function, ONE, f"lean_{arm}_{function}", recorded)
         for arm, figures in (("ur5", (296.0, 371.0, 1067.0)), ("panda", (395.0, 687.0, 2765.0)))
         for function, recorded in zip(ARM, (*figures, None, None), strict=True)
     ),
@@ -144,7 +145,7 @@ def _line(row: Row, times: dict[str, Times], agreement: dict[str, float]) -> lis
 def _lean(folder: Path) -> ctypes.CDLL:
     """All hand-written functions in one library."""
     here = Path(__file__).parent
-    text = "".join(f'#include "{here / name}.c"\n' for name in ("seed", "seed_forward", "stewart", "delta", "arms"))
+    text = "".join(f'#include "{here / name}.c"\n' for name in SOURCES)
     (folder / "lean.c").write_text(text, encoding="utf-8")
     compile_c(folder / "lean.c", folder / "lean.so", flags=[*FLAGS, f"-I{here}"])
     return ctypes.CDLL(str(folder / "lean.so"))
