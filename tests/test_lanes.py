@@ -12,7 +12,7 @@ import pytest
 from model_states import model, relative
 
 from symscrew.compiled import compile_c, find_compiler, load
-from symscrew.export.c import print_c, print_source
+from symscrew.export.c import IN_LANES, print_c, print_source
 from symscrew.export.listing import checked_slots, live_instructions
 from symscrew.lanes import corresponding, signed
 from symscrew.packs import Pack, Packing, _Plan, packed
@@ -180,7 +180,7 @@ def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
         command = [str(find_compiler()), "-E", *flags, "-I", str(tmp_path), str(tmp_path / "m.c")]
         text = subprocess.run(command, capture_output=True, text=True, check=False).stdout
         assert "_lane(" in text
-        return f"total = {name}_{PLATFORM}_packed_lane(" in text
+        return f"{name}_{PLATFORM}_packed_lane(1, 1" in text
 
     assert not kept(f"-D{name.upper()}_LIMB_BY_LIMB")
     assert not kept(f"-D{name.upper()}_SCALAR", "-D__AVX2__")
@@ -205,3 +205,22 @@ def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> Non
     for row, place in enumerate(places):
         *_, alone = compiled[function](*(x[row] for x in arrays), check=False)
         assert alone > 0, place
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_every_small_pivot_is_noticed_side_by_side() -> None:
+    """A threshold above each pivot in turn, of whole packs and single ones: the status is that of limb after limb."""
+    program = straight(CASES[0][0], PLATFORM)
+    names = sorted(IN_LANES)
+    shared = sorted(range(len(program.guards)), key=lambda k: (k % 4, k))[: len(names) - 1]
+    raised = [
+        replace(program, guards=tuple((s, 1e9 if i == k else t) for i, (s, t) in enumerate(program.guards)))
+        for k in (*shared, -1)
+    ]
+    found = replace(model(CASES[0][0]), programs=dict(zip(names, raised, strict=True)))
+    assert print_source(found).count("_packed_lane(1, 1") == len(names)
+    compiled = load(found, backend="c", vectorised=True, flags=("-O1",))
+    given = [np.atleast_2d(x)[0] for x in found.test_inputs[PLATFORM]]
+    for name, k in zip(names, (*shared, -1), strict=True):
+        u, status = compiled[name](*given, check=False)
+        assert status == (k >= 0) and np.isnan(u).all() == (k >= 0), k

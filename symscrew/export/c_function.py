@@ -28,7 +28,7 @@ NAMES_OF_LOCALS = "count status k worst outcome total next residual change orien
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
 NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
-NAMES_OF_LOCALS += " sum sum0 sum1 sum2 sum3"
+NAMES_OF_LOCALS += " every sum sum0 sum1 sum2 sum3"
 ALONE = ("1", "1")  # stride and pitch of one state
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
@@ -78,7 +78,7 @@ class Printed:
         count = len(self.program.instructions)
         if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
             return None
-        return packed(self.angles.rest, checked_slots(self.program))
+        return packed(self.angles.rest, kept)
 
     @cached_property
     def names(self) -> dict[str, str]:
@@ -230,17 +230,21 @@ def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
 
 
 def packed_lane(printed: Printed, packing: Packing) -> list[str]:
-    """`<symbol>_packed_lane`: the same as the lane of one state, with equal limbs side by side."""
+    """`<symbol>_packed_lane`: results of one state with equal limbs side by side, and the sum of what must be finite.
+
+    At a small pivot this sum is NaN, and pivots are not given: the lane of limb after limb finds out what is wrong.
+    """
+    program = printed.program
     read = _read(printed)
     entered = [slot for slot in printed.entered if slot in read]
     body = c_lanes.Body(printed.model, packing, printed.precision, printed.prefix, set(entered))
-    statements = c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, wrapped_code)
-    before = len(body.lines)
-    ends = [f"    {place} = {body.scalar(slot)};" for place, slot in printed.stored]
-    checked = [body.scalar(slot) for slot in checked_slots(printed.program)] or [printed.precision.number(0.0)]
-    total = wrapped_code(f"return {balanced_sum(checked)};")
-    lines = [*printed.loads(entered), *statements, *body.lines[before:], *ends, *total]
-    lines = _lane(printed, f"{printed.symbol}_packed_lane", f"static inline {printed.precision.real} ", lines)
+    stored = printed.stored[: len(printed.stored) - len(program.guards)]
+    c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
+    c_lanes.total(body, checked_slots(program), program.guards)
+    lines = [*printed.loads(entered), *(line for text in body.lines for line in wrapped_code(text))]
+    lines = _lane(
+        printed, f"{printed.symbol}_packed_lane", f"static inline {printed.precision.real} ", lines, pivots=False
+    )
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]
 
 
@@ -250,12 +254,12 @@ def _read(printed: Printed) -> set[int]:
     return read | {slot for _, slot in printed.stored if isinstance(slot, int)} | set(checked_slots(printed.program))
 
 
-def _lane(printed: Printed, symbol: str, head: str, body: Sequence[str]) -> list[str]:
+def _lane(printed: Printed, symbol: str, head: str, body: Sequence[str], *, pivots: bool = True) -> list[str]:
     """A function around the statements of a lane."""
     program, real, gathered = printed.program, printed.precision.real, printed.angles.gathered
     given = ["size_t stride", "size_t pitch", *arguments(program, printed.precision)]
     given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if gathered else []
-    given += [f"{real} *restrict pivot"] if program.guards else []
+    given += [f"{real} *restrict pivot"] if program.guards and pivots else []
     lines = [declare(symbol, given, head), "{"]
     lines += printed.unused(program.inputs, _read(printed))
     lines += [f"    (void){printed.names[port.name]};" for port in program.outputs if not port.size]
@@ -286,38 +290,70 @@ def outcome(printed: Printed, total: str, step: str = "", plus: str = "") -> str
 
 def function(printed: Printed, signature: str, second: str = "") -> list[str]:
     """A function of one state: its lane with a stride of 1, checked; `second` is its way out of small pivots."""
+    if not printed.packing:
+        return _one_by_one(printed, signature, second)
+    condition = f"#if {c_lanes.condition(printed.model, printed.packing.width, printed.precision)}"
+    apart = declare(f"{printed.symbol}_limb_by_limb", arguments(printed.program, printed.precision), "int ")
+    handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
+    return [
+        *packed_lane(printed, printed.packing),
+        "",
+        *(condition, "__attribute__((noinline))", "#endif"),
+        *_one_by_one(printed, f"static {apart}", second),
+        "",
+        signature,
+        "{",
+        condition,
+        *_sines(printed),
+        *_zeros(printed),
+        *wrapped_code(f"if (isfinite({printed.symbol}_packed_lane({', '.join(handed)}))) {{"),
+        "        return 0;",
+        "    }",
+        "#endif",
+        *wrapped_code(f"return {printed.symbol}_limb_by_limb({', '.join(printed.handed())});"),
+        "}",
+    ]
+
+
+def _sines(printed: Printed) -> list[str]:
+    """Sines and cosines of one state's angles."""
+    real, count, group = printed.precision.real, len(printed.angles.gathered), printed.precision.group
+    if not count:
+        return []
+    size, zero = -(-count // group) * group, printed.precision.number(0.0)
+    return [
+        f"    {real} angle[{size}] = {{{zero}}}, sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
+        *wrapped_code(f"{printed.symbol}_angles({', '.join([*ALONE, *printed.handed(outputs=False), 'angle'])});"),
+        *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
+        *calls(printed.model, count, printed.precision),
+    ]
+
+
+def _zeros(printed: Printed) -> list[str]:
+    """Zeros of one state's outputs that the lane does not write."""
+    return [
+        line
+        for name, run in printed.cleared
+        for line in (
+            f"    for (size_t k = {run.start}; k < {run.stop}; ++k) {{",
+            f"        {name}[k] = {printed.precision.number(0.0)};",
+            "    }",
+        )
+    ]
+
+
+def _one_by_one(printed: Printed, signature: str, second: str) -> list[str]:
     program, precision = printed.program, printed.precision
-    real, count = precision.real, len(printed.angles.gathered)
-    group, zero = precision.group, precision.number(0.0)
-    packing = printed.packing
-    lines = [*packed_lane(printed, packing), ""] if packing else []
-    lines += [signature, "{"]
-    if count:
-        size = -(-count // group) * group
-        lines += [
-            f"    {real} angle[{size}] = {{{zero}}}, sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
-            *wrapped_code(f"{printed.symbol}_angles({', '.join([*ALONE, *printed.handed(outputs=False), 'angle'])});"),
-            *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
-            *calls(printed.model, count, precision),
-        ]
-    if program.guards:
-        lines += [f"    {real} pivot[{len(program.guards)}] = {{{zero}}};"]
-    for name, run in printed.cleared:
-        lines += [f"    for (size_t k = {run.start}; k < {run.stop}; ++k) {{", f"        {name}[k] = {zero};", "    }"]
-    handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if count else []), *(["pivot"] if program.guards else [])]
-    call = f"{printed.symbol}_lane({', '.join(handed)});"
-    side_by_side = f"{printed.symbol}_packed_lane({', '.join(handed)});"
+    real, guards = precision.real, program.guards
+    lines = [signature, "{", *_sines(printed), *_zeros(printed)]
+    lines += [f"    {real} pivot[{len(guards)}] = {{{precision.number(0.0)}}};"] if guards else []
+    handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
+    call = f"{printed.symbol}_lane({', '.join([*handed, *(['pivot'] if guards else [])])});"
     if not checked_slots(program):
         return [*lines, *wrapped_code(f"(void){call}"), "    return 0;", "}"]
-    single = wrapped_code(f"const {real} total = {call}")
-    if packing:
-        condition = c_lanes.condition(printed.model, packing.width, precision)
-        side = [f"    (void){printed.symbol}_lane;", *wrapped_code(f"const {real} total = {side_by_side}")]
-        lines += [f"#if {condition}", *side, "#else", *single, "#endif"]
-    else:
-        lines += single
+    lines += wrapped_code(f"const {real} total = {call}")
     lines += wrapped_code(f"const int outcome = {outcome(printed, 'total')};")
-    if second and program.guards:
+    if second and guards:
         lines += ["    if (outcome == 1) {", f"        return {second};", "    }"]
     lines += ["    if (outcome != 0) {"]
     for port in (p for p in program.outputs if p.size):

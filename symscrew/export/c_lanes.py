@@ -2,19 +2,24 @@
 
 `<symbol>_packed_lane` computes what `<symbol>_lane` computes of one state, with packs (see `symscrew.packs`) as
 vectors of GCC and clang. It stands behind the condition of `condition`; elsewhere, and if `<MODEL>_SCALAR` or
-`<MODEL>_LIMB_BY_LIMB` is defined, `<symbol>_lane` does the same one by one. No vector type crosses a function's
-boundary but that of the square root, which is inlined.
+`<MODEL>_LIMB_BY_LIMB` is defined, `<symbol>_limb_by_limb` does the same one by one. So it does for a state that fails:
+what is checked is one sum here, NaN at a small pivot, and which status that is, is found out there. No vector type
+crosses a function's boundary but that of the square root, which is inlined.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from symscrew.export.c_order import early
 from symscrew.export.c_precision import Precision
+from symscrew.export.listing import balanced_sum
 from symscrew.packs import Pack, Packing, Vector
 from symscrew.program import Instruction
 
+AHEAD = 300  # items, of which the longest chain comes first; measured on the drives and reactions of four and six limbs
+ISSUED = 1.0  # cycles from one item to the next, with what is put into vectors and taken out of them
 SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
 
@@ -44,6 +49,8 @@ def _type(model: str, width: int, precision: Precision, *, root: bool) -> list[s
         "",
         f"#if {condition(model, width, precision)}",
         f"typedef {precision.real} {name} __attribute__((vector_size({width * _bytes(precision)})));",
+        f"typedef {'int' if precision.suffix else 'long long'} {name}_mask "
+        f"__attribute__((vector_size({width * _bytes(precision)})));",
     ]
     if root:
         lines += [
@@ -108,36 +115,95 @@ class Body:
         if pack.op == "sqrt":
             text = f"{self.vector}_sqrt({parts[0]})"
         elif pack.op == "reciprocal":
-            text = f"{self._literal((1.0,) * self.packing.width)} / {parts[0]}"
+            text = f"{self.literal((1.0,) * self.packing.width)} / {parts[0]}"
         else:
             text = f" {SIGNS[pack.op]} ".join(parts)
-        self.lines.append(f"    const {self.vector} {self.name(pack.number)} = {text};")
+        self.lines.append(f"const {self.vector} {self.name(pack.number)} = {text};")
 
     def _operand(self, vector: Vector) -> str:
         if vector.source is not None:
             text = self.name(vector.source)
         elif all(isinstance(a, float) for a in vector.entries):
-            text = self._literal(vector.entries)
+            text = self.literal(vector.entries)
         else:
             if vector.entries not in self.gathered:
                 entries = ", ".join([self.scalar(a) for a in vector.entries])
                 self.gathered[vector.entries] = name = f"{self.prefix}gathered{len(self.gathered)}"
-                self.lines.append(f"    const {self.vector} {name} = {{{entries}}};")
+                self.lines.append(f"const {self.vector} {name} = {{{entries}}};")
             text = self.gathered[vector.entries]
-        return text if vector.flips is None else f"{self._literal(tuple(map(float, vector.flips)))} * {text}"
+        return text if vector.flips is None else f"{self.literal(tuple(map(float, vector.flips)))} * {text}"
 
-    def _literal(self, values: Iterable[float]) -> str:
+    def literal(self, values: Iterable[float]) -> str:
+        """A vector of constants."""
         return f"({self.vector}){{{', '.join(self.precision.number(v) for v in values)}}}"
 
     def _define(self, slot: int, text: str) -> None:
-        self.lines.append(f"    const {self.precision.real} {self.prefix}{slot} = {text};")
+        self.lines.append(f"const {self.precision.real} {self.prefix}{slot} = {text};")
 
 
-def statements(body: Body, instructions: Mapping[int, Instruction], wrap: Callable[[str], list[str]]) -> list[str]:
-    """All statements of a packed function in order, long ones wrapped."""
-    for item in body.packing.items:
+def _targets(item: int | Pack) -> list[int]:
+    return [t for t in item.targets if t is not None] if isinstance(item, Pack) else [item]
+
+
+def in_order(packing: Packing) -> list[int | Pack]:
+    """The items of a packing in an order that suits pipelines: a call takes as long as its longest chain."""
+    targets = [_targets(item) for item in packing.items]
+    known: dict[int | float, int] = {slot: k for k, slots in enumerate(targets) for slot in slots}
+
+    def proxy(k: int, slots: Sequence[int]) -> Instruction:
+        read = dict.fromkeys(known[a] for s in slots for a, _ in packing.operations[s].args if a in known)
+        return Instruction(k, packing.operations[slots[0]].op, tuple(read))
+
+    proxies = [proxy(k, slots) for k, slots in enumerate(targets)]
+    return [packing.items[i.target] for i in early(proxies, ahead=AHEAD, issued=ISSUED)]
+
+
+def statements(body: Body, instructions: Mapping[int, Instruction], stored: Iterable[tuple[str, int | float]]) -> None:
+    """All statements of a packed function in order; results go to their places as soon as they are known."""
+    places: dict[int, list[tuple[str, int]]] = {}
+    for place, slot in stored:
+        base = body.packing.negatives.get(slot, (slot, 1))[0] if isinstance(slot, int) else slot
+        if isinstance(slot, int) and isinstance(base, int) and base in body.packing.operations:
+            places.setdefault(base, []).append((place, slot))
+        else:
+            body.lines.append(f"{place} = {body.scalar(slot)};")
+    for item in in_order(body.packing):
         if isinstance(item, Pack):
             body.pack(item)
         else:
             body.single(instructions[item])
-    return [line for text in body.lines for line in wrap(text)]
+        for target in _targets(item):
+            body.lines += [f"{place} = {body.scalar(slot)};" for place, slot in places.get(target, ())]
+
+
+def total(body: Body, checked: Iterable[int], guards: Iterable[tuple[int, float]]) -> None:
+    """The sum of what must be finite is returned, NaN where a pivot is small.
+
+    Packs whose lanes must all be finite are summed and compared as vectors.
+    """
+    packing, precision, vector = body.packing, body.precision, body.vector
+    left = dict.fromkeys(packing.negatives.get(slot, (slot, 1))[0] for slot in checked)
+    small = {packing.negatives.get(slot, (slot, 1))[0]: threshold for slot, threshold in guards}
+    packs = [item for item in packing.items if isinstance(item, Pack)]
+    used = range(1 + max(k for pack in packs for k, t in enumerate(pack.targets) if t is not None))
+    whole = [pack for pack in packs if all(pack.targets[k] in left for k in used)]
+    terms, masks = [body.name(pack.number) for pack in whole], []
+    for pack in whole:
+        limits = [None if t is None else small.pop(t, None) for t in pack.targets]
+        if any(t is not None for t in limits):
+            texts = [precision.number(-1.0) if t is None else precision.threshold(t) for t in limits]
+            name, limit = body.name(pack.number), f"({vector}){{{', '.join(texts)}}}"
+            masks.append(f"(({name} <= {limit}) & ({name} >= -{limit}))")
+        for slot in pack.targets:
+            if slot is not None:
+                left.pop(slot, None)
+    single = [body.scalar(slot) for slot in left]
+    if whole:
+        text = balanced_sum(terms)
+        if masks:  # all bits set are a NaN
+            text = f"({vector})(({vector}_mask)({text}) | {' | '.join(masks)})"
+        body.lines.append(f"const {vector} every = {text};")
+        single += [f"every[{k}]" for k in used]
+    text = balanced_sum(single or [precision.number(0.0)])
+    tests = [f"{precision.function('fabs')}({body.scalar(s)}) <= {precision.threshold(t)}" for s, t in small.items()]
+    body.lines.append(f"return {' || '.join(tests)} ? ({precision.real})NAN : {text};" if tests else f"return {text};")

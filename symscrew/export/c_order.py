@@ -22,7 +22,7 @@ ISSUED = 0.55  # cycles from one to the next
 
 def ordered(instructions: Sequence[Instruction]) -> list[Instruction]:
     """The same instructions, every one after those whose targets it reads."""
-    return _early(_short_lived(instructions))
+    return early(_short_lived(instructions))
 
 
 class _Open:
@@ -84,38 +84,41 @@ def _short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
     return order
 
 
-def _early(instructions: Sequence[Instruction]) -> list[Instruction]:
-    """The longest chain first, among the next instructions whose operands are there at the time."""
+def early(instructions: Sequence[Instruction], *, ahead: int = AHEAD, issued: float = ISSUED) -> list[Instruction]:
+    """The longest chain first, among the next `ahead` instructions whose operands are there at the time.
+
+    `issued`: cycles from one to the next.
+    """
     left = _Open(instructions)
     chain = [0.0] * len(instructions)
     for k in reversed(range(len(instructions))):
         after = max((chain[u] for u in left.users.get(instructions[k].target, ())), default=0.0)
         chain[k] = LATENCY.get(instructions[k].op, 4.0) + after
     known: dict[int, float] = {}
-    ahead: list[tuple[float, int]] = []
+    coming: list[tuple[float, int]] = []
     ready: list[tuple[float, int]] = []
     taken = [False] * len(instructions)
     order: list[Instruction] = []
     first, entered, now = 0, 0, 0.0
 
     def arrive(k: int) -> None:
-        heapq.heappush(ahead, (max((known.get(slot, 0.0) for slot in left.read[k]), default=0.0), k))
+        heapq.heappush(coming, (max((known.get(slot, 0.0) for slot in left.read[k]), default=0.0), k))
 
     while len(order) < len(instructions):
         while first < len(taken) and taken[first]:
             first += 1
-        while entered < min(first + AHEAD, len(taken)):
+        while entered < min(first + ahead, len(taken)):
             if left.missing[entered] == 0:
                 arrive(entered)
             entered += 1
-        now = now if ready else max(now, ahead[0][0])
-        while ahead and ahead[0][0] <= now:
-            k = heapq.heappop(ahead)[1]
+        now = now if ready else max(now, coming[0][0])
+        while coming and coming[0][0] <= now:
+            k = heapq.heappop(coming)[1]
             heapq.heappush(ready, (-chain[k], k))
         k = heapq.heappop(ready)[1]
         taken[k] = True
         order.append(instructions[k])
-        now += ISSUED
+        now += issued
         known[instructions[k].target] = now + LATENCY.get(instructions[k].op, 4.0)
         for following in left.done(instructions[k].target):
             if following < entered:
