@@ -12,6 +12,7 @@ from model_states import model
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import compile_c, find_compiler
 from symscrew.export.c import print_c
+from symscrew.export.casadi import casadi_functions
 from symscrew.export.casadi_external import DIFFERENTIATED, jacobians_model, print_external
 from symscrew.generation import generate
 from symscrew.jacobians import jacobian
@@ -123,6 +124,34 @@ def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     again = solver(x0=float(found["x"]) + 0.1, lbg=0, ubg=0)
     assert solver.stats()["success"]
     assert float(again["x"]) == pytest.approx(float(found["x"]), abs=1e-5)
+
+
+def test_second_derivatives_are_refused_and_can_be_had_from_the_other_target(four_bar):
+    """IPOPT on external functions, with the Hessian of the Lagrangian by CasADi's own: fewer steps, the same point."""
+    energy, closure = (ca.external(f"four_bar_casadi_{name}", str(four_bar)) for name in ("energy", "closure"))
+    q = ca.MX.sym("q", 3)
+    rest = ca.DM.zeros(3)
+    with pytest.raises(RuntimeError, match="Derivatives cannot be calculated for jac_four_bar_casadi_energy"):
+        ca.hessian(energy(q, rest)[1], q)
+    own = casadi_functions(model("four_bar").only(["energy", "closure"]))
+    rows = sorted(set(closure.jacobian().sparsity_out(0).row()))  # of five, those that a planar motion changes
+    multiplier, multipliers = ca.MX.sym("multiplier"), ca.MX.sym("multipliers", len(rows))
+    lagrangian = -multiplier * own["energy"](q=q, v=rest)["energy"][1]
+    lagrangian += ca.dot(multipliers, own["closure"](q=q)["residual"][rows])
+    upper = ca.triu(ca.hessian(lagrangian, q)[0])
+    arguments = [q, ca.MX.sym("p", 0, 0), multiplier, multipliers]
+    names = ["x", "p", "lam_f", "lam_g"]
+    exact = {"hess_lag": ca.Function("hess_lag", arguments, [upper], names, ["triu_hess_gamma_x_x"])}
+    found = []
+    for options in (exact, {"ipopt.hessian_approximation": "limited-memory"}):
+        problem = {"x": q, "f": -energy(q, rest)[1], "g": closure(q)[rows]}
+        solver = ca.nlpsol("solver", "ipopt", problem, {"ipopt.print_level": 0, "print_time": False, **options})
+        found.append((np.array(solver(x0=[0.2, 0, 0], lbg=0, ubg=0)["x"]), solver.stats()))
+    (first, stats), (second, others) = found
+    assert stats["success"] and others["success"] and stats["iter_count"] < others["iter_count"]
+    assert first == pytest.approx(second, abs=1e-6)
+    torque = ca.external("four_bar_casadi_inverse_dynamics", str(four_bar))(first, rest, rest)
+    assert abs(float(torque)) < 1e-6
 
 
 @pytest.mark.slow
