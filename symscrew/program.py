@@ -18,7 +18,7 @@ import numpy as np
 
 from symscrew.operations import apply_numpy
 from symscrew.reciprocals import remade, shared_reciprocals
-from symscrew.tape import Node, Tape
+from symscrew.tape import Node
 
 COUNTED = {
     "add": "add",
@@ -198,7 +198,9 @@ STATUS = {
 def lower(function: Function) -> Program:
     """The program of a function: dead code gone, quotients and signs where they cost least."""
     fewer = _with_roots(function, shared_reciprocals(_roots(function)))
-    return _Lowering(_factored(fewer)).program()
+    uses = _uses(_roots(fewer))
+    factored = _factored(fewer, uses)
+    return _Lowering(factored, uses if factored is fewer else _uses(_roots(factored))).program()
 
 
 def _uses(roots: Sequence[Node]) -> dict[int, int]:
@@ -220,26 +222,21 @@ def _uses(roots: Sequence[Node]) -> dict[int, int]:
         needed = stack.pop().args
 
 
-def _factored(function: Function) -> Function:
+def _factored(function: Function, uses: Mapping[int, int]) -> Function:
     """The function with a b + a c written as a (b + c) wherever neither product serves anything else."""
-    uses = _uses(_roots(function))
-    if not uses:
-        return function
-    tape = next(node for node in _roots(function)).tape
-    new: dict[int, Node] = {}
+    roots = _roots(function)
+    new: dict[int, Node] = {}  # what is written in another way
     for index in sorted(uses):
-        node = tape.nodes[index]
-        if node.op in ("symbol", "const"):
-            new[index] = node
-            continue
-        args = tuple(new[a.index] for a in node.args)
+        node = roots[0].tape.nodes[index]
         if node.op in ("add", "sub"):
-            new[index] = _factor(tape, node, args, uses)
-        elif args == node.args:
-            new[index] = node
+            made = _factor(node, uses, new)
+        elif node.op not in ("symbol", "const") and any(a.index in new for a in node.args):
+            made = remade(node, tuple([new.get(a.index, a) for a in node.args]))
         else:
-            new[index] = remade(node, args)
-    return _with_roots(function, [new[root.index] for root in _roots(function)])
+            continue
+        if made is not node:
+            new[index] = made
+    return _with_roots(function, [new.get(root.index, root) for root in roots]) if new else function
 
 
 def _roots(function: Function) -> list[Node]:
@@ -254,29 +251,30 @@ def _with_roots(function: Function, roots: Sequence[Node]) -> Function:
     return replace(function, results=results, guards=tuple((next(left), t) for _, t in function.guards))
 
 
-def _factor(tape: Tape, node: Node, args: tuple[Node, ...], uses: Mapping[int, int]) -> Node:
-    x, y = args
-    single = all(uses[old.index] == 1 for old in node.args)
-    if single and x.op == "mul" and y.op == "mul":
+def _factor(node: Node, uses: Mapping[int, int], new: Mapping[int, Node]) -> Node:
+    """A sum or difference; of two products that nothing else needs, with a common factor, as one product."""
+    tape = node.tape
+    x, y = (new.get(a.index, a) for a in node.args)
+    if x.op == "mul" and y.op == "mul" and all(uses[old.index] == 1 for old in node.args):
         for common in x.args:
             if common in y.args:
                 rest = [next((a for a in product.args if a is not common), common) for product in (x, y)]
                 inner = tape.add(rest[0], rest[1] if node.op == "add" else tape.neg(rest[1]))
                 return tape.mul(common, inner)
+    if (x, y) == node.args:
+        return node
     return tape.add(x, y if node.op == "add" else tape.neg(y))
 
 
 class _Lowering:
-    def __init__(self, function: Function) -> None:
-        self.function = function
-        self.slot: dict[int, int] = {}
+    def __init__(self, function: Function, uses: Mapping[int, int]) -> None:
+        self.function, self.uses = function, uses
+        self.slot: dict[int, int | float] = {}  # of a node; for a constant, its value
         self.instructions: list[Instruction] = []
         self.made: dict[tuple, int] = {}
         self.next = itertools.count()
         for node in itertools.chain.from_iterable(function.arguments):
             self.slot[node.index] = next(self.next)
-        self.roots = [n for nodes in function.results for n in nodes] + [g for g, _ in function.guards]
-        self.uses = _uses(self.roots)
 
     def program(self) -> Program:
         results = tuple(tuple(self.value(n) for n in nodes) for nodes in self.function.results)
@@ -301,10 +299,15 @@ class _Lowering:
 
     def value(self, root: Node) -> int | float:
         """Slot or constant of a node, emitting what it needs first (without recursion in depth)."""
+        slot = self.slot
         stack = [root]
         while stack:
             node = stack[-1]
-            if node.value is not None or node.index in self.slot:
+            if node.index in slot:
+                stack.pop()
+                continue
+            if node.value is not None:
+                slot[node.index] = float(node.value)
                 stack.pop()
                 continue
             if node.op == "symbol":
@@ -313,16 +316,15 @@ class _Lowering:
                     f"({', '.join(p.name for p in self.function.inputs)})"
                 )
             op, args = self._form(node)
-            missing = [a for a in args if a.value is None and a.index not in self.slot]
-            if missing:
-                stack.extend(reversed(missing))
-                continue
-            stack.pop()
-            self.slot[node.index] = self._emit(op, tuple(self._ready(a) for a in args))
-        return self._ready(root)
-
-    def _ready(self, node: Node) -> int | float:
-        return float(node.value) if node.value is not None else self.slot[node.index]
+            ready = True
+            for arg in args[::-1]:
+                if arg.index not in slot:
+                    stack.append(arg)
+                    ready = False
+            if ready:
+                stack.pop()
+                slot[node.index] = self._emit(op, tuple([slot[a.index] for a in args]))
+        return slot[root.index]
 
     def _single(self, node: Node) -> bool:
         return self.uses.get(node.index, 0) == 1 and node.index not in self.slot
@@ -332,17 +334,19 @@ class _Lowering:
         op, args = node.op, node.args
         if op == "mul":
             x, y = args
-            for a, b in ((x, y), (y, x)):
-                if b.op == "reciprocal" and self._single(b) and a.op != "reciprocal":
-                    return "div", (a, b.args[0])
-        if op == "neg":
+            if y.op == "reciprocal" and x.op != "reciprocal" and self._single(y):
+                return "div", (x, y.args[0])
+            if x.op == "reciprocal" and y.op != "reciprocal" and self._single(x):
+                return "div", (y, x.args[0])
+        elif op == "neg":
             inner = args[0]
             if inner.op == "sub" and self._single(inner):
                 return "sub", (inner.args[1], inner.args[0])
         return op, args
 
     def _emit(self, op: str, args: tuple[int | float, ...]) -> int:
-        key = (op, args, tuple(map(type, args)))  # slot 2 and the constant 2.0 are equal, and not the same
+        # slot 2 and the constant 2.0 are equal, and not the same
+        key = (op, args, tuple(map(type, args))) if float in map(type, args) else (op, args)
         target = self.made.get(key)
         if target is None:
             self.made[key] = target = next(self.next)

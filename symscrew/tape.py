@@ -52,7 +52,8 @@ class Node:
         self.tape, self.index, self.op, self.args, self.value = tape, index, op, args, value
 
     def __add__(self, other: Any) -> Node:
-        return self.tape.add(self, self.tape.node(other))
+        tape = self.tape
+        return tape.add(self, other if type(other) is Node else tape.node(other))
 
     __radd__ = __add__
 
@@ -63,7 +64,8 @@ class Node:
         return self.tape.add(self.tape.node(other), self.tape.neg(self))
 
     def __mul__(self, other: Any) -> Node:
-        return self.tape.mul(self, self.tape.node(other))
+        tape = self.tape
+        return tape.mul(self, other if type(other) is Node else tape.node(other))
 
     __rmul__ = __mul__
 
@@ -168,9 +170,7 @@ class Tape:
                     rest, negative = terms[1 - terms.index((part, not sign))]
                     return self.neg(rest) if negative else rest
         if x_negative == y_negative:
-            if b.index < a.index:
-                a, b = b, a
-            total = self._make("add", (a, b))
+            total = self._make("add", (a, b) if a.index < b.index else (b, a))
             return self.neg(total) if x_negative else total
         if x_negative:
             a, b = b, a
@@ -207,9 +207,11 @@ class Tape:
             return self.zero
         if x.value is not None and y.value is not None:
             return self._fold("mul", x, y)
-        negative = (x.op == "neg") != (y.op == "neg")
-        x = x.args[0] if x.op == "neg" else x
-        y = y.args[0] if y.op == "neg" else y
+        negative = False
+        if x.op == "neg":
+            x, negative = x.args[0], True
+        if y.op == "neg":
+            y, negative = y.args[0], not negative
         if y.value is not None:
             x, y = y, x
         if x is self.one:
@@ -221,18 +223,17 @@ class Tape:
         rest = self._cancelled(x, y)
         if rest is not None:
             return self.neg(rest) if negative else rest
-        if x.value is None and y.index < x.index:
-            x, y = y, x
-        result = self._make("mul", (x, y))
+        result = self._make("mul", (y, x) if x.value is None and y.index < x.index else (x, y))
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:
         """z of x (z / x) or (x z) / x; None if nothing cancels."""
         for a, b in ((x, y), (y, x)):
+            factors = b.args if b.op == "mul" else (b,)
             inverse = a.args[0] if a.op == "reciprocal" else None
-            for factor, rest in (b.args, b.args[::-1]) if b.op == "mul" else ((b, self.one),):
+            for factor in factors:
                 if factor is inverse or (factor.op == "reciprocal" and factor.args[0] is a):
-                    return rest
+                    return self.one if b is factor else factors[factor is factors[0]]
         return None
 
     def reciprocal(self, x: Node) -> Node:
@@ -266,7 +267,7 @@ class Tape:
         return self.function("sqrt", x)
 
     def _make(self, op: str, args: tuple, value: Any = None) -> Node:
-        key = (op, *(a.index if isinstance(a, Node) else a for a in args))
+        key = (op, args)  # nodes are equal if they are one
         found = self._known.get(key)
         if found is None:
             found = Node(self, len(self.nodes), op, args, value)
