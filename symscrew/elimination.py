@@ -112,18 +112,27 @@ class Elimination:
     free: list[Column] = field(default_factory=list)
 
     def solve(self, right: Sequence[Node]) -> dict[Column, Node]:
-        """Unknowns from rows . unknowns = right; free unknowns are zero."""
+        """Unknowns from rows . unknowns = right; free unknowns are zero.
+
+        A multiple of another unknown is not taken through the pivot and back.
+        """
         values = list(right)
         for row, _, _, factors in self.steps:
             for other, factor in factors.items():
                 values[other] = values[other] - factor * values[row]
         solution: dict[Column, Node] = {}
         for row, column, pivot, _ in reversed(self.steps):
-            total = values[row]
+            over = 1 / pivot
+            total, whole = values[row], values[row].tape.zero
             for c, entry in self.upper[row].items():
-                if c != column and c in solution:
+                if c == column or c not in solution:
+                    continue
+                part = entry * over
+                if part.value is not None:
+                    whole = whole - part * solution[c]
+                else:
                     total = total - entry * solution[c]
-            solution[column] = total * (1 / pivot)
+            solution[column] = total * over + whole
         return solution
 
 

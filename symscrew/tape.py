@@ -286,8 +286,14 @@ class Tape:
         self._samples.update({node.index: np.asarray(v, dtype=float) for node, v in values.items()})
 
     def sample(self, node: Node) -> np.ndarray:
-        """Values of `node` at the sample states, shape (samples,)."""
+        """Values of `node` at the sample states, shape (samples,); not finite where a division by zero is asked for."""
         known = self._samples
+        if node.index not in known:
+            with np.errstate(all="ignore"):
+                self._evaluate(node, known)
+        return known[node.index]
+
+    def _evaluate(self, node: Node, known: dict[int, np.ndarray]) -> None:
         stack = [node]
         while stack:
             current = stack[-1]
@@ -303,7 +309,6 @@ class Tape:
                     stack.extend(missing)
                 else:
                     known[current.index] = apply_numpy(current.op, [known[a.index] for a in current.args])
-        return known[node.index]
 
     # -- identities in the run-time parameters ---------------------------------------------------------
 
