@@ -107,6 +107,8 @@ def parser() -> argparse.ArgumentParser:
     generate.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
     generate.add_argument("--derivatives", action="store_true", help="also derivatives and the linearisation")
     generate.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
+    text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
+    generate.add_argument("--one-mode", action="store_true", help=text)
 
     check = _command(verbs, "check", commands.check_output, "is generated output up to date, clean and right?")
     check.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")

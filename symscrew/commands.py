@@ -125,6 +125,7 @@ def _derived(options: argparse.Namespace, progress: object) -> Model:
             length=options.length,
             derivatives=options.derivatives,
             regressor=options.regressor,
+            one_mode=options.one_mode,
         )
 
 

@@ -40,6 +40,7 @@ def manifest(
         "hash": model_hash(model),
         "effects": [effect_to_json(effect) for effect in model.effects],
         "independent": _independent(model),
+        **({"one_mode": True} if model.one_mode else {}),
         "parameters": _parameters(model),
         "characteristic_length": _characteristic_length(model),
         "notes": list(model.notes),

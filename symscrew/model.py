@@ -27,6 +27,7 @@ from symscrew.functions.regressor import regressor_functions
 from symscrew.limb_solutions import hub_links
 from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
+from symscrew.modes import operation_mode
 from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
 from symscrew.rank_revealing import RankRevealing, evaluate_rank_revealing
 from symscrew.reader import Reader
@@ -38,7 +39,8 @@ class Model:
     """Named programs of a mechanism with the effects that were asked for.
 
     `test_inputs[name]` holds, per input of function `name`, an array (states, size) of consistent states;
-    `notes` says what a user must know (redundant constraints, passive freedoms, warnings of the description).
+    `notes` says what a user must know (redundant constraints, passive freedoms, warnings of the description);
+    `one_mode`: functions of closed loops are for the operation mode of the reference configuration only.
     """
 
     name: str
@@ -48,6 +50,7 @@ class Model:
     test_inputs: Mapping[str, tuple[np.ndarray, ...]]
     system: System
     notes: tuple[str, ...] = ()
+    one_mode: bool = False
 
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""
@@ -71,6 +74,7 @@ def derive(
     length: Any = None,
     derivatives: bool = False,
     regressor: bool = False,
+    one_mode: bool = False,
 ) -> Model:
     """The model of a mechanism: every function, for every mechanism, by the same path.
 
@@ -78,7 +82,9 @@ def derive(
     hangs on one joint, else the drives). `length` [m] is the characteristic length by which norms of mixed
     quantities divide lengths: a number or text with an expression of the parameters, in place of the description's.
     `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given,
-    `regressor` the regressors of the inertial parameters.
+    `regressor` the regressors of the inertial parameters. `one_mode`: functions of closed loops for the operation
+    mode of the reference configuration only, where coordinates that follow from others are not read; they fail
+    elsewhere (see `symscrew.modes`).
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
     if length is not None:
@@ -101,6 +107,9 @@ def derive(
         functions += regressor_functions(system, effects, loops)
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)
+    mode = operation_mode(system, loops.free)
+    if one_mode:
+        functions = [mode.alone(function) for function in functions]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
     if system.cuts:
         programs["assemble"] = assembly(system, loops)
@@ -110,8 +119,9 @@ def derive(
     entries, states = [entry.q for entry in loops.entries], system.sample_states
     inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}
     massless = () if moves_mass(system, effects, loops) else (MASSLESS_NOTE,)
-    notes = (*mechanism.warnings, *massless, *dict.fromkeys(n for p in programs.values() for n in p.notes))
-    return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes)
+    notes = (*mechanism.warnings, *massless, *mode.notes(alone=one_mode))
+    notes = (*notes, *dict.fromkeys(n for p in programs.values() for n in p.notes))
+    return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes, one_mode)
 
 
 def _hub_entries(system: System, of_q: bool) -> list[int]:

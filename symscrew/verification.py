@@ -100,11 +100,15 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
     mechanism = description.load(directory / "mechanism.toml")
     effects = tuple(effect_from_json(entry) for entry in content["effects"])
     functions = content.get("functions", {})
-    derivatives, regressor = "linearisation" in functions, "regressor" in functions
-    model = derive(mechanism, effects, derivatives=derivatives, regressor=regressor)
+    wanted: dict[str, Any] = {
+        "derivatives": "linearisation" in functions,
+        "regressor": "regressor" in functions,
+        "one_mode": content.get("one_mode") is True,
+    }
+    model = derive(mechanism, effects, **wanted)
     chosen = content.get("independent") or None
     if chosen and model_hash(model) != content.get("hash"):
-        other = derive(mechanism, effects, independent=chosen, derivatives=derivatives, regressor=regressor)
+        other = derive(mechanism, effects, independent=chosen, **wanted)
         model = other if model_hash(other) == content.get("hash") else model
     recorded = read_json(directory / "test_vectors.json")
     inputs = dict(model.test_inputs)

@@ -23,7 +23,7 @@ STAGES = (
     ("lanes", "packs"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
-    ("elimination", "closure_rows", "loops", "planar_limbs", "spoke_limbs", "limb_solutions"),
+    ("elimination", "closure_rows", "loops", "modes", "planar_limbs", "spoke_limbs", "limb_solutions"),
     (
         "equilibrium",
         "drives",

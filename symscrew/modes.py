@@ -1,0 +1,170 @@
+"""The operation mode of the reference configuration: coordinates that follow from others on all of it.
+
+A delta's platform does not turn, and the rods of an arm stay parallel: on the branch of the configuration space that
+goes through the reference configuration some coordinates are constant, and some are others (or their opposites) up
+to a constant. A model of that mode alone reads each of them once. Elsewhere (a parallelogram's crossed branch) it does
+not hold, so its functions look whether the state they are given is of this mode, and fail where it is not.
+
+What follows what is certified numerically: at every sample state, for coordinates and for rates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from symscrew.program import Function
+from symscrew.reciprocals import remade
+from symscrew.system import System
+from symscrew.tape import Node
+
+MOVES = 1e-6  # samples that differ by less do not show a motion
+SAME = 1e-9  # samples that agree to this, in radians or characteristic lengths, are one value
+OFF = 1e-6  # a state this far off the mode, in the same units, is not of it; and rates, beside independent rates
+HALF = 0.5  # between what a comparison gives, 0 and 1
+NOTHING = 1e-12  # rates [rad/s, or characteristic lengths per second] below this are none
+SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "joint_reactions", "forward_dynamics")
+"""Functions (and those named after them) that take closed loops for granted. Others are true of open loops too."""
+
+
+@dataclass(frozen=True)
+class Follower:
+    """Entry `index` of q or v is `sign` * entry `leader` + `shift` [rad or m], or `shift` alone."""
+
+    index: int
+    leader: int | None
+    sign: int
+    shift: float
+
+
+@dataclass(frozen=True)
+class Mode:
+    """What follows what among the coordinates and among the rates of a system, and its independent rates."""
+
+    system: System
+    q: tuple[Follower, ...]
+    v: tuple[Follower, ...]
+    free: tuple[int, ...]
+
+    def notes(self, *, alone: bool) -> tuple[str, ...]:
+        """Which coordinates follow, for people; `alone`: whether functions are for this mode only."""
+        if not self.q:
+            return ()
+        labels = [c.label for c in self.system.tree.q]
+        names = ", ".join(labels[f.index] for f in self.q)
+        what = "functions of closed loops are for it only" if alone else "one_mode makes code for it only"
+        return (f"operation mode of the reference configuration: the other coordinates determine {names}; {what}",)
+
+    def alone(self, function: Function) -> Function:
+        """The function for states of this mode only; unchanged if it does not rest on closed loops."""
+        known = {node for nodes in function.arguments for node in nodes}
+        solved = any(function.name == name or function.name.startswith(f"{name}_") for name in SOLVED)
+        if not solved or not self.q or not known >= set(self.system.inputs.q):
+            return function
+        roots = [n for nodes in function.results for n in nodes] + [guard for guard, _ in function.guards]
+        found = iter(_substituted(roots, self._nodes))
+        results = tuple(tuple(next(found) for _ in nodes) for nodes in function.results)
+        guards: dict[Node, float] = {}
+        for pivot, (_, threshold) in zip(found, function.guards, strict=True):
+            if pivot.value is None:
+                guards[pivot] = max(threshold, guards.get(pivot, 0.0))
+        guards[self._configuration] = HALF
+        if known >= set(self.system.inputs.v):
+            guards[self._rates] = HALF
+        return replace(function, results=results, guards=tuple(guards.items()))
+
+    @cached_property
+    def _nodes(self) -> dict[Node, Node]:
+        inputs, tape = self.system.inputs, self.system.tape
+        result = {}
+        for nodes, followers in ((inputs.q, self.q), (inputs.v, self.v), (inputs.a, self.v)):
+            for f in followers:
+                lead = tape.zero if f.leader is None else nodes[f.leader]
+                result[nodes[f.index]] = (lead if f.sign > 0 else -lead) + tape.constant(f.shift)
+        return result
+
+    @cached_property
+    def _configuration(self) -> Node:
+        """1 at a configuration of this mode, else 0."""
+        tape, length = self.system.tape, self.system.length
+        total = tape.zero
+        for f in self.q:
+            node = self.system.inputs.q[f.index]
+            off = node - self._nodes[node]
+            if self.system.tree.q[f.index].kind == "length":
+                off = off * tape.constant(1.0 / length)
+            total = total + off * off
+        return tape.function("less", total, tape.constant(OFF * OFF))
+
+    @cached_property
+    def _rates(self) -> Node:
+        """1 if the rates are of this mode, else 0."""
+        tape, nodes = self.system.tape, self.system.inputs.v
+        shorter = tape.constant(1.0 / self.system.length)
+        off, size = tape.constant(NOTHING * NOTHING), tape.zero
+        for f in self.v:
+            apart = nodes[f.index] - self._nodes[nodes[f.index]]
+            apart = apart * shorter if self.system.tree.v[f.index].kind == "length" else apart
+            off = off + apart * apart
+        for k in self.free:
+            rate = nodes[k] * shorter if self.system.tree.v[k].kind == "length" else nodes[k]
+            size = size + rate * rate
+        return tape.function("less", off, tape.constant(OFF * OFF) * size + tape.constant(2 * NOTHING * NOTHING))
+
+
+def operation_mode(system: System, free: Sequence[int]) -> Mode:
+    """What follows what in the operation mode of the reference configuration; `free`: independent entries of v.
+
+    Nothing does in a tree, or where nothing moves; with run-time parameters neither, as it might not hold for others.
+    """
+    q, v, _ = system.sample_states
+    of_q, of_v = [c.kind for c in system.tree.q], [c.kind for c in system.tree.v]
+    q, v = (x / [system.length if kind == "length" else 1.0 for kind in of] for x, of in ((q, of_q), (v, of_v)))
+    if not system.cuts or system.parameters or not free or np.ptp(q, axis=0).max() < MOVES:
+        return Mode(system, (), (), ())
+    still = np.zeros(len(of_v))
+    return Mode(
+        system, _followers(q, system.reference, of_q), _followers(v / np.abs(v).max(), still, of_v), tuple(free)
+    )
+
+
+def _followers(samples: np.ndarray, reference: np.ndarray, kinds: Sequence[str]) -> tuple[Follower, ...]:
+    """What follows what in samples (states, entries) without units; shifts as in the reference configuration."""
+    result: list[Follower] = []
+    leaders: list[int] = []
+    for j, kind in enumerate(kinds):
+        values = samples[:, j]
+        if np.ptp(values) < SAME:
+            result.append(Follower(j, None, 1, float(reference[j])))
+            continue
+        ways = ((i, sign) for i in leaders if kinds[i] == kind for sign in (1, -1))
+        found = next(((i, sign) for i, sign in ways if np.ptp(values - sign * samples[:, i]) < SAME), None)
+        if found is None:
+            leaders.append(j)
+        else:
+            result.append(Follower(j, *found, float(reference[j] - found[1] * reference[found[0]])))
+    return tuple(result)
+
+
+def _substituted(roots: Sequence[Node], put: Mapping[Node, Node]) -> list[Node]:
+    """The roots with other nodes for some inputs."""
+    new = {old.index: node for old, node in put.items()}
+    stack = list(roots)
+    while stack:
+        node = stack[-1]
+        missing = [arg for arg in _args(node) if arg.index not in new] if node.index not in new else []
+        if missing:
+            stack += missing
+            continue
+        stack.pop()
+        if node.index not in new:
+            args = tuple(new[arg.index] for arg in _args(node))
+            new[node.index] = node if args == _args(node) else remade(node, args)
+    return [new[root.index] for root in roots]
+
+
+def _args(node: Node) -> tuple[Node, ...]:
+    return () if node.op in ("symbol", "const") else node.args
