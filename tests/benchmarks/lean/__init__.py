@@ -53,11 +53,17 @@ class Row:
     lean: str | None = None
     recorded: float | None = None
     reads: str = ""  # what the lean function reads of the same inputs, where that is less
+    one_mode: bool = False  # ours is for the operation mode of the reference configuration
 
     @property
     def name(self) -> str:
         """What the table calls it."""
-        return f"{self.mechanism}, {self.function}, {self.form}, {self.reads}"
+        return f"{self.model}, {self.function}, {self.form}, {self.reads}"
+
+    @property
+    def model(self) -> str:
+        """The mechanism, and whether its code is for one operation mode."""
+        return f"{self.mechanism}, one mode" if self.one_mode else self.mechanism
 
 
 ONE, LANES, EIGHT = "limb by limb", "limbs in lanes", "eight states"
@@ -87,7 +93,8 @@ ROWS = (
     Row("stewart_6ups", "inverse_dynamics_platform", ONE, "lean_stewart"),
     Row("stewart_6ups", "inverse_dynamics_platform", LANES, "lean_stewart"),
     *(
-        Row("delta", function, form, f"lean_delta_{name}", None, ARMS)
+        Row("delta", function, form, f"lean_delta_{name}", None, ARMS, one_mode)
+        for one_mode in (False, True)
         for function, name in (("inverse_dynamics", "drives"), ("velocity", "velocity"))
         for form in (ONE, LANES)
     ),
@@ -106,9 +113,9 @@ def run(*, repeats: int = 50) -> tuple[str, dict[str, Any]]:
         lean = _lean(Path(folder))
         measures: dict[str, Measure] = {}
         agreement: dict[str, float] = {}
-        for mechanism in dict.fromkeys(row.mechanism for row in ROWS):
-            some = [row for row in ROWS if row.mechanism == mechanism]
-            for row, (ours, theirs, error) in zip(some, _measures(mechanism, some, lean, Path(folder)), strict=True):
+        for name in dict.fromkeys(row.model for row in ROWS):
+            some = [row for row in ROWS if row.model == name]
+            for row, (ours, theirs, error) in zip(some, _measures(some, lean, Path(folder)), strict=True):
                 measures[f"ours: {row.name}"] = ours
                 if theirs is not None:
                     measures[f"lean: {row.name}"] = theirs
@@ -126,7 +133,7 @@ def run(*, repeats: int = 50) -> tuple[str, dict[str, Any]]:
 
 def _line(row: Row, times: dict[str, Times], agreement: dict[str, float]) -> list[str]:
     ours = times[f"ours: {row.name}"].least
-    here = [row.mechanism, row.function, row.form, f"{ours:.4g}"]
+    here = [row.model, row.function, row.form, f"{ours:.4g}"]
     lean = times.get(f"lean: {row.name}")
     if lean is not None:
         return [
@@ -151,15 +158,15 @@ def _lean(folder: Path) -> ctypes.CDLL:
     return ctypes.CDLL(str(folder / "lean.so"))
 
 
-def _measures(
-    mechanism: str, rows: Sequence[Row], lean: ctypes.CDLL, folder: Path
-) -> list[tuple[Measure, Measure | None, float]]:
-    """ns per state of ours and of the lean function, and their relative difference."""
+def _measures(rows: Sequence[Row], lean: ctypes.CDLL, folder: Path) -> list[tuple[Measure, Measure | None, float]]:
+    """ns per state of ours and of the lean function, and their relative difference, for rows of one model."""
+    mechanism, one_mode = rows[0].mechanism, rows[0].one_mode
     derivatives = any("derivatives" in row.function for row in rows)
-    model = derive(catalogue.load(mechanism), derivatives=derivatives)
+    model = derive(catalogue.load(mechanism), derivatives=derivatives, one_mode=one_mode)
     functions = list(dict.fromkeys(_program(row) for row in rows))
     compiled = Compiled(model, functions)
-    code = {form: _library(compiled.model, folder, lanes=form == LANES) for form in (ONE, LANES)}
+    here = folder / rows[0].model
+    code = {form: _library(compiled.model, here, lanes=form == LANES) for form in (ONE, LANES)}
     found = []
     for row in rows:
         if row.form == EIGHT:
@@ -185,7 +192,7 @@ def _program(row: Row) -> str:
 def _library(model: Model, folder: Path, *, lanes: bool) -> ctypes.CDLL:
     """Generated functions with equal limbs side by side or one after the other, and a step on forward dynamics."""
     here = folder / ("lanes" if lanes else "one")
-    here.mkdir(exist_ok=True)
+    here.mkdir(parents=True, exist_ok=True)
     for file, text in print_c(model, lanes=lanes).items():
         (here / file).write_text(text, encoding="utf-8")
     if model.name == SEED and "forward_dynamics" in model.programs:
