@@ -123,6 +123,10 @@ def test_missing_tools_are_named(
         measure(model("four_bar"), "m4f")
     assert main(["embedded", "four_bar", "--out", str(tmp_path / "no.json")]) == 1
     assert "qemu-system-arm" in capsys.readouterr().err and not list(tmp_path.iterdir())
+    (tmp_path / "file").touch()
+    assert main(["embedded", "four_bar", "--out", str(tmp_path / "file" / "no.json")]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "there is no folder" in said  # before anything is derived or measured
     with pytest.raises(DescriptionError, match="expected a core among m4f, m7"):
         measure(model("four_bar"), "m0")
 
@@ -176,27 +180,72 @@ def silent(commands: list[list[str]]) -> None:
             assert result == (0, ""), command
 
 
+ANALYZER = ["-std=c99", "-O1", "-fanalyzer", "-Wall", "-Wextra", "-Wvla", "-Werror", "-c", "-o", "/dev/null"]
+VECTORS = ["-D__GNUC__=12", "-D__x86_64__=1", "-D__GLIBC__=2", "-D__AVX2__=1", "-D_OPENMP=201511"]
+CPPCHECK = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,portability", "--error-exitcode=1"]
+# Of large mechanisms cppcheck takes minutes for these: it follows both values of every select (atan2 of a joint's
+# axes, signs, pivots). It reads them of the seed and of the small ones.
+MINUTES = ("assemble", "joint_displacements", "forward_dynamics_reactions")
+
+
 @pytest.mark.tools
 @needs("gcc")
 def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
     """All of double precision with its blocks of eight states, and what a microcontroller is given in single."""
-    flags = ["-std=c99", "-O1", "-fanalyzer", "-Wall", "-Wextra", "-Wvla", "-Werror", "-c", "-o", "/dev/null"]
     (tmp_path / "embedded").mkdir()
     host = sources(tmp_path, "four_bar", "double")
     embedded_one = sources(tmp_path / "embedded", "four_bar", "single", batches=False)
     cross = shutil.which(embedded.COMPILER)
     compiler = [cross, "-mthumb", *embedded.CORES["m4f"].flags] if cross else ["gcc"]
-    silent([["gcc", *flags, str(host)], [*compiler, *flags, str(embedded_one)]])
+    silent([["gcc", *ANALYZER, str(host)], [*compiler, *ANALYZER, str(embedded_one)]])
+
+
+@pytest.mark.tools
+@pytest.mark.slow
+@needs("gcc")
+def test_the_analyzer_of_gcc_finds_nothing_in_large_models(tmp_path: Path) -> None:
+    """The seed takes it half a minute. (The delta takes twice that, and is as clean.)"""
+    silent([["gcc", *ANALYZER, str(sources(tmp_path, name, "double"))] for name in ("three_ups_upu_s", "ur5")])
+
+
+@pytest.mark.tools
+@needs("gcc")
+@needs("cppcheck")
+def test_both_would_say_something(tmp_path: Path) -> None:
+    """The same commands on the same file are not silent about a function that reads what was never written."""
+    source = sources(tmp_path, "four_bar", "double", batches=False)
+    wrong = "double four_bar_wrong(int k);\ndouble four_bar_wrong(int k)\n"
+    wrong += "{\n    double x[3];\n    return k > 0 ? x[2] : 0.0;\n}\n"
+    source.write_text(source.read_text() + wrong)
+    for command in (["gcc", *ANALYZER], [*CPPCHECK, *VECTORS]):
+        done = subprocess.run([*command, str(source)], capture_output=True, text=True, check=False)
+        assert done.returncode != 0 and "uninit" in done.stderr, command[0]
 
 
 @pytest.mark.tools
 @needs("cppcheck")
 def test_cppcheck_finds_nothing(tmp_path: Path) -> None:
     """For a microcontroller, and for gcc with vectors and threads: trying all combinations takes minutes."""
-    command = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,portability", "--error-exitcode=1"]
-    vectors = ["-D__GNUC__=12", "-D__x86_64__=1", "-D__GLIBC__=2", "-D__AVX2__=1", "-D_OPENMP=201511"]
     commands = []
-    for precision, options in (("double", vectors), ("single", ["-DFOUR_BAR_STATE_BY_STATE"])):
+    for precision, options in (("double", VECTORS), ("single", ["-DFOUR_BAR_STATE_BY_STATE"])):
         (tmp_path / precision).mkdir()
-        commands.append([*command, *options, str(sources(tmp_path / precision, "four_bar", precision))])
+        commands.append([*CPPCHECK, *options, str(sources(tmp_path / precision, "four_bar", precision))])
+    silent(commands)
+
+
+@pytest.mark.tools
+@pytest.mark.slow
+@needs("cppcheck")
+@pytest.mark.parametrize("name", ["ur5", "three_ups_upu_s", "delta", "stewart_6ups"])
+def test_cppcheck_finds_nothing_in_large_models(name: str, tmp_path: Path) -> None:
+    """Every function in a file of its own, with its batches: with the whole file it came to no end."""
+    found, commands = model(name), []
+    for function in found.programs:
+        if function in MINUTES and name in ("delta", "stewart_6ups"):
+            continue
+        (tmp_path / function).mkdir()
+        for file, text in print_c(found.only([function])).items():
+            (tmp_path / function / file).write_text(text)
+        commands.append([*CPPCHECK, *VECTORS, str(tmp_path / function / f"{name}.c")])
+    assert len(commands) > 25
     silent(commands)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 import json
-from pathlib import Path
 
-from symscrew.replacement import write_text
+from symscrew.replacement import destination, write_text
 
 USUAL = (
     "inverse_dynamics",
@@ -26,6 +25,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.embedded import measure
     from symscrew.model import derive
 
+    path = destination(options.out, (".json",), "--out") if options.out else None
     progress = Progress()
     mechanism = catalogue.find(options.mechanism)
     with progress.step(f"derive {mechanism.name}"):
@@ -48,8 +48,6 @@ def run(options: argparse.Namespace) -> int:
             for name, entry in one["functions"].items()
         ]
         print(table(header, rows))
-    if options.out:
-        path = Path(options.out)
-        path.parent.mkdir(parents=True, exist_ok=True)
+    if path is not None:
         write_text(path, text)
     return 0
