@@ -90,6 +90,33 @@ def test_constants_read_back_exactly() -> None:
         SINGLE.number(1e39)
 
 
+def _compile_readme(out: Path) -> None:
+    """The examples in C and C++ are of type float too: no warning, the drive to seven digits."""
+    text = (out / "README.md").read_text()
+    (u,), _ = model("four_bar")("inverse_dynamics", *(x[:1] for x in model("four_bar").test_inputs["inverse_dynamics"]))
+    objects = [COMPILER, *STRICT, "-O0", "-c", "four_bar.c", "-o", "four_bar.o"]
+    c = [COMPILER, *STRICT, "-O0", "main.c", "four_bar.o", "-o", "main", "-lm"]
+    cpp = [
+        "c++",
+        *(flag for flag in STRICT if flag != "-std=c99"),
+        "-O0",
+        "main.cpp",
+        "four_bar.o",
+        "-o",
+        "main",
+        "-lm",
+    ]
+    for language, commands in (("c", [objects, c]), ("cpp", [cpp])):
+        code = re.search(rf"```{language}\n(.*?)```", text, re.DOTALL)
+        assert code
+        (out / f"main.{language}").write_text(code[1])
+        for command in commands:
+            done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=out)
+            assert (done.returncode, done.stderr) == (0, ""), language
+        printed = subprocess.run([out / "main"], capture_output=True, text=True, check=True).stdout
+        assert float(printed.removeprefix("success: ")) == pytest.approx(float(u[0, 0]), rel=1e-5)
+
+
 @pytest.mark.slow
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     out = tmp_path / "single"
@@ -106,6 +133,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
         )  # fmt: skip
         assert (done.returncode, done.stderr) == (0, "")
         assert "status 0" in subprocess.run([out / "example"], capture_output=True, text=True, check=True).stdout
+        _compile_readme(out)
         q, v, a = (np.atleast_2d(x) for x in model("four_bar").test_inputs["inverse_dynamics"])
         u = load(out).inverse_dynamics(q, v, a)
         assert u.dtype == np.float64 and np.abs(u - model("four_bar")("inverse_dynamics", q, v, a)[0][0]).max() < 1e-5

@@ -44,7 +44,7 @@ def print_readme(
     lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
     lines += ["", *_about(program, name)]
     examples: dict[str, list[Callable[..., list[str]]]] = {
-        "c": [partial(_c, real=precision.real), partial(_cpp, real=precision.real)],
+        "c": [partial(_c, precision=precision), partial(_cpp, precision=precision)],
         "casadi": [_casadi],
         "numpy": [_numpy],
         "external": [_external],
@@ -77,11 +77,13 @@ def _about(program: Program | Iteration, name: str) -> list[str]:
     return lines
 
 
-def _states(model: Model, name: str, opening: str, closing: str) -> dict[str, str]:
+def _states(
+    model: Model, name: str, opening: str, closing: str, number: Callable[[float], str] = repr
+) -> dict[str, str]:
     """Input name -> the numbers of the first test state, in the brackets of a language."""
     arrays = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
     ports = model.programs[name].inputs
-    texts = [", ".join(repr(float(x)) for x in array) for array in arrays]
+    texts = [", ".join(number(float(x)) for x in array) for array in arrays]
     return {port.name: f"{opening}{text}{closing}" for port, text in zip(ports, texts, strict=True)}
 
 
@@ -89,9 +91,10 @@ def _first(program: Program | Iteration) -> Port:
     return next(port for port in program.outputs if port.size)
 
 
-def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> list[str]:
+def _c(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
+    real = precision.real
     sizes = [f"{real} {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
-    states = _states(model, name, "{", "}").items()
+    states = _states(model, name, "{", "}", _typed_number(precision)).items()
     typed = _typed(model)
     inputs = [f"    const {real} {k}_[] = {v};" for k, v in states if v != "{}" and not (typed and k == "p")]
     passed = [f"{p.name}_" if p.size else "NULL" for p in (*program.inputs, *program.outputs)]
@@ -114,6 +117,11 @@ def _c(model: Model, name: str, program: Program | Iteration, *, real: str) -> l
     return ["### C", "", "```c", *main, "```", "", command]
 
 
+def _typed_number(precision: Precision) -> Callable[[float], str]:
+    """Doubles as Python writes them, constants of other types with their suffix."""
+    return (lambda x: precision.number(x).strip("()")) if precision.suffix else repr
+
+
 def _typed(model: Model) -> list[str]:
     """Run-time parameters with their names and defaults, if there are any: what a user changes."""
     chosen = list(members(p.name for p in model.mechanism.parameters.values() if p.run_time).values())
@@ -121,11 +129,15 @@ def _typed(model: Model) -> list[str]:
     return [f"{line} /* such as p_.by_name.{chosen[0]} */"] if chosen else []
 
 
-def _cpp(model: Model, name: str, program: Program | Iteration, *, real: str) -> list[str]:
-    states = _states(model, name, "{", "}").items()
+def _cpp(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
+    states = _states(model, name, "{", "}", _typed_number(precision)).items()
     sizes = {port.name: port.size for port in program.inputs}
     typed = _typed(model)
-    arrays = [f"    const std::array<{real}, {sizes[k]}> {k}_{v};" for k, v in states if not (typed and k == "p")]
+    first = f"result.{_member(program)}[0]"
+    first = f"static_cast<double>({first})" if precision.suffix else first
+    arrays = [
+        f"    const std::array<{precision.real}, {sizes[k]}> {k}_{v};" for k, v in states if not (typed and k == "p")
+    ]
     passed = [f"{k}_.p" if typed and k == "p" else f"{k}_" for k, _ in states]
     main = [
         f'#include "{model.name}.hpp"',
@@ -136,7 +148,7 @@ def _cpp(model: Model, name: str, program: Program | Iteration, *, real: str) ->
         *arrays,
         *typed,
         f"    const auto result = {namespace(model.name)}::{name}({', '.join(passed)});",
-        f'    std::printf("%s: %.12g\\n", {namespace(model.name)}::text(result.status), result.{_member(program)}[0]);',
+        f'    std::printf("%s: %.12g\\n", {namespace(model.name)}::text(result.status), {first});',
         "    return result.ok() ? 0 : 1;",
         "}",
     ]
