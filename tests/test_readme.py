@@ -14,6 +14,7 @@ import pytest
 from model_states import model
 
 from symscrew import catalogue
+from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler
 from symscrew.export.markdown import READABLE, print_markdown
 from symscrew.export.readme import SHOWN
@@ -217,6 +218,15 @@ def test_markdown_names_every_symbol_that_it_uses():
     assert table[r"\dot \theta_{\mathrm{A}}"] == "rad/s" and table[r"\theta_{\mathrm{A}}"] == "rad"
     for name in set(re.findall(r"z_\{\d+\}", formulas)):
         assert f"\n{name} = " in formulas or formulas.startswith(f"{name} = ")
+
+
+def test_texts_of_a_description_stay_in_their_cells():
+    builder = MechanismBuilder("pendulum")
+    builder.parameter("length", "0.5", unit="m | inch", description="of the rod |\nin two lines")
+    builder.body("rod", mass=1, com=[0, 0, "-length/2"])
+    builder.joint("pivot", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    text = print_markdown(derive(builder.build()))["model.md"]
+    assert "| m \\| inch | of the rod \\| in two lines |" in text
 
 
 def test_the_screw_of_the_crank_is_the_one_in_the_text():

@@ -40,7 +40,8 @@ def print_markdown(model: Model) -> dict[str, str]:
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    return ["| " + " | ".join(row) + " |" for row in (header, ["---"] * len(header), *rows)]
+    cells = ([cell.replace("|", r"\|") for cell in row] for row in (header, ["---"] * len(header), *rows))
+    return ["| " + " | ".join(row) + " |" for row in cells]
 
 
 def _bodies(mechanism: Mechanism) -> list[str]:
@@ -148,7 +149,7 @@ def _symbols(quantities: Quantities, used: set[sympy.Symbol]) -> list[str]:
     """The symbols of the formulas; z belong to the formula that they stand below."""
     any_joint = next(iter(quantities.mechanism.joints))
     known = quantities.joint_screws(any_joint).symbols
-    rows = [[f"${latex}$", unit, plain(text)] for symbol, latex, unit, text in known if symbol in used]
+    rows = [[f"${latex}$", plain(unit), plain(text)] for symbol, latex, unit, text in known if symbol in used]
     return ["## Symbols", "", *_table(("symbol", "unit", "meaning"), rows)]
 
 
