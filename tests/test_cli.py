@@ -191,6 +191,11 @@ def test_version_starts_fast_without_heavy_libraries() -> None:
     assert not {"sympy", "casadi", "numpy", "matplotlib"} & set(shown.split())
 
 
+def test_the_package_is_a_command_too() -> None:
+    command = [sys.executable, "-m", "symscrew", "--version"]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.startswith("symscrew ")
+
+
 @pytest.mark.slow
 def test_output_into_a_closed_pipe_ends_quietly() -> None:
     command = f"{sys.executable} -m symscrew.cli list | head -1"
