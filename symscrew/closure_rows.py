@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from symscrew.closure import Cut, carry_before, carry_point, closure_bias
+from symscrew.contact_rows import contact_rows
 from symscrew.differentiation import differentiate
 from symscrew.elimination import Affine, Column
 from symscrew.screws import IDENTITY, Matrix, Vector, cross, dot, subtract, transform, transpose
@@ -59,13 +60,21 @@ class ClosureRows:
     defined: dict[int, Column] = field(default_factory=dict)
 
 
-def closure_rows(system: System) -> ClosureRows:
-    """The rows of all cut joints in joint rates w and components of hubs' angular velocities."""
+def closure_rows(system: System, *, by_contacts: bool) -> ClosureRows:
+    """The rows of all cut joints in joint rates w and components of hubs' motions.
+
+    `by_contacts`: limbs of freely moving hubs by the velocities of their contacts, where these rows have less entries.
+    """
     result = ClosureRows([], [_view(system, cut) for cut in system.cuts])
     definitions: list[tuple[Column, Affine]] = []
     for c, (cut, view) in enumerate(zip(system.cuts, result.views, strict=True)):
         if view is None:
-            result.rows += system.cut_rows(cut)
+            plain, contact = system.cut_rows(cut), contact_rows(system, c, cut) if by_contacts else None
+            if contact is None or _cost(plain) <= _cost([*contact.rows, *(row for _, row in contact.definitions)]):
+                result.rows += plain
+            else:
+                result.rows += contact.rows
+                definitions += contact.definitions
             continue
         hub = system.tree.links[cut.hub].v.start
         seen: list[Affine] = []
@@ -81,12 +90,17 @@ def closure_rows(system: System) -> ClosureRows:
             for value, entries in zip(moment, seen, strict=True):
                 row |= {} if _zero(value) else {k: -value * e for k, e in entries.items()}
             result.rows.append(row)
-    used = {column for row in result.rows for column in row}
+    used = {column for rows in (result.rows, (row for _, row in definitions)) for row in rows for column in row}
     for name, row in definitions:
         if name in used:
             result.defined[len(result.rows)] = name
             result.rows.append(row)
     return result
+
+
+def _cost(rows: Sequence[Affine]) -> int:
+    """Products that an inertia takes on its way through rows, each with a pivot."""
+    return sum(len(row) * (len(row) - 1) // 2 for row in rows)
 
 
 def closure_rows_bias(closure: ClosureRows, moving: System) -> list[Node]:

@@ -34,13 +34,13 @@ class Independent:
 class Loops:
     """The closure of a system, solved for the rates that depend on the independent ones."""
 
-    def __init__(self, system: System, independent: Sequence[str] | None = None) -> None:
+    def __init__(self, system: System, independent: Sequence[str] | None = None, *, by_contacts: bool = False) -> None:
         self.system = system
         tree = system.tree
         n = len(tree.v)
         unknowns: dict[Column, float] = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
         scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
-        self.closure = closure = closure_rows(system)
+        self.closure = closure = closure_rows(system, by_contacts=by_contacts)
         self.rows = closure.rows
         for column in closure.defined.values():
             unknowns[column], scales = 1.0, [*scales, 1.0]

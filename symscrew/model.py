@@ -18,14 +18,13 @@ from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
 from symscrew.functions.effects import effect_functions
-from symscrew.functions.forward import MASSLESS_NOTE, forward_functions, moves_mass, second_paths
+from symscrew.functions.forward import MASSLESS_NOTE, chosen_loops, forward_functions, moves_mass, second_paths
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
 from symscrew.functions.momentum import momentum_functions
 from symscrew.functions.platform import platform_functions
 from symscrew.functions.regressor import regressor_functions
 from symscrew.limb_solutions import hub_links
-from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
 from symscrew.modes import operation_mode
 from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
@@ -92,7 +91,7 @@ def derive(
         mechanism = replace(mechanism, characteristic_length=read)
     system = System(mechanism, transformed(mechanism, tuple(effects)))
     system.use_samples()
-    loops = Loops(system, independent)
+    loops = chosen_loops(system, effects, independent)
     motion = Motion(system)
     functions = [
         *kinematic_functions(system, motion),

@@ -170,6 +170,12 @@ class System:
             rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
         return rows
 
+    def powers(self, index: int, force: Vector, moment: Vector) -> dict[int, Node]:
+        """Power per joint rate of a wrench on a link (axes before its motion, at its origin)."""
+        entries: dict[int, Node] = {}
+        self._push(entries, index, force, moment, 1)
+        return entries
+
     def limb_wrenches(self, cut: Cut, row: Row, entries: dict[int, Node] | None = None) -> dict[int, Wrench]:
         """A reciprocal wrench at the origin of its tip and of every link inside it, in that link's axes.
 

@@ -23,7 +23,7 @@ STAGES = (
     ("lanes", "packs"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
-    ("elimination", "closure_rows", "loops", "modes", "planar_limbs", "spoke_limbs", "limb_solutions"),
+    ("elimination", "contact_rows", "closure_rows", "loops", "modes", "planar_limbs", "spoke_limbs", "limb_solutions"),
     (
         "equilibrium",
         "drives",
@@ -56,6 +56,7 @@ STAGES = (
         "workspace",
         "commands",
         "cli",
+        "__main__",
     ),
 )
 STAGE = {name: level for level, names in enumerate(STAGES) for name in names}

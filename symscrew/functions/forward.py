@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.admissible import Admissible
+from symscrew.admissible import SMALL, Admissible
+from symscrew.differentiation import count_operations
 from symscrew.effects import Acting, Effect
 from symscrew.elimination import Guard
 from symscrew.equilibrium import ONE
@@ -65,6 +66,24 @@ def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool
 def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
     """Whether every motion that the loops allow moves mass."""
     return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
+
+
+def chosen_loops(system: System, effects: Sequence[Effect], independent: Sequence[str] | None) -> Loops:
+    """The loops in the form that takes fewer operations for rates and accelerations together."""
+    plain = Loops(system, independent)
+    if len(system.tree.v) > SMALL:
+        return plain
+    contacts = Loops(system, independent, by_contacts=True)
+    if contacts.rows == plain.rows:
+        return plain
+
+    def count(loops: Loops) -> int:
+        needed = list(loops.rates_from(loops.inputs("ydot")))
+        if accelerates(system, effects, loops):
+            needed += solved(system, effects, loops).a
+        return count_operations(needed)
+
+    return min((plain, contacts), key=count)
 
 
 def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:

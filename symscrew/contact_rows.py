@@ -1,0 +1,94 @@
+"""A limb's rows of the closure by the velocity of the point where it meets a hub that moves freely.
+
+A row of the closure then asks for one component of this velocity in the axes of the limb's tip, where its own rates
+have few entries. On the way there, from the axes before the hub's motion to the tip, every joint's turn mixes two
+components: each of the new ones is an unknown with a row that defines it, so that an inertia at the tip arrives at the
+hub through plane rotations and one lever arm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from symscrew.closure import Cut, on_hub
+from symscrew.elimination import Affine, Column
+from symscrew.joints import JOINT_TYPES
+from symscrew.screws import IDENTITY, ZERO, Matrix, cross, transpose
+from symscrew.system import System
+from symscrew.tape import Node
+from symscrew.tree import GROUND
+
+
+@dataclass
+class ContactRows:
+    """Rows of one cut, and the components (name, row) that they use."""
+
+    rows: list[Affine]
+    definitions: list[tuple[Column, Affine]]
+
+
+def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
+    """The rows of a cut joint whose points do not slide on each other; None where there is no hub that moves."""
+    slides = any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions)
+    if cut.hub == GROUND or cut.tip == GROUND or slides:
+        return None
+    tape, placed = system.tape, system.placed
+    definitions: list[tuple[Column, Affine]] = []
+
+    def seen(entries: Affine) -> Affine:
+        """A component with a name of its own where it has several entries."""
+        entries = {k: e for k, e in entries.items() if e is not tape.zero}
+        if len(entries) < 2:
+            return entries
+        name = ("contact", index, len(definitions))
+        definitions.append((name, {name: tape.one, **{k: -e for k, e in entries.items()}}))
+        return {name: tape.one}
+
+    def turned(components: list[Affine], matrix: Matrix) -> list[Affine]:
+        """Components in the axes that are the rows of `matrix` in the present ones."""
+        if all(_trivial(row) for row in matrix):
+            return [_combined(tape, components, row) for row in matrix]
+        return [seen(_combined(tape, components, row)) for row in matrix]
+
+    arm = placed[cut.hub].before(cut.contact)
+    components = [seen(system.powers(cut.hub, axis, cross(arm, axis))) for axis in IDENTITY]
+    components = turned(components, placed[cut.hub].rotation)
+    inside, outside = system.tree.path(system.tree.links[cut.hub].parent), system.tree.path(cut.tip)
+    common = set(inside) & set(outside)
+    for link in (k for k in inside if k not in common):
+        components = turned(turned(components, placed[link].turn), placed[link].rotation)
+    for link in (k for k in reversed(outside) if k not in common):
+        components = turned(turned(components, transpose(placed[link].rotation)), transpose(placed[link].turn))
+    rows = []
+    for wrench in cut.rows:
+        limb: dict[int, Node] = {}
+        system.limb_wrenches(cut, wrench, limb)
+        hub = _combined(tape, components, wrench.force)
+        couple = system.powers(cut.hub, *on_hub(cut, system.tree, placed, ZERO, wrench.couple))
+        total: Affine = dict(limb)
+        for part in (hub, couple):
+            for k, entry in part.items():
+                total[k] = total[k] - entry if k in total else -entry
+        rows.append({k: e for k, e in total.items() if e is not tape.zero})
+    used = {k for row in rows for k in row}
+    kept = []
+    for name, row in reversed(definitions):
+        if name in used:
+            kept.append((name, row))
+            used |= set(row)
+    return ContactRows(rows, kept[::-1])
+
+
+def _combined(tape: Any, components: list[Affine], factors: Any) -> Affine:
+    total: Affine = {}
+    for component, factor in zip(components, factors, strict=True):
+        for k, entry in component.items():
+            product = tape.node(factor) * entry
+            if product is not tape.zero:
+                total[k] = total[k] + product if k in total else product
+    return total
+
+
+def _trivial(row: Any) -> bool:
+    return sum(not (e == 0 if isinstance(e, int) else e is e.tape.zero) for e in row) == 1
