@@ -9,9 +9,10 @@ undone, and a program that does not gain enough stays as it is.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
+from symscrew.lane_signs import Part, fewest_flips
 from symscrew.lanes import Operand, Operation, Row, corresponding, signed
 from symscrew.program import Instruction
 
@@ -77,7 +78,7 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
         return None
     plan = min(plans, key=lambda p: p.cost)
     order = plan.order()
-    items = tuple(_signed_packs(plan, order))
+    items = tuple(_signed_packs(plan, order, fewest_flips([_part(plan, k) for packs, k in order if packs])))
     place = {t: (p, k) for p in items if isinstance(p, Pack) for k, t in enumerate(p.targets) if t is not None}
     return Packing(operations, negatives, items, place, plan.width, plan.cost)
 
@@ -109,7 +110,7 @@ class _Plan:
             self.on[stuck] = False
         for item in self._items():
             self._account(item, 1)
-        self.cost += sum(self._price(key) for key in self.needs if key in {("out", slot) for slot in wanted})
+        self.cost += sum(self._price(("out", slot)) for slot in wanted)
 
     # -- how operands of a row stand ------------------------------------------------------------------
 
@@ -284,8 +285,21 @@ class _Plan:
         return self._walk()[0]
 
 
-def _signed_packs(plan: _Plan, order: Sequence[tuple[bool, int]]) -> Iterator[int | Pack]:
-    """The items with the sign of every lane, as their operands give it."""
+def _part(plan: _Plan, number: int) -> Part:
+    """What the signs of a row's lanes are made of."""
+    row = plan.rows[number]
+    busy = sum(1 << k for k, slot in enumerate(row) if slot is not None)
+    op = next(plan.operations[slot].op for slot in row if slot is not None)
+    operands = []
+    for column in plan.columns[number]:
+        constant = all(entry is None or isinstance(entry[0], float) for entry in column)
+        own = 0 if constant else sum(1 << k for k, entry in enumerate(column) if entry is not None and entry[1] < 0)
+        operands.append((plan.source(column), constant, own))
+    return Part(number, op, busy, tuple(operands))
+
+
+def _signed_packs(plan: _Plan, order: Sequence[tuple[bool, int]], other: Set[int]) -> Iterator[int | Pack]:
+    """The items with the sign of every lane, as their operands give it; packs in `other` take the other way."""
     made: dict[int, tuple[int, ...]] = {}
     for packs, number in order:
         if not packs:
@@ -294,7 +308,8 @@ def _signed_packs(plan: _Plan, order: Sequence[tuple[bool, int]]) -> Iterator[in
         row = plan.rows[number]
         op = next(plan.operations[slot].op for slot in row if slot is not None)
         vectors, signs = zip(*(_vector(plan, made, c) for c in plan.columns[number]), strict=True)
-        op, operands, result = _combined(op, vectors, signs, [k for k, slot in enumerate(row) if slot is not None])
+        busy = [k for k, slot in enumerate(row) if slot is not None]
+        op, operands, result = _combined(op, vectors, signs, busy, other=number in other)
         made[number] = result
         yield Pack(number, op, row, result, operands)
 
@@ -315,27 +330,38 @@ def _vector(plan: _Plan, made: Mapping[int, tuple[int, ...]], column: Column) ->
 
 
 def _combined(
-    op: str, vectors: Sequence[Vector], signs: Sequence[tuple[int, ...]], busy: Sequence[int]
+    op: str, vectors: Sequence[Vector], signs: Sequence[tuple[int, ...]], busy: Sequence[int], *, other: bool
 ) -> tuple[str, tuple[Vector, ...], tuple[int, ...]]:
     """Operation, operands and signs of a pack."""
+    plus = (1,) * len(signs[0])
     if op in ("mul", "div"):
-        return op, tuple(vectors), tuple(a * b for a, b in zip(*signs, strict=True))
+        result = tuple(a * b for a, b in zip(*signs, strict=True))
+        constant = next((k for k, vector in enumerate(vectors) if _constant(vector)), None)
+        if not other or constant is None:
+            return op, tuple(vectors), result
+        return op, tuple(_flipped(v, result) if k == constant else v for k, v in enumerate(vectors)), plus
     if op == "sqrt":
         flip = any(signs[0][k] < 0 for k in busy)
-        return op, (_flipped(vectors[0], signs[0]) if flip else vectors[0],), (1,) * len(signs[0])
+        return op, (_flipped(vectors[0], signs[0]) if flip else vectors[0],), plus
     if op == "reciprocal":
+        if other:
+            return "div", (Vector(None, tuple(map(float, signs[0]))), vectors[0]), plus
         return op, tuple(vectors), signs[0]
-    (first, second), (one, other) = vectors, signs
-    if first.source is None and all(isinstance(a, float) for a in first.entries):
-        first, second, one, other = second, first, other, one
-    ratio = tuple(a * b for a, b in zip(one, other, strict=True))
+    (first, second), (one, another) = vectors, signs
+    if _constant(first) or (other and not _constant(second)):
+        first, second, one, another = second, first, another, one
+    ratio = tuple(a * b for a, b in zip(one, another, strict=True))
     among = {ratio[k] for k in busy}
     if len(among) == 1:
         return "add" if among == {1} else "sub", (first, second), one
     return "add", (first, _flipped(second, ratio)), one
 
 
+def _constant(vector: Vector) -> bool:
+    return vector.source is None and all(isinstance(a, float) for a in vector.entries)
+
+
 def _flipped(vector: Vector, flips: tuple[int, ...]) -> Vector:
-    if vector.source is None and all(isinstance(a, float) for a in vector.entries):
+    if _constant(vector):
         return Vector(None, tuple(f * a for f, a in zip(flips, vector.entries, strict=True)))
     return Vector(vector.source, vector.entries, flips)

@@ -14,6 +14,7 @@ from model_states import model, relative
 from symscrew.compiled import compile_c, find_compiler, load
 from symscrew.export.c import IN_LANES, print_c, print_source
 from symscrew.export.listing import checked_slots, live_instructions
+from symscrew.lane_signs import Part, fewest_flips
 from symscrew.lanes import corresponding, signed
 from symscrew.packs import Pack, Packing, _Plan, packed
 from symscrew.program import Instruction, Program
@@ -224,3 +225,18 @@ def test_every_small_pivot_is_noticed_side_by_side() -> None:
     for name, k in zip(names, (*shared, -1), strict=True):
         u, status = compiled[name](*given, check=False)
         assert status == (k >= 0) and np.isnan(u).all() == (k >= 0), k
+
+
+def test_few_operands_are_flipped() -> None:
+    """Legs of the seed mirror each other: flipping the second operand always would take more than twenty."""
+    _, found = packing(*CASES[0])
+    flips = sum(v.flips is not None for item in found.items if isinstance(item, Pack) for v in item.operands)
+    operations, _ = signed(live_instructions(straight(*CASES[0]))[0])
+    assert flips <= 20 and len(operations) > 800
+    # the first sum is flipped to the signs that the second one then agrees with
+    parts = [
+        Part(0, "add", 3, ((None, False, 0), (None, False, 1))),
+        Part(1, "mul", 3, ((0, False, 0), (None, False, 0))),
+        Part(2, "add", 3, ((1, False, 0), (None, False, 1))),
+    ]
+    assert 0 in fewest_flips(parts)

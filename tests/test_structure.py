@@ -20,7 +20,7 @@ STAGES = (
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
     ("elementary", "least_squares", "operations", "tape", "tape_expressions", "reciprocals", "differentiation"),
     ("program", "rank_revealing", "jacobians"),
-    ("lanes", "packs"),
+    ("lanes", "lane_signs", "packs"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
     ("elimination", "contact_rows", "closure_rows", "loops", "modes", "planar_limbs", "spoke_limbs", "limb_solutions"),

@@ -34,8 +34,10 @@ STATUS_MACROS = {
     3: "NOT_CONVERGED",
     4: "OTHER_BRANCH",
 }
-IN_LANES = frozenset((  # what is called once per control step: these are tried with equal limbs side by side
+IN_LANES = frozenset((  # what is called once per step of a control or a simulation: tried with equal limbs side by side
     "acceleration",
+    "forward_dynamics",
+    "forward_dynamics_independent",
     "inverse_dynamics",
     "inverse_dynamics_independent",
     "inverse_dynamics_platform",

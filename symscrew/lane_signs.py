@@ -1,0 +1,74 @@
+"""Signs of lanes: which operands of packs are flipped, so that few are.
+
+A pack may hold the negative of an instruction in some lanes. Its signs are those of its operands: a product's are their
+products; in a sum of two that differ in the signs of some lanes, but not of all, one of them must be flipped: a
+product with 1 and -1 more. Equal limbs that mirror each other differ much in signs, and whether the second or the first
+one is flipped decides what comes after. A product with a constant has any signs for nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+from dataclasses import dataclass
+
+ROUNDS = 2  # over all packs that can be had in two ways
+
+
+@dataclass(frozen=True)
+class Part:
+    """A pack: its lanes in use, and of every operand the pack that it is, if so, whether it is constant, and its signs.
+
+    Lanes are bits: of `busy` those in use, of signs those that are negative.
+    """
+
+    number: int
+    op: str
+    busy: int
+    operands: tuple[tuple[int | None, bool, int], ...]
+
+
+def fewest_flips(parts: Sequence[Part]) -> set[int]:
+    """The packs, each after those that it reads, that flip the first operand, or have plus in every lane.
+
+    One after the other takes its other way if there are not more flips then: what is equal may lead to less.
+    """
+    other: set[int] = set()
+    least, ways = _flips(parts, other)
+    for _ in range(ROUNDS):
+        before = least
+        for number in sorted(ways):
+            found, _ = _flips(parts, other ^ {number}, most=least)
+            if found <= least:
+                other, least = other ^ {number}, found
+        if least == before:
+            break
+        _, ways = _flips(parts, other)
+    return other
+
+
+def _flips(parts: Sequence[Part], other: Set[int], most: float = float("inf")) -> tuple[int, list[int]]:
+    """How many flips there are, counted up to more than `most`, and the packs that can be had in two ways."""
+    made: dict[int, int] = {}
+    count, ways = 0, []
+    for part in parts:
+        busy = part.busy
+        signs = [own if source is None else own ^ made[source] for source, _, own in part.operands]
+        constant = part.op == "reciprocal" or any(constant for _, constant, _ in part.operands)
+        if part.op == "add":
+            two = not constant and (signs[0] ^ signs[1]) & busy not in (0, busy)
+            count += two
+            result = signs[1] if part.operands[0][1] or (two and part.number in other) else signs[0]
+        elif part.op == "sqrt":
+            two = False
+            count += signs[0] & busy != 0
+            result = 0
+        else:
+            result = signs[0] ^ signs[-1] if len(signs) > 1 else signs[0]
+            two = constant and result & busy not in (0, busy)
+            result = 0 if two and part.number in other else result
+        made[part.number] = result
+        if two:
+            ways.append(part.number)
+        if count > most:
+            break
+    return count, ways
