@@ -145,7 +145,8 @@ def _noted(model: Model, measured: Sequence[Mapping[str, Any]]) -> Model:
         where = f"{found['core']}, {' '.join(found['compiler'].split()[:2])} -O2"
         for name, entry in found["functions"].items():
             if name in programs:
-                size = f"{entry['flash']} bytes of flash, {entry['stack']} of stack"
+                stack = f"{entry['stack']} of stack (own frames at most {entry['frame']})"
+                size = f"{entry['flash']} bytes of flash, {stack}"
                 note = f"{where}: {size}, {entry['instructions']} instructions"
                 programs[name] = replace(programs[name], notes=(*programs[name].notes, note))
     return replace(model, programs=programs)

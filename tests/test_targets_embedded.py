@@ -15,7 +15,7 @@ from model_states import model, pendulum
 
 from symscrew import description, embedded
 from symscrew.cli import main
-from symscrew.embedded import EmbeddedError, measure, missing_tools
+from symscrew.embedded import EmbeddedError, deepest_frames, measure, missing_tools
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c, print_source
 from symscrew.export.c_precision import PRECISIONS
@@ -55,6 +55,10 @@ def test_every_function_gives_the_same_numbers_there(name: str, core: str, preci
     for function, entry in found["functions"].items():
         assert entry["error"] < limit, function
         assert 0 < entry["flash"] < 50_000 and entry["instructions"] > 0 and 0 < entry["stack"] < 20_000, function
+        library = 700  # sines of doubles; the frames of a function at least hold what it wrote besides
+        assert entry["stack"] - library < entry["frame"] < 20_000, function
+    if "forward_dynamics" in found["functions"] and name == "four_bar":  # the second path was not taken, and counts
+        assert found["functions"]["forward_dynamics"]["frame"] > found["functions"]["forward_dynamics"]["stack"]
 
 
 @pytest.mark.tools
@@ -101,7 +105,8 @@ def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, caps
     (record,) = json.loads((out / "ops.json").read_text())["embedded"]
     figures = record["functions"]["inverse_dynamics"]
     header = re.sub(r"\s*\n \*\s*", " ", (out / "pendulum.h").read_text())
-    said = f"{figures['flash']} bytes of flash, {figures['stack']} of stack, {figures['instructions']} instructions"
+    said = f"{figures['flash']} bytes of flash, {figures['stack']} of stack (own frames at most {figures['frame']}), "
+    said += f"{figures['instructions']} instructions"
     assert f"Note: Cortex-M4F, arm-none-eabi-gcc {record['compiler'].split()[1]} -O2: {said}" in header
     result = check(out)
     assert result.ok, result.lines
@@ -113,6 +118,20 @@ def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, caps
     assert any(f"instructions of inverse_dynamics changed from {before} to {before + 1}" in line for line in failed)
     assert main(["generate", str(file), "--target", "numpy", "--embedded", "m7", "--out", str(tmp_path / "no")]) == 2
     assert "--embedded measures C" in capsys.readouterr().err
+
+
+def test_functions_that_call_themselves_have_no_bound() -> None:
+    node = 'node: { title: "f" label: "f\\na.c:1:1\\n8 bytes (static)" }\n'
+    assert deepest_frames(node) == {"f": 8}
+    library = 'node: { title: "sinf" label: "sinf\\nmath.h:88:15" shape : ellipse }\n'
+    inner = 'node: { title: "a.c:inner" label: "inner\\na.c:2:38\\n328 bytes (static)" }\n'
+    calls = [("a.c:inner", "sinf"), ("f", "a.c:inner"), ("f", "sinf")]
+    edges = "".join(f'edge: {{ sourcename: "{one}" targetname: "{other}" label: "" }}\n' for one, other in calls)
+    assert deepest_frames(node + library + inner + edges) == {"f": 336, "inner": 328}
+    with pytest.raises(EmbeddedError, match="functions call themselves: f"):
+        deepest_frames(node + 'edge: { sourcename: "f" targetname: "f" }')
+    with pytest.raises(EmbeddedError, match="bounded stack, the compiler says dynamic"):
+        deepest_frames(node.replace("static", "dynamic"))
 
 
 def test_missing_tools_are_named(

@@ -4,8 +4,9 @@ A program for the bare machine calls every function at its test states; QEMU run
 (`-icount`: the board's timer advances by the same time with every one of them). Per function:
 
     flash          bytes of code and constants, without the mathematical library
-    frame          bytes on the stack of the generated functions, as the compiler states (-fstack-usage)
-    stack          bytes of stack that the deepest call wrote, library included, by a painted stack
+    frame          bytes on the stack that the generated code can take: its frames along the deepest chain of calls,
+                   second paths included, as the compiler states (-fcallgraph-info=su)
+    stack          bytes of stack that the calls at the test states wrote, library included, by a painted stack
     instructions   executed by one call, library included: the largest of the states
 
 These are instructions, not cycles: QEMU has no model of pipelines and caches.
@@ -120,14 +121,14 @@ def measure(
             (folder / BOARD / file.name).write_bytes(file.read_bytes())
         _compile(model, target, folder)
         lines = _run(target, folder)
-        flash, frames = _flash(folder, model.name), _frames(folder, model.name)
+        flash, frames = _flash(folder, model.name), deepest_frames((folder / "model.ci").read_text())
     measured = _read(lines, chosen, model, real)
     found = {}
     for name in chosen:
         symbol = f"{model.name}_{name}"
         found[name] = {
             "flash": sum(n for s, n in flash.items() if _belongs(s, symbol, model)),
-            "frame": max((n for s, n in frames.items() if _belongs(s, symbol, model)), default=0),
+            "frame": frames[symbol],
             **measured[name],
         }
     version = subprocess.run([COMPILER, "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
@@ -205,7 +206,7 @@ def _states(model: Model, name: str, real: Precision) -> list[np.ndarray]:
 
 def _compile(model: Model, core: Core, folder: Path) -> None:
     common = [COMPILER, *FLAGS, *core.flags]
-    _call([*common, *WARNINGS, "-fstack-usage", "-c", f"{model.name}.c", "-o", "model.o"], folder)
+    _call([*common, *WARNINGS, "-fcallgraph-info=su", "-c", f"{model.name}.c", "-o", "model.o"], folder)
     linked = [
         "-nostartfiles",
         "-Wl,--gc-sections",
@@ -252,16 +253,26 @@ def _flash(folder: Path, model: str) -> dict[str, int]:
     }
 
 
-def _frames(folder: Path, model: str) -> dict[str, int]:
-    """Bytes of stack per function, by the compiler."""
-    found: dict[str, int] = {}
-    for line in (folder / "model.su").read_text().splitlines():
-        place, size, kind = line.split("\t")
-        name = place.split(":")[-1].split(".")[0]
+def deepest_frames(graph: str) -> dict[str, int]:
+    """Bytes of stack of every function and of what it calls, from gcc's graph of calls; without other files' code."""
+    own = {}
+    for title, size, kind in re.findall(r'node: \{ title: "([^"]+)".*?\\n(\d+) bytes \(([^)]*)\)', graph):
         if "dynamic" in kind and "bounded" not in kind:
-            raise EmbeddedError(f"{name}: expected a bounded stack, the compiler says {kind}")
-        found[name] = max(found.get(name, 0), int(size))
-    return {name: size for name, size in found.items() if name.startswith(model)}
+            raise EmbeddedError(f"{title}: expected a bounded stack, the compiler says {kind}")
+        own[title] = int(size)
+    called: dict[str, list[str]] = {title: [] for title in own}
+    for source, target in re.findall(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', graph):
+        if source in own and target in own:
+            called[source].append(target)
+    depth: dict[str, int] = {}
+    waiting = dict(own)
+    while waiting:
+        ready = [title for title in waiting if all(other in depth for other in called[title])]
+        if not ready:
+            raise EmbeddedError(f"expected a bounded stack, but functions call themselves: {', '.join(waiting)}")
+        for title in ready:
+            depth[title] = waiting.pop(title) + max((depth[other] for other in called[title]), default=0)
+    return {title.split(":")[-1]: size for title, size in depth.items()}
 
 
 def _read(lines: Sequence[str], functions: Sequence[str], model: Model, real: Precision) -> dict[str, dict[str, Any]]:
