@@ -1,26 +1,28 @@
 """Long straight-line functions in C, in parts: what a compiler takes for a function grows faster than the function.
 
 The lane of a long function (see `c_function`) calls `<symbol>_part0`, `<symbol>_part1`, ... in order, none of which
-the compiler may inline. A value that a later part needs waits in an array on the stack, at a place that is given to
+the compiler may inline. Where equal instructions follow each other, joint after joint or loop after loop, a part is a
+loop (see `c_loops`). A value that a later part needs waits in an array on the stack, at a place that is given to
 another one afterwards; inside a part every input is read where it is first needed and every output written where it
 is known. The compiler would keep these values on the stack, too: there are more of them than registers.
 
-Of a chain of 100 joints, in one piece with its block of eight states, in one piece without, and in parts:
-`body_poses` compiles in 16, 9 and 1.8 s and takes 4.2, 4.5 and 3.1 us for one state, 6.7, 4.8 and 3.1 us for one of a
-batch; `energy` in 4.8, 2.0 and 1.0 s and takes 2.6 us each, and 1.0, 1.6 and 1.5 us. Parts of 250 and of 1000
-instructions are not faster.
-
-Matrices that are mostly zero are cleared by a loop instead of an assignment for each of their entries.
+Of a chain of 100 joints, in one piece with its block of eight states, in one piece without, and in parts without
+loops: `body_poses` compiles in 16, 9 and 1.8 s and takes 4.2, 4.5 and 3.1 us for one state, 6.7, 4.8 and 3.1 us for one
+of a batch; `energy` in 4.8, 2.0 and 1.0 s and takes 2.6 us each, and 1.0, 1.6 and 1.5 us. Parts of 250 and of 1000
+instructions are not faster. With loops all 24 functions of this chain are 2.9 in place of 17 MB of C, compile in 11 in
+place of 45 s, and a call takes between 0.69 and 1.00 of the time.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
 from symscrew.export.c_function import Printed, angles_function, arguments, declare, wrapped_code
+from symscrew.export.c_loops import Entry, Loop, loop_statements
+from symscrew.export.c_repeats import Run, runs
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries
 from symscrew.program import Instruction
 
@@ -58,12 +60,31 @@ class Parts:
     printed: Printed
 
     @cached_property
-    def lists(self) -> tuple[tuple[Instruction, ...], ...]:
-        """Instructions part by part, of nearly equal length."""
+    def pieces(self) -> tuple[tuple[Instruction, ...] | Loop, ...]:
+        """Loops where equal instructions follow each other; between them instructions, nearly equally many."""
         rest = self.printed.angles.rest
-        count = max(1, -(-len(rest) // PART))
-        ends = [len(rest) * k // count for k in range(count + 1)]
-        return tuple(rest[a:b] for a, b in pairwise(ends))
+        found: list[tuple[Instruction, ...] | Loop] = []
+        end = 0
+        for run in [*runs(rest, self._kind), Run(len(rest), 1, 0)]:
+            between = run.start - end
+            count = -(-between // PART)
+            ends = [end + between * k // count for k in range(count + 1)] if count else []
+            found += [tuple(rest[a:b]) for a, b in pairwise(ends)]
+            end = run.end
+            if run.count:
+                found.append(Loop(tuple(rest[run.start : run.end]), run.period))
+        return tuple(found or [()])
+
+    @cached_property
+    def lists(self) -> tuple[tuple[Instruction, ...], ...]:
+        """Instructions part by part."""
+        return tuple(piece.instructions if isinstance(piece, Loop) else piece for piece in self.pieces)
+
+    def _kind(self, slot: int | float) -> object:
+        """What loops need to know of an operand from elsewhere, and of a target: the arrays that it stands in."""
+        if not isinstance(slot, int):
+            return "constant"
+        return self.entries[slot][0] if slot in self.entries else tuple(array for array, _ in self.stored.get(slot, ()))
 
     @cached_property
     def defined(self) -> dict[int, int]:
@@ -73,48 +94,81 @@ class Parts:
     @cached_property
     def waiting(self) -> dict[int, int]:
         """Slots that a later part reads, and the place of each: free again after the last part that reads it."""
+        last = self._last_readers()
+        places: dict[int, int] = {}
+        free = _Places()
+        until: dict[int, list[tuple[int, int]]] = {}
+        for k, piece in enumerate(self.pieces):
+            for place, size in sorted(until.pop(k - 1, []), reverse=True):
+                free.give(place, size)
+            for slots in _groups(piece, last):
+                place = free.take(len(slots))
+                places |= {slot: place + n for n, slot in enumerate(slots)}
+                until.setdefault(max(last.get(slot, k) for slot in slots), []).append((place, len(slots)))
+        return places
+
+    def _last_readers(self) -> dict[int, int]:
+        """Slots that wait, and the last part that reads each."""
         last: dict[int, int] = {}
-        for k, part in enumerate(self.lists):
-            for slot in (a for i in part for a in i.args if isinstance(a, int)):
+        for k, piece in enumerate(self.pieces):
+            if isinstance(piece, Loop):
+                last |= dict.fromkeys(piece.read_from_arrays(), k)
+            for slot in (a for i in self.lists[k] for a in i.args if isinstance(a, int)):
                 if self.defined.get(slot, k) < k:
                     last[slot] = k
-        places: dict[int, int] = {}
-        free: list[int] = []
-        count = 0
-        for k, part in enumerate(self.lists):
-            free += sorted((places[s] for s in places if last[s] == k - 1), reverse=True)
-            for slot in (i.target for i in part if i.target in last):
-                if free:
-                    places[slot] = free.pop()
-                else:
-                    places[slot], count = count, count + 1
-        return places
+        return last
+
+    @property
+    def room(self) -> int:
+        """Places that are needed."""
+        return 1 + max(self.waiting.values(), default=0)
+
+    @cached_property
+    def entries(self) -> dict[int, Entry]:
+        """Slots that are there from the start: entries of inputs, sines and cosines."""
+        names = self.printed.names
+        found = {s: (names[port.name], k) for s, (port, k) in enumerate(input_entries(self.printed.program))}
+        for k, (_, *pair) in enumerate(self.printed.angles.gathered):
+            found |= {s: (name, k) for name, s in zip(("sine", "cosine"), pair, strict=True) if s is not None}
+        computed = {i.target for i in self.printed.angles.rest}
+        return {slot: entry for slot, entry in found.items() if slot not in computed}
 
     @cached_property
     def entered(self) -> dict[int, str]:
-        """Slots that are there from the start: entries of inputs, sines and cosines."""
-        names = self.printed.names
-        found = {s: f"{names[port.name]}[{k}]" for s, (port, k) in enumerate(input_entries(self.printed.program))}
-        for k, (_, *pair) in enumerate(self.printed.angles.gathered):
-            found |= {s: f"{name}[{k}]" for name, s in zip(("sine", "cosine"), pair, strict=True) if s is not None}
-        return {slot: text for slot, text in found.items() if slot not in self.defined}
+        """The same in C."""
+        return {slot: f"{array}[{k}]" for slot, (array, k) in self.entries.items()}
 
     @cached_property
-    def stored(self) -> dict[int, list[str]]:
+    def stored(self) -> dict[int, list[Entry]]:
         """Computed slots that are results or pivots, and the entries that take them."""
         program, names = self.printed.program, self.printed.names
-        found: dict[int, list[str]] = {}
+        computed = {i.target for i in self.printed.angles.rest}
+        found: dict[int, list[Entry]] = {}
         for port, slots in zip(program.outputs, program.results, strict=True):
             for k, slot in enumerate(slots):
-                if isinstance(slot, int) and slot in self.defined:
-                    found.setdefault(slot, []).append(f"{names[port.name]}[{k}]")
+                if isinstance(slot, int) and slot in computed:
+                    found.setdefault(slot, []).append((names[port.name], k))
         for k, (slot, _) in enumerate(program.guards):
-            if slot in self.defined:
-                found.setdefault(slot, []).append(f"pivot[{k}]")
+            if slot in computed:
+                found.setdefault(slot, []).append(("pivot", k))
         return found
 
+    def body(self, part: int) -> list[str]:
+        """The body of a part, which returns the sum of what is checked of it."""
+        printed, piece = self.printed, self.pieces[part]
+        checked = checked_slots(printed.program)
+        if isinstance(piece, Loop):
+            before = set(piece.read_before())
+            entry = {s: self.entries.get(s) or ("waiting", self.waiting[s]) for s in before}
+            entry |= {s: ("waiting", self.waiting[s]) for s in piece.read_from_arrays()}
+            own = frozenset(i.target for i in piece.instructions) & frozenset(checked)
+            return loop_statements(printed, piece, entry, self.stored, self.waiting, own)
+        terms = [printed.operand(s) for s in checked if self.defined.get(s) == part]
+        total = balanced_sum(terms or [printed.precision.number(0.0)])
+        return [*(f"    {statement}" for statement in self.statements(part)), *wrapped_code(f"return {total};")]
+
     def statements(self, part: int) -> Iterator[str]:
-        """The body of a part."""
+        """Instructions of a part, one by one."""
         printed = self.printed
         real, prefix = printed.precision.real, printed.prefix
         known: set[int] = set()
@@ -126,10 +180,43 @@ class Parts:
                     source = self.entered.get(slot) or f"waiting[{self.waiting[slot]}]"
                     yield f"const {real} {prefix}{slot} = {source};"
             yield f"const {real} {prefix}{target} = {text};"
-            for entry in self.stored.get(target, ()):
-                yield f"{entry} = {prefix}{target};"
+            for array, k in self.stored.get(target, ()):
+                yield f"{array}[{k}] = {prefix}{target};"
             if target in self.waiting:
                 yield f"waiting[{self.waiting[target]}] = {prefix}{target};"
+
+
+def _groups(piece: tuple[Instruction, ...] | Loop, last: Mapping[int, int]) -> Iterator[list[int]]:
+    """Slots of a part that wait: one by one, and for a loop one behind the other, iteration by iteration."""
+    if not isinstance(piece, Loop):
+        yield from ([i.target] for i in piece if i.target in last)
+        return
+    for j in range(piece.period):
+        slots = [i.target for i in piece.instructions[j :: piece.period]]
+        if any(slot in last for slot in slots[:-1]):
+            yield slots
+        elif slots[-1] in last:
+            yield slots[-1:]
+
+
+class _Places:
+    """Places in an array, given away again."""
+
+    def __init__(self) -> None:
+        self.size, self.free = 0, dict[int, list[int]]()
+
+    def give(self, place: int, size: int) -> None:
+        self.free.setdefault(size, []).append(place)
+
+    def take(self, size: int) -> int:
+        fitting = min((s for s, places in self.free.items() if s >= size and places), default=None)
+        if fitting is None:
+            self.size += size
+            return self.size - size
+        place = self.free[fitting].pop()
+        if fitting > size:
+            self.give(place + size, fitting - size)
+        return place
 
 
 def lane_in_parts(printed: Printed) -> list[str]:
@@ -143,12 +230,9 @@ def lane_in_parts(printed: Printed) -> list[str]:
     handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.guards else [])]
     lines, sums = angles_function(printed), []
     checked = checked_slots(program)
-    for k in range(len(parts.lists)):
-        own = [printed.operand(s) for s in checked if parts.defined.get(s) == k]
+    for k in range(len(parts.pieces)):
         head = declare(f"{printed.symbol}_part{k}", [*given, f"{real} *restrict waiting"], f"{_macro(printed)} {real} ")
-        lines += [head, "{", *_unread([*handed, "waiting"])]
-        lines += [f"    {statement}" for statement in parts.statements(k)]
-        lines += [*wrapped_code(f"return {balanced_sum(own or [precision.number(0.0)])};"), "}", ""]
+        lines += [head, "{", *_unread([*handed, "waiting"]), *parts.body(k), "}", ""]
         sums.append(f"{printed.symbol}_part{k}({', '.join([*handed, 'waiting'])})")
     total = balanced_sum([parts.entered[s] for s in checked if s in parts.entered] or [precision.number(0.0)])
     return [
@@ -156,7 +240,7 @@ def lane_in_parts(printed: Printed) -> list[str]:
         declare(f"{printed.symbol}_lane", ["size_t stride", "size_t pitch", *given], f"static inline {real} "),
         "{",
         *_unread(["stride", "pitch", *handed]),
-        f"    {real} waiting[{max(1, len(set(parts.waiting.values())))}];",
+        f"    {real} waiting[{parts.room}];",
         *_given(parts),
         *wrapped_code(f"{real} total = {total};"),
         *(line for call in sums for line in wrapped_code(f"total += {call};")),
