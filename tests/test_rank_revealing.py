@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import importlib.util
+import subprocess
 from pathlib import Path
 from types import ModuleType
 
@@ -14,6 +15,8 @@ from model_states import model, relative
 from symscrew import catalogue
 from symscrew.builder import MechanismBuilder
 from symscrew.compiled import find_compiler, load
+from symscrew.export.c import print_c
+from symscrew.export.example import print_example
 from symscrew.export.numpy import print_numpy
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
@@ -79,6 +82,17 @@ def test_c_and_numpy_module_take_it_too(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_the_example_counts_the_second_path_as_success(tmp_path: Path) -> None:
+    found = always_second(model("four_bar")).only(["forward_dynamics"])
+    for name, text in {**print_c(found), "example.c": print_example(found)}.items():
+        (tmp_path / name).write_text(text)
+    command = [find_compiler() or "", "-std=c99", "-O0", "example.c", "four_bar.c", "-o", "example", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    done = subprocess.run([tmp_path / "example"], capture_output=True, text=True, check=False)
+    assert "status -1, success near a small pivot" in done.stdout and done.returncode == 0
+
+
 def test_a_bad_choice_of_coordinates_costs_no_accuracy() -> None:
     """At the rocker's turning point the crank is no function of the rocker, yet the motion is regular."""
     mechanism = catalogue.load("four_bar")

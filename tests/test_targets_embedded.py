@@ -19,6 +19,7 @@ from symscrew.embedded import EmbeddedError, deepest_frames, measure, missing_to
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c, print_source
 from symscrew.export.c_precision import PRECISIONS
+from symscrew.rank_revealing import RankRevealing
 from symscrew.verification import check
 
 EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
@@ -72,6 +73,21 @@ def test_counts_are_repeatable_and_of_the_right_size(measured) -> None:
         operations = found.programs[name].operations["total"]
         assert operations < single[name]["instructions"] < 8 * operations
         assert measured["ur5", "m4f", "double"]["functions"][name]["instructions"] > 5 * single[name]["instructions"]
+
+
+@pytest.mark.tools
+@EMULATED
+def test_frames_hold_the_second_path() -> None:
+    """With guards that every state fails: what is written then is what the frames allow, and not much less."""
+    found = model("three_ups_upu_s_physical")
+    program = found.programs["forward_dynamics"]
+    assert isinstance(program, RankRevealing)
+    failing = replace(program, guards=tuple((slot, 1e30) for slot, _ in program.guards))
+    first = measure(found, "m4f", functions=["forward_dynamics"])["functions"]["forward_dynamics"]
+    second = measure(replace(found, programs={**found.programs, "forward_dynamics": failing}), "m4f",
+                     functions=["forward_dynamics"])["functions"]["forward_dynamics"]  # fmt: skip
+    assert 3 * first["stack"] < second["stack"] < first["frame"] + 100
+    assert first["frame"] == second["frame"] < 1.5 * second["stack"]
 
 
 @pytest.mark.tools
