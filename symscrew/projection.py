@@ -7,18 +7,24 @@ accelerations without the free parts still lack, this hands them on to the rates
     R_j += M_jp b + c_j (R_p + M_pp b),      M_jk += c_j M_pk + M_jp c_k + c_j c_k M_pp,
 
 until only free rates are left: N^T M N and N^T (R + M p) of `symscrew.admissible` with the zeros of every limb kept.
+Two components of a velocity that are seen from turned axes are handed on together: a = c x + s y, b = c y - s x keep
+M_aa + M_bb, and with t = c (M_aa - M_bb) - 2 s M_ab they add M_bb + c t, M_aa - c t and M_ab + s t.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy as np
 
 from symscrew.elimination import Affine, Column, Elimination
 from symscrew.tape import Node, Tape
 
+UNIT = 1e-9  # what squares of a cosine and a sine may be off 1 at the samples
 
-@dataclass(frozen=True)
+
+@dataclass
 class _Step:
     """A dependent rate: its row of the closure and factors on later rows, its c, its inertia with itself and others."""
 
@@ -28,7 +34,7 @@ class _Step:
     over: Node
     follows: Affine
     own: Node
-    others: Affine
+    others: Affine = field(default_factory=dict)
 
 
 class Projection:
@@ -42,34 +48,85 @@ class Projection:
         for row in elimination.upper.values():
             for column in row:
                 left.setdefault(column, {})
-        self.steps = [self._step(left, elimination, *step) for step in elimination.steps]
         self.left = left
+        self.steps = [self._step(elimination, *step) for step in elimination.steps]
+        partner = self._partners()
+        waiting: set[Column] = set()
+        for step in self.steps:
+            other = partner.get(step.column)
+            if other is None:
+                self._hand_on(step)
+            elif other.column in waiting:
+                self._turn(other, step)
+            else:
+                waiting.add(step.column)
 
-    def _step(
-        self,
-        left: dict[Column, Affine],
-        elimination: Elimination,
-        row: int,
-        column: Column,
-        pivot: Node,
-        factors: dict[int, Node],
-    ) -> _Step:
+    def _step(self, elimination: Elimination, row: int, column: Column, pivot: Node, factors: dict[int, Node]) -> _Step:
         over = 1 / pivot
         follows = {c: -(entry * over) for c, entry in elimination.upper[row].items() if c != column}
-        others = left.pop(column)
-        own = others.pop(column, self.tape.zero)
+        return _Step(row, column, factors, over, follows, self.tape.zero)
+
+    def _partners(self) -> dict[Column, _Step]:
+        """Steps of components that are turned together: a = c x + s y and b = +-(c y - s x), with c c + s s = 1."""
+        found: dict[Column, _Step] = {}
+        seen = [step for step in self.steps if len(step.follows) == 2 and not isinstance(step.column, int)]
+        for n, a in enumerate(seen):
+            x, y = a.follows
+            for b in seen[:n]:
+                if {a.column, b.column} & set(found) or set(b.follows) != {x, y}:
+                    continue
+                c, s = a.follows[x], a.follows[y]
+                if any(b.follows[x] is -sign * s and b.follows[y] is sign * c for sign in (1, -1)) and self._unit(c, s):
+                    found[a.column], found[b.column] = b, a
+        return found
+
+    def _unit(self, c: Node, s: Node) -> bool:
+        return bool(np.abs(self.tape.sample(c * c + s * s) - 1.0).max() < UNIT)
+
+    def _turn(self, a: _Step, b: _Step) -> None:
+        """Two components handed on together; one by one where they are coupled with what they follow."""
+        x, y = a.follows
+        if {x, y} & {*self.left[a.column], *self.left[b.column]}:
+            self._hand_on(a)
+            self._hand_on(b)
+            return
+        c, s = a.follows[x], a.follows[y]
+        sign = 1 if b.follows[y] is c else -1
+        of_a, of_b = self.left.pop(a.column), self.left.pop(b.column)
+        zero = self.tape.zero
+        first, both, second = of_a.pop(a.column, zero), sign * of_a.pop(b.column, zero), of_b.pop(b.column, zero)
+        of_b.pop(a.column, None)
+        for other in {*of_a, *of_b}:
+            self.left[other].pop(a.column, None)
+            self.left[other].pop(b.column, None)
+        part = c * (first - second) - (2 * s) * both
+        along, across = c * part, s * part
+        self._add(x, x, second + along)
+        self._add(y, y, first - along)
+        self._add(x, y, both + across)
+        for other in [*of_a, *(k for k in of_b if k not in of_a)]:
+            m, n = of_a.get(other, zero), sign * of_b.get(other, zero)
+            self._add(x, other, c * m - s * n)
+            self._add(y, other, s * m + c * n)
+
+    def _hand_on(self, step: _Step) -> None:
+        others, follows = self.left.pop(step.column), step.follows
+        step.own = others.pop(step.column, self.tape.zero)
+        step.others = others
         for other in others:
-            left[other].pop(column)
-        carried = {j: c * own for j, c in follows.items()}
+            self.left[other].pop(step.column)
+        carried = {j: c * step.own for j, c in follows.items()}
         for j, entry in others.items():
             carried[j] = carried[j] + entry if j in carried else entry
         touched = list(carried)
         for n, j in enumerate(touched):
             for k in touched[: n + 1]:
-                total = self._product(follows, j, carried, k) + self._product(others, j, follows, k)
-                if total is not self.tape.zero:
-                    left[j][k] = left[k][j] = left[j][k] + total if k in left[j] else total
-        return _Step(row, column, factors, over, follows, own, others)
+                self._add(j, k, self._product(follows, j, carried, k) + self._product(others, j, follows, k))
+
+    def _add(self, j: Column, k: Column, entry: Node) -> None:
+        if entry is not self.tape.zero:
+            total = self.left[j][k] + entry if k in self.left[j] else entry
+            self.left[j][k] = self.left[k][j] = total
 
     def _product(self, x: Affine, j: Column, y: Affine, k: Column) -> Node:
         return x[j] * y[k] if j in x and k in y else self.tape.zero
