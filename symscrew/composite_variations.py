@@ -4,10 +4,10 @@ Everything outboard of a joint is one body whose points at r, from the joint's o
 changes by (d_omega, d_alpha, d_origin), its points' accelerations change by d_origin + d_alpha x r + 2 d_omega x r_dot,
 and the force and moment that it needs by
 
-    m d_origin + d_alpha x s + d_omega x P,    s x d_origin + (tr Sigma - Sigma) d_alpha + (tr C - C) d_omega
+    m d_origin + d_alpha x s + d_omega x P,    s x d_origin + (tr Sigma - Sigma) d_alpha + D d_omega
 
-with the moments m, s = sum m r, Sigma = sum m r r', P = 2 sum m r_dot, C = 2 sum m r_dot r'. Velocities of the origin
-never enter. A unit of a freedom's rate, acceleration or coordinate is such a change for what is outboard of it: its
+with the moments m, s = sum m r, Sigma = sum m r r', P = 2 sum m r_dot, D = 2 sum m (r . r_dot - r_dot r'). Velocities
+of the origin never enter. A unit of a freedom's rate, acceleration or coordinate is such a change for what is outboard of it: its
 columns are carried towards the ground. What a joint's force takes of changes further inboard is a row, carried towards
 the ground by the transposed rules. (Singh, Russell and Wensing, Efficient analytical derivatives of rigid-body dynamics
 using spatial vector algebra, 2022; here about the joints' origins in links' axes.)
@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 from symscrew.effects.acting import Acting
 from symscrew.recursion import Inertia, Placement, Rates, acceleration_matrix, own_screws
-from symscrew.screws import ZERO, Matrix, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.screws import ZERO, Matrix, Vector, add, cross, dot, product, scale, transform, transpose
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import GROUND, Link
@@ -47,13 +47,13 @@ class Composite:
         moment = add(cross(first, change.origin), _less_trace(second, change.alpha))
         return (
             add(force, cross(change.omega, self.momentum)),
-            add(moment, _less_trace(self.spreading, change.omega)),
+            add(moment, transform(self.spreading, change.omega)),
         )
 
     def row(self, angular: Vector, linear: Vector) -> Change:
         """What a freedom's force takes of a change of the state."""
         mass, first, second = self.inertia.mass, self.inertia.first, self.inertia.second
-        omega = add(_less_trace(transpose(self.spreading), angular), cross(self.momentum, linear))
+        omega = add(transform(transpose(self.spreading), angular), cross(self.momentum, linear))
         alpha = add(_less_trace(second, angular), cross(first, linear))
         return Change(omega, alpha, add(scale(mass, linear), cross(angular, first)))
 
@@ -72,7 +72,8 @@ class Composite:
         """The same about the parent's origin in its axes; `twice`: 2 d/dt of the offset, seen from the ground."""
         inertia, r = moved_inertia(placed, self.inertia), placed.offset
         momentum = placed.inwards(self.momentum)
-        spreading = _sum(_turned(placed, self.spreading), _sum(_outer(momentum, r), _outer(twice, inertia.first)))
+        moved = _sum(_outer(momentum, r), _outer(twice, inertia.first))
+        spreading = _sum(_turned(placed.rotation, _turned(placed.turn, self.spreading)), _around(moved))
         force = placed.inwards(self.force)
         moment = add(placed.inwards(self.moment), cross(r, force))
         return Composite(inertia, add(momentum, scale(inertia.mass, twice)), spreading, force, moment)
@@ -179,7 +180,7 @@ def _freedoms(system: System, link: Link, moving: Sequence[Rates]) -> list[_Free
 def _own(inertia: Inertia, rates: Rates) -> Composite:
     """One link, without the wrench it takes."""
     twice = scale(2, rates.omega)
-    columns = [cross(twice, column) for column in transpose(inertia.second)]
+    columns = [cross(column, twice) for column in transpose(inertia.second)]
     return Composite(inertia, cross(twice, inertia.first), transpose((columns[0], columns[1], columns[2])), ZERO, ZERO)
 
 
@@ -198,10 +199,29 @@ def _less_trace(matrix: Matrix, vector: Vector) -> Vector:
     )
 
 
-def _turned(placed: Placement, matrix: Matrix) -> Matrix:
-    rows = [placed.inwards(row) for row in matrix]
-    columns = [placed.inwards(column) for column in transpose((rows[0], rows[1], rows[2]))]
-    return transpose((columns[0], columns[1], columns[2]))
+def _around(matrix: Matrix) -> Matrix:
+    """tr A - A."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = matrix
+    return ((yy + zz, -xy, -xz), (-yx, xx + zz, -yz), (-zx, -zy, xx + yy))
+
+
+def _turned(turn: Matrix, matrix: Matrix) -> Matrix:
+    """A matrix in other axes.
+
+    A turn about z keeps xx + yy and xy - yx: with t = c (xx - yy) - s (xy + yx) the new entries are yy + c t, xx - c t,
+    xy + s t and yx + s t.
+    """
+    if turn[2] == (0, 0, 1):
+        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = matrix
+        c, s = turn[0][0], turn[1][0]
+        part = c * (xx - yy) - s * (xy + yx)
+        along, across = c * part, s * part
+        return (
+            (yy + along, xy + across, c * xz - s * yz),
+            (yx + across, xx - along, s * xz + c * yz),
+            (c * zx - s * zy, s * zx + c * zy, zz),
+        )
+    return product(product(turn, matrix), transpose(turn))
 
 
 def _outer(a: Vector, b: Vector) -> Matrix:

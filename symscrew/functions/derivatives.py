@@ -198,11 +198,11 @@ def _implicit(
     free, _, _ = admissible.accelerations(acting)
     held = [tape.symbol(f"held_{k}", "1", f"free joint acceleration {k + 1}, held") for k in range(len(free))]
     a = system.tree_rates(admissible.moved(admissible.curvature(), held))
+    changes = [column for group in _columns(admissible.residual(a, acting), groups) for column in group]
     if tree_derivatives.covers(acting):
         forces = _force_changes(loops, acting, a, groups)
-        changes = [[closed_derivatives.inner(w, column) for w in admissible.tree_columns] for column in forces]
-    else:
-        changes = [column for group in _columns(admissible.residual(a, acting), groups) for column in group]
+        others = [[closed_derivatives.inner(w, column) for w in admissible.tree_columns] for column in forces]
+        changes = min(changes, others, key=lambda columns: count_operations([n for column in columns for n in column]))
     put = dict(zip(held, free, strict=True))
     solved = [admissible.solve([-c for c in substitute(tape, column, put)])[0] for column in changes]
     values = loops.second_rates(held, system.joint_rates(a), w) if independent else a
