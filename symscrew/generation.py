@@ -11,7 +11,7 @@
     model.md                                                        target "markdown"
     README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
 
-Equal input gives equal bytes. Everything is written beside the directory first and moved into place at the
+Equal input gives equal bytes. Everything is written to a folder of its own first and moved into place at the
 end, and no file is replaced that the tool did not write.
 """
 
@@ -211,8 +211,8 @@ def _earlier_files(directory: Path) -> set[str]:
 
 
 def _write(directory: Path, files: Mapping[str, bytes], *, stale: set[str]) -> None:
-    """Write beside `directory`, then move into place; the manifest goes last."""
-    staging = directory.parent / f".{directory.name}.{secrets.token_hex(6)}"
+    """Write in `directory` or, if there is none, beside its place, then move into place; the manifest goes last."""
+    staging = (directory if directory.is_dir() else directory.parent) / f".{directory.name}.{secrets.token_hex(6)}"
     try:
         directory.parent.mkdir(parents=True, exist_ok=True)
         staging.mkdir()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -84,6 +85,19 @@ def test_javascript_is_run_by_check(four_bar, tmp_path, monkeypatch):
     doubled = agreement.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
     monkeypatch.setattr(agreement, "NODE", doubled)
     assert any("JavaScript" in line for line in failures(tmp_path / "out"))
+
+
+@pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="needs a second file system")
+def test_a_directory_on_another_file_system(four_bar, tmp_path):
+    """A mounted folder, or a link to one: what is written is moved within it, and nothing is left beside."""
+    with tempfile.TemporaryDirectory(dir="/dev/shm") as elsewhere:
+        assert Path(elsewhere).stat().st_dev != tmp_path.stat().st_dev
+        (tmp_path / "out").symlink_to(elsewhere)
+        for _ in range(2):
+            generate(four_bar, tmp_path / "out", ["numpy"])
+        written = {"README.md", "four_bar_numpy.py", "manifest.json", "mechanism.toml", "ops.json", "test_vectors.json"}
+        assert {path.name for path in Path(elsewhere).iterdir()} == written
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
 
 
 def test_a_format_that_cannot_hold_the_mechanism_leaves_nothing(four_bar, tmp_path):
