@@ -224,16 +224,17 @@ def _revolute_origin(
     point: Vector,
 ) -> Vector:
     """A point of the axis: the given one, or the foot of the perpendicular from the parent's origin if that
-    leaves fewer numbers in the offsets to the parent and to the joints further out."""
+    leaves fewer numbers in the offsets to the parent and to the joints further out, of equals in the former: what
+    arrives from outboard passes there. Nothing passes on to the ground."""
     away = geometry.settle(subtract(point, parent.origin))
     foot = geometry.settle(subtract(point, scale(dot(away, axis), axis)))
 
-    def numbers(origin: Vector) -> int:
+    def numbers(origin: Vector) -> tuple[int, int]:
         local = geometry.settle(transform(transpose(parent.axes), subtract(origin, parent.origin)))
         count = sum(geometry.size(c) != 0 for c in local)
         outboard = list(_outboard_points(mechanism, tree, geometry, link))
         along = (geometry.tape.settle(dot(subtract(p, origin), axis)) for p in outboard)
-        return count + sum(geometry.size(c) != 0 for c in along)
+        return count + sum(geometry.size(c) != 0 for c in along), count if link.parent != GROUND else 0
 
     return foot if numbers(foot) < numbers(point) else point
 
