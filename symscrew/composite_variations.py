@@ -7,10 +7,10 @@ and the force and moment that it needs by
     m d_origin + d_alpha x s + d_omega x P,    s x d_origin + (tr Sigma - Sigma) d_alpha + D d_omega
 
 with the moments m, s = sum m r, Sigma = sum m r r', P = 2 sum m r_dot, D = 2 sum m (r . r_dot - r_dot r'). Velocities
-of the origin never enter. A unit of a freedom's rate, acceleration or coordinate is such a change for what is outboard of it: its
-columns are carried towards the ground. What a joint's force takes of changes further inboard is a row, carried towards
-the ground by the transposed rules. (Singh, Russell and Wensing, Efficient analytical derivatives of rigid-body dynamics
-using spatial vector algebra, 2022; here about the joints' origins in links' axes.)
+of the origin never enter. A unit of a freedom's rate, acceleration or coordinate is such a change for what is outboard
+of it: its columns are carried towards the ground. What a joint's force takes of changes further inboard is a row,
+carried towards the ground by the transposed rules. (Singh, Russell and Wensing, Efficient analytical derivatives of
+rigid-body dynamics using spatial vector algebra, 2022; here about the joints' origins in links' axes.)
 """
 
 from __future__ import annotations
