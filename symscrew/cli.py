@@ -109,6 +109,8 @@ def parser() -> argparse.ArgumentParser:
     generate.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     generate.add_argument("--one-mode", action="store_true", help=text)
+    text = "these functions only; default: all, which README.md of the output describes"
+    generate.add_argument("--functions", nargs="+", metavar="NAME", help=text)
 
     check = _command(verbs, "check", commands.check_output, "is generated output up to date, clean and right?")
     check.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")

@@ -90,7 +90,7 @@ def generate_code(options: argparse.Namespace) -> int:
     if single and doubles:
         raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(SINGLE_TARGETS)}")
     progress = Progress()
-    model = _derived(options, progress)
+    model = _chosen_functions(options, _derived(options, progress))
     measured = []
     for core in dict.fromkeys(options.embedded):
         from symscrew.embedded import measure
@@ -105,6 +105,16 @@ def generate_code(options: argparse.Namespace) -> int:
     for note in model.notes:
         print(f"note: {note}")
     return 0
+
+
+def _chosen_functions(options: argparse.Namespace, model: Model) -> Model:
+    """The model with the functions that the options name, or all."""
+    from symscrew.errors import did_you_mean
+
+    for name in options.functions or ():
+        if name not in model.programs:
+            raise UsageError(f"--functions: no {name!r} in {model.name}; {did_you_mean(name, model.programs)}")
+    return model.only(options.functions) if options.functions else model
 
 
 def _derived(options: argparse.Namespace, progress: object) -> Model:

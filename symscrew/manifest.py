@@ -39,8 +39,9 @@ def manifest(
         "description": getattr(model.mechanism, "description", ""),
         "hash": model_hash(model),
         "effects": [effect_to_json(effect) for effect in model.effects],
-        "independent": _independent(model),
+        "independent": list(model.independent),
         **({"one_mode": True} if model.one_mode else {}),
+        **({"selected": True} if model.selected else {}),
         "parameters": _parameters(model),
         "characteristic_length": _characteristic_length(model),
         "notes": list(model.notes),
@@ -49,14 +50,6 @@ def manifest(
         "files": sorted(files),
         "functions": {name: _function(model, name, program) for name, program in model.programs.items()},
     }
-
-
-def _independent(model: Model) -> list[str]:
-    """Labels of the independent coordinates, as `derive` takes them; none for an open chain."""
-    for program in model.programs.values():
-        if isinstance(program, Iteration):
-            return [program.inputs[1].labels[k] for k in program.independent]
-    return []
 
 
 def _characteristic_length(model: Model) -> dict[str, Any]:

@@ -7,7 +7,9 @@ mechanism --System--> tape, tree, frames, closure
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import gc
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -39,7 +41,9 @@ class Model:
 
     `test_inputs[name]` holds, per input of function `name`, an array (states, size) of consistent states;
     `notes` says what a user must know (redundant constraints, passive freedoms, warnings of the description);
-    `one_mode`: functions of closed loops are for the operation mode of the reference configuration only.
+    `one_mode`: functions of closed loops are for the operation mode of the reference configuration only;
+    `independent`: labels of the independent coordinates of a mechanism with loops; `selected`: the model has been
+    left with some of its functions.
     """
 
     name: str
@@ -50,10 +54,12 @@ class Model:
     system: System
     notes: tuple[str, ...] = ()
     one_mode: bool = False
+    independent: tuple[str, ...] = ()
+    selected: bool = False
 
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""
-        return replace(self, programs={name: p for name, p in self.programs.items() if name in names})
+        return replace(self, programs={name: p for name, p in self.programs.items() if name in names}, selected=True)
 
     def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         """Evaluate a function on NumPy arrays (*batch, size): its results and the status."""
@@ -65,6 +71,19 @@ class Model:
         return evaluate(program, arguments)
 
 
+@contextmanager
+def _nothing_to_collect() -> Iterator[None]:
+    """No search for unused cycles: all nodes of a tape belong to it, so that searching takes a fifth of deriving."""
+    searching = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if searching:
+            gc.enable()
+
+
+@_nothing_to_collect()
 def derive(
     mechanism: Mechanism,
     effects: Sequence[Effect] = (Gravity(),),
@@ -117,10 +136,12 @@ def derive(
     programs |= {f.name: lower(f) for f in margin_functions(system)}
     entries, states = [entry.q for entry in loops.entries], system.sample_states
     inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}
-    massless = () if moves_mass(system, effects, loops) else (MASSLESS_NOTE,)
+    moves = "forward_dynamics" in programs or moves_mass(system, effects, loops)
+    massless = () if moves else (MASSLESS_NOTE,)
     notes = (*mechanism.warnings, *massless, *mode.notes(alone=one_mode))
     notes = (*notes, *dict.fromkeys(n for p in programs.values() for n in p.notes))
-    return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes, one_mode)
+    labels = tuple(system.tree.q[k].label for k in entries) if system.cuts else ()
+    return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes, one_mode, labels)
 
 
 def _hub_entries(system: System, of_q: bool) -> list[int]:

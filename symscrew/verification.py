@@ -101,14 +101,14 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
     effects = tuple(effect_from_json(entry) for entry in content["effects"])
     functions = content.get("functions", {})
     wanted: dict[str, Any] = {
-        "derivatives": "linearisation" in functions,
-        "regressor": "regressor" in functions,
+        "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
+        "regressor": any("regressor" in name for name in functions),
         "one_mode": content.get("one_mode") is True,
     }
-    model = derive(mechanism, effects, **wanted)
     chosen = content.get("independent") or None
+    model = _selected(derive(mechanism, effects, **wanted), content)
     if chosen and model_hash(model) != content.get("hash"):
-        other = derive(mechanism, effects, independent=chosen, **wanted)
+        other = _selected(derive(mechanism, effects, independent=chosen, **wanted), content)
         model = other if model_hash(other) == content.get("hash") else model
     recorded = read_json(directory / "test_vectors.json")
     inputs = dict(model.test_inputs)
@@ -117,6 +117,11 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
         arrays = _arrays(entry.get("inputs"), [(p.name, p.size) for p in program.inputs])
         inputs[name] = arrays if arrays is not None else inputs[name]
     return dataclasses.replace(model, test_inputs=inputs)
+
+
+def _selected(model: Model, content: Mapping[str, Any]) -> Model:
+    """The model, with the functions of the manifest only if these were selected."""
+    return model.only(tuple(content.get("functions", {}))) if content.get("selected") is True else model
 
 
 def _arrays(entry: Any, ports: Sequence[tuple[str, int]]) -> tuple[np.ndarray, ...] | None:

@@ -149,6 +149,32 @@ def test_generate_then_check(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert code == 1 and "FAILED" in out
 
 
+def test_functions_that_are_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Only these are written, and a check knows them, the independent coordinates that were chosen and derivatives."""
+    made = tmp_path / "made"
+    wanted = ["linearisation", "velocity"]
+    more = ["--independent", "D", "--derivatives", "--target", "c"]
+    code, out, _ = run("generate", "four_bar", "--functions", *wanted, *more, "--out", str(made), capsys=capsys)
+    assert code == 0 and out.startswith("four_bar: 2 functions, ")
+    manifest = json.loads((made / "manifest.json").read_text())
+    assert sorted(manifest["functions"]) == wanted and manifest["independent"] == ["D"]
+    assert "four_bar_velocity(" in (made / "four_bar.h").read_text()
+    assert "four_bar_acceleration(" not in (made / "four_bar.h").read_text()
+    code, out, _ = run("check", str(made), capsys=capsys)
+    assert code == 0, out
+    (made / "manifest.json").write_text(json.dumps(manifest | {"selected": False}))
+    code, out, _ = run("check", str(made), capsys=capsys)
+    assert code == 1 and "operations of acceleration changed from None" in out
+
+
+def test_a_function_that_does_not_exist(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made = str(tmp_path / "made")
+    code, out, err = run("generate", "four_bar", "--functions", "velocitty", "--out", made, capsys=capsys)
+    assert_one_clear_line(code, out, err)
+    assert "--functions: no 'velocitty' in four_bar; did you mean 'velocity'" in err
+    assert not os.listdir(tmp_path)
+
+
 def test_effects_reach_the_functions(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run("generate", "four_bar", "--out", str(tmp_path / "a"), "--target", "numpy", "--no-gravity",
         "--load", "coupler_middle", capsys=capsys)  # fmt: skip
