@@ -109,6 +109,7 @@ class Admissible:
         missing = generalised_forces(self.system, acting, a)
         return [_inner(self.system, column, missing) for column in self.tree_columns]
 
+    @cached_property
     def inertia(self) -> list[list[Node]]:
         """N^T M N; only the lower half counts."""
         system, tree = self.system, mass_matrix(self.system, self.reflected)
@@ -121,7 +122,7 @@ class Admissible:
 
     def solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
         """z' from the projected equations; last columns first, so that branches of a tree stay apart."""
-        return self._solved(self.inertia(), right)
+        return self._solved(self.inertia, right)
 
     def _solved(self, lower: Sequence[Sequence[Node]], right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
         n = len(lower)
@@ -133,7 +134,7 @@ class Admissible:
 
     def moves_mass(self) -> bool:
         """Whether every admissible motion moves mass, at some sample state at least."""
-        lower, tape = self.inertia(), self.system.tape
+        lower, tape = self.inertia, self.system.tape
         n = len(lower)
         entries = [tape.sample(lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
         if not entries:
