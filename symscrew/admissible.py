@@ -22,14 +22,13 @@ from symscrew.differentiation import count_operations
 from symscrew.drives import solve_symmetric
 from symscrew.effects.acting import Acting
 from symscrew.elimination import Guard, magnitude
-from symscrew.loops import Loops
+from symscrew.loops import SMALL, Loops
 from symscrew.projection import Projection
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
 
 LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
-SMALL = 60  # freedoms of a tree up to which both ways of solving are built and counted
 MASSLESS = 1e-13  # least eigenvalue, without units, of an inertia that counts
 
 Accelerations = tuple[list[Node], list[Node], list[Guard]]

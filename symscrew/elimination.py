@@ -111,8 +111,8 @@ class Elimination:
     redundant: list[int] = field(default_factory=list)
     free: list[Column] = field(default_factory=list)
 
-    def solve(self, right: Sequence[Node]) -> dict[Column, Node]:
-        """Unknowns from rows . unknowns = right; free unknowns are zero.
+    def solve(self, right: Sequence[Node], free: Mapping[Column, Node] | None = None) -> dict[Column, Node]:
+        """Unknowns from rows . unknowns = right; free unknowns as given, else zero.
 
         A multiple of another unknown is not taken through the pivot and back.
         """
@@ -120,7 +120,7 @@ class Elimination:
         for row, _, _, factors in self.steps:
             for other, factor in factors.items():
                 values[other] = values[other] - factor * values[row]
-        solution: dict[Column, Node] = {}
+        solution: dict[Column, Node] = dict(free or {})
         for row, column, pivot, _ in reversed(self.steps):
             over = 1 / pivot
             total, whole = values[row], values[row].tape.zero

@@ -13,12 +13,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.closure_rows import closure_rows, closure_rows_bias
+from symscrew.differentiation import count_operations
 from symscrew.elimination import NEGLIGIBLE, Column, Elimination, Guard, eliminate
 from symscrew.errors import DescriptionError
 from symscrew.screws import Vector, add, cross, dot, scale
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import Link
+
+SMALL = 60  # freedoms of a tree up to which equal ways are built and counted
 
 
 @dataclass(frozen=True)
@@ -123,21 +126,23 @@ class Loops:
     # -- linear solutions --------------------------------------------------------------------------------
 
     def dependent(self, right: Sequence[Node], free: Sequence[Node]) -> list[Node]:
-        """All joint rates w with J w = right and the given free ones."""
-        system = self.system
-        values = [*right, *[system.tape.zero] * (len(self.rows) - len(right))]
+        """All joint rates w with J w = right and the given free ones.
+
+        The free ones as part of the right side or by their own columns, whichever takes fewer operations.
+        """
+        zero = self.system.tape.zero
+        known = dict(zip(self.free, free, strict=True))
+        values = [*right, *[zero] * (len(self.rows) - len(right))]
+        moved = list(values)
         for i, row in enumerate(self.rows):
-            for k, value in zip(self.free, free, strict=True):
+            for k, value in known.items():
                 if k in row:
-                    values[i] = values[i] - row[k] * value
-        solution = self.elimination.solve(values)
-        result = [system.tape.zero] * len(system.tree.v)
-        for k, value in solution.items():
-            if isinstance(k, int):
-                result[k] = value
-        for k, value in zip(self.free, free, strict=True):
-            result[k] = value
-        return result
+                    moved[i] = moved[i] - row[k] * value
+        ways = [{**self.elimination.solve(moved), **known}]
+        if len(self.system.tree.v) <= SMALL:
+            ways.append(self.elimination.solve(values, known))
+        found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
+        return min(found, key=count_operations)
 
     def with_rates(self, particular: Sequence[Node], wanted: Sequence[Node]) -> list[Node]:
         """w = particular + N f, with f such that the independent coordinates change at the wanted rates.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.admissible import SMALL, Admissible
+from symscrew.admissible import Admissible
 from symscrew.differentiation import count_operations
 from symscrew.effects import Acting, Effect
 from symscrew.elimination import Guard
@@ -13,7 +13,7 @@ from symscrew.equilibrium import ONE
 from symscrew.functions.closure import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
 from symscrew.functions.dynamics import Equations, Loads, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
-from symscrew.loops import Loops
+from symscrew.loops import SMALL, Loops
 from symscrew.program import Function, Iteration, Port, Program, lower
 from symscrew.rank_revealing import SWITCH, RankRevealing
 from symscrew.reactions import at_origin, joint_wrenches
