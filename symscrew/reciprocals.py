@@ -15,13 +15,14 @@ def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
     """The same expressions with fewer divisions."""
     order = _evaluation_order(roots)
     inverted = {node.args[0].index for node in order if node.op == "reciprocal"}
-    replaced: dict[int, tuple[Node, Node]] = {}  # reciprocal of x -> (y, x y)
+    replaced: dict[int, tuple[Node, Node]] = {}  # reciprocal of x -> (y, 1 / (x y))
     for product in (node for node in order if node.op == "mul" and node.index in inverted):
         for x, y in (product.args, product.args[::-1]):
             if x.index in inverted and y.value is None:
                 single = x.tape.reciprocal(x)
-                if single.index not in replaced and not _depends(product, single, replaced):
-                    replaced[single.index] = (y, product)
+                whole = x.tape.reciprocal(product)
+                if single.index not in replaced and not _depends(whole, single, replaced):
+                    replaced[single.index] = (y, whole)
     if not replaced:
         return list(roots)
     return _rebuilt(roots, replaced)
@@ -71,7 +72,7 @@ def _rebuilt(roots: Sequence[Node], replaced: dict[int, tuple[Node, Node]]) -> l
             continue
         args = tuple(new[arg.index] for arg in needed)
         if node.index in replaced:
-            new[node.index] = node.tape.mul(args[0], node.tape.reciprocal(args[1]))
+            new[node.index] = node.tape.mul(*args)
         else:
             new[node.index] = node if args == node.args else remade(node, args)
     return [new[root.index] for root in roots]
