@@ -2,7 +2,7 @@
 
 Mechanism: delta, translational platform with three driven arms
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 8a4baf659c2f1cff
+Programs: b4e64d29e1fde0dc
 Note: operation mode of the reference configuration: the other coordinates determine rod1b_U.0,
   rod1b_U.1, rod2b_U.0, rod2b_U.1, rod3b_U.0, rod3b_U.1, platform_pose.qw, platform_pose.qx,
   platform_pose.qy, platform_pose.qz; one_mode makes code for it only
@@ -35456,7 +35456,7 @@ def close_position(*arguments):
         x1367 = x1356 + x1366
         x1368 = x552 * x1217
         x1369 = x1367 + x1368
-        x1370 = x544 * x1209
+        x1370 = x1209 * x544
         x1371 = x1369 + x1370
         x1372 = x549 * x1214
         x1373 = x1371 - x1372
@@ -35719,7 +35719,7 @@ def close_position(*arguments):
         x1630 = x1619 + x1629
         x1631 = x1217 * x1478
         x1632 = x1630 + x1631
-        x1633 = x1209 * x1470
+        x1633 = x1470 * x1209
         x1634 = x1632 - x1633
         x1635 = x1214 * x1475
         x1636 = x1634 - x1635
@@ -35754,7 +35754,7 @@ def close_position(*arguments):
         x1665 = x1663 + x1664
         x1666 = x552 * x1478
         x1667 = x1665 + x1666
-        x1668 = x544 * x1470
+        x1668 = x1470 * x544
         x1669 = x1667 - x1668
         x1670 = x549 * x1475
         x1671 = x1669 + x1670
@@ -37045,7 +37045,7 @@ def close_velocity(*arguments):
         x980 = x969 + x979
         x981 = x340 * x830
         x982 = x980 + x981
-        x983 = x332 * x822
+        x983 = x822 * x332
         x984 = x982 + x983
         x985 = x337 * x827
         x986 = x984 - x985
@@ -37310,7 +37310,7 @@ def close_velocity(*arguments):
         x1245 = x1234 + x1244
         x1246 = x830 * x1093
         x1247 = x1245 + x1246
-        x1248 = x822 * x1085
+        x1248 = x1085 * x822
         x1249 = x1247 - x1248
         x1250 = x827 * x1090
         x1251 = x1249 - x1250
@@ -37345,7 +37345,7 @@ def close_velocity(*arguments):
         x1280 = x1278 + x1279
         x1281 = x340 * x1093
         x1282 = x1280 + x1281
-        x1283 = x332 * x1085
+        x1283 = x1085 * x332
         x1284 = x1282 - x1283
         x1285 = x337 * x1090
         x1286 = x1284 + x1285

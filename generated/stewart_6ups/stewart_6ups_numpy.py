@@ -2,7 +2,7 @@
 
 Mechanism: stewart_6ups, hexapod with six driven legs
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 107485948a497d2c
+Programs: b31771a3a26f5608
 Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2,
   platform_pose.qx, platform_pose.qy, platform_pose.qz
 
@@ -32606,17 +32606,17 @@ def close_position(*arguments):
         x393 = x328 * x392
         x394 = x285 * x393
         x395 = x105 * x330
-        x396 = x114 * x332
+        x396 = x332 * x114
         x397 = x127 * x335
-        x398 = x136 * x337
+        x398 = x337 * x136
         x399 = x149 * x340
-        x400 = x158 * x342
+        x400 = x342 * x158
         x401 = x171 * x345
-        x402 = x180 * x347
+        x402 = x347 * x180
         x403 = x193 * x350
-        x404 = x202 * x352
+        x404 = x352 * x202
         x405 = x56 * x354
-        x406 = x207 * x356
+        x406 = x356 * x207
         x407 = x359 * x213
         x408 = x406 - x407
         x409 = x405 - x408
@@ -34785,17 +34785,17 @@ def close_velocity(*arguments):
         x391 = x325 * x390
         x392 = x282 * x391
         x393 = x90 * x327
-        x394 = x99 * x329
+        x394 = x329 * x99
         x395 = x112 * x332
-        x396 = x121 * x334
+        x396 = x334 * x121
         x397 = x134 * x337
-        x398 = x143 * x339
+        x398 = x339 * x143
         x399 = x156 * x342
-        x400 = x165 * x344
+        x400 = x344 * x165
         x401 = x178 * x347
-        x402 = x187 * x349
+        x402 = x349 * x187
         x403 = x198 * x352
-        x404 = x204 * x354
+        x404 = x354 * x204
         x405 = x357 * x210
         x406 = x404 - x405
         x407 = x403 - x406
