@@ -296,7 +296,8 @@ def _arm(tree: Tree, placed: Sequence[Placement], cut: Cut) -> Vector | None:
     if cut.hub == GROUND:
         return None
     hub = tree.links[cut.hub]
-    if hub.motion.kind != "S" or hub.parent not in (GROUND, *tree.path(cut.tip)):
+    limb = tree.path(cut.tip)
+    if hub.motion.kind != "S" or cut.hub in limb or hub.parent not in (GROUND, *limb):
         return None
     return subtract(cut.tip_point, carry_point(tree, placed, hub.parent, cut.tip, placed[cut.hub].offset))
 

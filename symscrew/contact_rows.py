@@ -29,9 +29,9 @@ class ContactRows:
 
 
 def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
-    """The rows of a cut joint whose points do not slide on each other; None where there is no hub that moves."""
+    """The rows of a cut joint whose points do not slide; None if one side carries the other, or a third carries both."""
     slides = any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions)
-    if cut.hub == GROUND or cut.tip == GROUND or slides:
+    if cut.hub == GROUND or cut.tip == GROUND or slides or system.tree.common(cut.tip, cut.hub) != GROUND:
         return None
     tape, placed = system.tape, system.placed
     definitions: list[tuple[Column, Affine]] = []
@@ -52,20 +52,18 @@ def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
         return [seen(_combined(tape, components, row)) for row in matrix]
 
     arm = placed[cut.hub].before(cut.contact)
-    components = [seen(system.powers(cut.hub, axis, cross(arm, axis))) for axis in IDENTITY]
+    components = [seen(system.powers(cut.hub, axis, cross(arm, axis), GROUND)) for axis in IDENTITY]
     components = turned(components, placed[cut.hub].rotation)
-    inside, outside = system.tree.path(system.tree.links[cut.hub].parent), system.tree.path(cut.tip)
-    common = set(inside) & set(outside)
-    for link in (k for k in inside if k not in common):
+    for link in system.tree.path(system.tree.links[cut.hub].parent):
         components = turned(turned(components, placed[link].turn), placed[link].rotation)
-    for link in (k for k in reversed(outside) if k not in common):
+    for link in reversed(system.tree.path(cut.tip)):
         components = turned(turned(components, transpose(placed[link].rotation)), transpose(placed[link].turn))
     rows = []
     for wrench in cut.rows:
         limb: dict[int, Node] = {}
         system.limb_wrenches(cut, wrench, limb)
         hub = _combined(tape, components, wrench.force)
-        couple = system.powers(cut.hub, *on_hub(cut, system.tree, placed, ZERO, wrench.couple))
+        couple = system.powers(cut.hub, *on_hub(cut, system.tree, placed, ZERO, wrench.couple), GROUND)
         total: Affine = dict(limb)
         for part in (hub, couple):
             for k, entry in part.items():

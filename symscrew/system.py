@@ -25,7 +25,7 @@ from symscrew.program import Function, Port, evaluate, lower
 from symscrew.recursion import Inertia, Placement, Rates, link_inertias, placements, poses, rates, twists
 from symscrew.screws import Pose, Twist, Vector, add, cross, dot, subtract, transform, transpose
 from symscrew.tape import Node, Tape
-from symscrew.tree import GROUND, Tree, spanning_tree
+from symscrew.tree import Tree, spanning_tree
 
 Wrench = tuple[Vector, Vector]
 SAMPLES = 5
@@ -155,37 +155,42 @@ class System:
         return [row for cut in self.cuts for row in self.cut_rows(cut)]
 
     def cut_rows(self, cut: Cut) -> list[dict[int, Node]]:
-        """Rows of one cut joint: {index into v: entry}, in joint rates w."""
+        """Rows of one cut joint: {index into v: entry}, in joint rates w.
+
+        Links that carry both sides of the loop make no difference.
+        """
+        common = self.tree.common(cut.tip, cut.hub)
         rows = []
         for row in cut.rows:
             entries: dict[int, Node] = {}
             below = self.limb_wrenches(cut, row, entries)
-            if cut.hub != GROUND:
+            if cut.hub != common:
                 parent = self.tree.links[cut.hub].parent
                 if cut.arm is not None and parent in below:
                     force, moment = self._outwards(cut.hub, *below[parent])
                 else:
                     force, moment = on_hub(cut, self.tree, self.placed, row.force, row.couple)
-                self._push(entries, cut.hub, force, moment, -1)
+                self._push(entries, cut.hub, force, moment, -1, common)
             rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
         return rows
 
-    def powers(self, index: int, force: Vector, moment: Vector) -> dict[int, Node]:
-        """Power per joint rate of a wrench on a link (axes before its motion, at its origin)."""
+    def powers(self, index: int, force: Vector, moment: Vector, inside: int) -> dict[int, Node]:
+        """Power per joint rate, down to link `inside`, of a wrench on a link (axes before its motion, its origin)."""
         entries: dict[int, Node] = {}
-        self._push(entries, index, force, moment, 1)
+        self._push(entries, index, force, moment, 1, inside)
         return entries
 
     def limb_wrenches(self, cut: Cut, row: Row, entries: dict[int, Node] | None = None) -> dict[int, Wrench]:
-        """A reciprocal wrench at the origin of its tip and of every link inside it, in that link's axes.
+        """A reciprocal wrench at the origin of its tip and of every link between it and what the hub hangs on, too.
 
-        Its power per joint rate of the limb is added to `entries`.
+        In that link's axes. Its power per joint rate of the limb is added to `entries`.
         """
-        if cut.tip == GROUND:
+        common = self.tree.common(cut.tip, cut.hub)
+        if cut.tip == common:
             return {}
         placed, noted = self.placed[cut.tip], {} if entries is None else entries
         force, moment = row.force, add(row.couple, cross(cut.tip_point, row.force))
-        below = self._push(noted, cut.tip, placed.before(force), placed.before(moment), 1)
+        below = self._push(noted, cut.tip, placed.before(force), placed.before(moment), 1, common)
         return {cut.tip: (force, moment), **below}
 
     def _outwards(self, index: int, force: Vector, moment: Vector) -> Wrench:
@@ -194,8 +199,10 @@ class System:
         back = transpose(placed.rotation)
         return transform(back, force), transform(back, subtract(moment, cross(placed.offset, force)))
 
-    def _push(self, entries: dict, index: int, force: Vector, moment: Vector, sign: int) -> dict[int, Wrench]:
-        """Push a unit wrench from a link (axes before its motion) to the ground, noting S . w of each row.
+    def _push(
+        self, entries: dict, index: int, force: Vector, moment: Vector, sign: int, inside: int
+    ) -> dict[int, Wrench]:
+        """Push a unit wrench from a link (axes before its motion) to link `inside`, noting S . w of each row.
 
         Returns the wrench at the origin of every link inside it, in that link's axes.
         """
@@ -216,7 +223,7 @@ class System:
             moment = add(transform(placed.rotation, moment), cross(placed.offset, force))
             index = link.parent
             below[index] = force, moment
-            if index == GROUND:
+            if index == inside:
                 return below
             force, moment = self.placed[index].before(force), self.placed[index].before(moment)
 

@@ -69,6 +69,11 @@ class Tree:
             link = self.links[link].parent
         return tuple(chain)
 
+    def common(self, one: int, other: int) -> int:
+        """The outermost link that carries both, one of the two perhaps, or the ground."""
+        carrying = set(self.path(other))
+        return next((link for link in self.path(one) if link in carrying), GROUND)
+
     def links_of(self, joint: str) -> tuple[Link, ...]:
         """The links that make up a tree joint, from the ground outwards."""
         return tuple(link for link in self.links if link.joint == joint)

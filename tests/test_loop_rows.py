@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from symscrew import catalogue
+from symscrew import catalogue, description
 from symscrew.admissible import Admissible
 from symscrew.coriolis import still_forces
 from symscrew.differentiation import count_operations
@@ -21,12 +21,33 @@ from symscrew.tape import Node, Tape
 from symscrew.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
 
 FRICTION = {"ur5": "shoulder_pan_joint", "three_ups_upu_s_physical": "limb1_P"}
-NAMES = ("three_ups_upu_s_physical", "stewart_6ups", "delta", "planar_3rrr", "sarrus", "andrews")
+NAMES = ("three_ups_upu_s_physical", "stewart_6ups", "delta", "planar_3rrr", "sarrus", "andrews", "carried")
+
+
+CARRIED = """
+[mechanism]
+name = "carried"
+ground = "base"
+
+[bodies]
+head = {mass = 2, com = [0, 0, "1/10"], inertia = [["1/50", 0, 0], [0, "1/50", 0], [0, 0, "1/80"]]}
+crank = {mass = "0.5", com = [0, 0, "3/40"], inertia = [["1/900", 0, 0], [0, "1/900", 0], [0, 0, "1/9000"]]}
+coupler = {mass = "0.7", com = ["1/5", 0, "3/10"], inertia = [["1/90", 0, 0], [0, "1/40", 0], [0, 0, "1/60"]]}
+rocker = {mass = "0.6", com = ["13/25", 0, "9/40"], inertia = [["1/50", 0, 0], [0, "1/40", 0], [0, 0, "1/90"]]}
+
+[joints]
+neck = {type = "S", parent = "base", child = "head", point = [0, 0, 0]}
+A = {type = "R", parent = "head", child = "crank", point = [0, 0, 0], axes = [[0, 1, 0]], driven = true}
+B = {type = "R", parent = "crank", child = "coupler", point = [0, 0, "3/20"], axes = [[0, 1, 0]]}
+C = {type = "R", parent = "coupler", child = "rocker", point = ["2/5", 0, "9/20"], axes = [[0, 1, 0]]}
+D = {type = "R", parent = "head", child = "rocker", point = ["16/25", 0, 0], axes = [[0, 1, 0]]}
+"""
+"""A four-bar on a head that turns about a point."""
 
 
 @cache
 def system_of(name: str) -> System:
-    system = System(catalogue.load(name))
+    system = System(description.loads(CARRIED) if name == "carried" else catalogue.load(name))
     system.use_samples()
     return system
 
@@ -74,6 +95,13 @@ def test_the_rows_of_a_free_hub_s_limbs_ask_for_one_component_each() -> None:
     rows = loops_of("stewart_6ups", True).rows[:18]
     assert all(len(row) == 2 for row in rows)
     assert all(len(row) > 5 for row in loops_of("stewart_6ups", False).rows[:18])
+
+
+@pytest.mark.parametrize("by_contacts", [False, True])
+def test_a_loop_on_a_moving_body_does_not_see_how_that_moves(by_contacts: bool) -> None:
+    head = [k for k, c in enumerate(system_of("carried").tree.v) if c.joint == "neck"]
+    rows = loops_of("carried", by_contacts).rows
+    assert len(head) == 3 and not any(k in row for row in rows for k in head)
 
 
 def test_a_leg_of_the_seed_sees_one_or_two_components() -> None:
