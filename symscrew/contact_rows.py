@@ -29,7 +29,7 @@ class ContactRows:
 
 
 def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
-    """The rows of a cut joint whose points do not slide; None if one side carries the other, or a third carries both."""
+    """The rows of a cut joint whose points do not slide; None if a side carries the other, or a third carries both."""
     slides = any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions)
     if cut.hub == GROUND or cut.tip == GROUND or slides or system.tree.common(cut.tip, cut.hub) != GROUND:
         return None
