@@ -128,10 +128,11 @@ def _seen_bias(moving: System, view: View, plain: Sequence[Node]) -> list[Node]:
     for link in (tree.links[k] for k in tree.path(view.cut.tip)):
         if link.motion.kind in "RPH":
             speeds[moving.inputs.q[link.q.start]] = {"time": w[link.v.start]}
+    given = all(q.op == "symbol" for q in speeds)  # else angles may stand in their cosines and sines only
     result = []
     for powers, moment, other in zip(view.limb, view.moments, plain, strict=True):
         entries = [*powers.values(), *(tape.node(m) for m in moment)]
-        if not _depends_only_on(entries, set(speeds) | set(moving.parameters)):
+        if not (given and _depends_only_on(entries, set(speeds) | set(moving.parameters))):
             result.append(other)
             continue
         rates = [row[0] for row in differentiate(tape, entries, speeds, ["time"], order="forward")]

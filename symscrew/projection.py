@@ -49,6 +49,7 @@ class Projection:
             for column in row:
                 left.setdefault(column, {})
         self.left = left
+        self.rows = 1 + max((k for row, _, _, factors in elimination.steps for k in (row, *factors)), default=-1)
         self.steps = [self._step(elimination, *step) for step in elimination.steps]
         partner = self._partners()
         waiting: set[Column] = set()
@@ -151,7 +152,7 @@ class Projection:
     def shifts(self, opening: Sequence[Node]) -> list[Node]:
         """b of every step: what the dependent accelerations are beside those that they follow."""
         values = [-value for value in opening]
-        values += [self.tape.zero] * (len(self.steps) - len(values))
+        values += [self.tape.zero] * (self.rows - len(values))
         result = []
         for step in self.steps:
             for other, factor in step.factors.items():

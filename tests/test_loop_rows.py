@@ -14,6 +14,7 @@ from symscrew.coriolis import still_forces
 from symscrew.differentiation import count_operations
 from symscrew.effects import Effect, Gravity, ViscousFriction
 from symscrew.functions.forward import driven
+from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
 from symscrew.loops import Loops
 from symscrew.reciprocals import shared_reciprocals
 from symscrew.system import System
@@ -131,6 +132,22 @@ def test_christoffel_symbols_and_the_recursion_give_the_same_forces(name: str) -
     matrix = mass_matrix(system, acting.reflected_inertia)
     still = [system.tape.zero] * len(system.tree.v)
     same(system, generalised_forces(system, acting, still), still_forces(system, acting, matrix))
+
+
+@pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "stewart_6ups"])
+def test_limbs_that_follow_from_the_platform_s_coordinates(name: str) -> None:
+    """Their angles stand in cosines and sines only: nothing may be differentiated by the angles."""
+    system = system_of(name)
+    limbs, hub = closed_limbs(system), hub_links(system)
+    assert limbs is not None and hub is not None
+    known = {k: system.inputs.q[k] for link in hub for k in range(link.q.start, link.q.stop)}
+    found = limb_coordinates(system, limbs, known)
+    placed = system.at(found.q, found.turns, system.inputs.v)
+    acting = given_drives(placed, [Gravity()])
+    still = [system.tape.zero] * len(system.tree.v)
+    matrix = mass_matrix(placed, acting.reflected_inertia)
+    same(system, generalised_forces(placed, acting, still), still_forces(placed, acting, matrix))
+    same(system, placed.bias(placed.rates(still)), Loops(placed).bias(placed), 1e-9)
 
 
 @pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "stewart_6ups"])

@@ -12,6 +12,7 @@ from symscrew.accuracy.states import States, follows_the_paper, paper_states
 from symscrew.demo.scene import SECTION_5
 from symscrew.effects import ExternalWrench, Gravity
 from symscrew.errors import DescriptionError
+from symscrew.functions.dynamics import NO_DRIVE
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
 
@@ -104,6 +105,8 @@ def redundancy(model: Model, states: States) -> Table:
             other = loaded(without_limbs(mechanism, removed))
             if not follows_the_paper(other):
                 raise ArithmeticError("does not move as the source paper's")
+            if any(NO_DRIVE in note for note in other.programs["inverse_dynamics"].notes):
+                raise ArithmeticError(f"singular: freedoms {NO_DRIVE}")
             rows.append(_peaks(text, other, paper_states(other), load))
         except (ArithmeticError, DescriptionError, np.linalg.LinAlgError) as error:
             rows.append([text, "-", "failed", "failed", str(error)[:90]])

@@ -33,6 +33,7 @@ from symscrew.tree import Link
 from symscrew.tree_dynamics import generalised_forces, mass_matrix
 
 Loads = Mapping[str, tuple[Vector, Vector]]
+NO_DRIVE = "carry no drive"  # of a note: some freedoms
 
 
 class Equations:
@@ -118,7 +119,7 @@ class Equations:
             )
         passive = len(self.balance.unbalanced) + self.solution.unreachable
         if passive:
-            notes.append(f"{passive} freedoms carry no drive: the motion must obey their own equations")
+            notes.append(f"{passive} freedoms {NO_DRIVE}: the motion must obey their own equations")
         return tuple(notes)
 
 
