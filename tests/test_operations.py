@@ -120,11 +120,12 @@ def count_c(source: str, symbol: str) -> int:
     One for each, as executed when nothing fails: stores of the failure branch do not count. A comparison with
     its choice is one operation; the choice of the status is not one. A negative constant is no operation.
     """
-    bodies = re.findall(rf"^[\w ]+ {symbol}(?:_angles|_lane)?\([^;{{]*\n\{{\n(.*?)^\}}", source, re.M | re.S)
+    parts = rf"{symbol}(?:_angles|_lane|_limb_by_limb)?"
+    bodies = re.findall(rf"^[\w ]+ {parts}\([^;{{]*\n\{{\n(.*?)^\}}", source, re.M | re.S)
     assert bodies, f"no function {symbol}"
     count, seen = 0, set()
     for statement in ";".join(bodies).split(";"):
-        statement = re.sub(r"\breturn (?=[(x])", "total = ", re.sub(r"\[[^]]*\]", "", statement))
+        statement = re.sub(r"\breturn (?=[(xs])", "total = ", re.sub(r"\[[^]]*\]", "", statement))
         if "=" not in statement or re.match(r"\s*if", statement) or "_lane(" in statement or statement in seen:
             continue
         seen.add(statement)
