@@ -30,6 +30,7 @@ Array = np.ndarray
 STATES = 64
 AGREEMENT = {"three_ups_upu_s_physical": PROXIMAL, "panda": 1e-9}
 OURS = "symscrew"
+CLEAR = 0.02  # least constraint margin
 
 
 def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
@@ -49,7 +50,7 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
 
 def _case(name: str, folder: Path, repeats: int) -> tuple[dict[str, Times], dict[str, float]]:
     model = derive(catalogue.load(name))
-    q, v, a = consistent_states(model, load(model), STATES)
+    q, v, a = _away_from_singularities(model, *consistent_states(model, load(model), 2 * STATES))
     (u,), status = model("inverse_dynamics", q, v, a)
     assert not status.any()
     measure, found = generated(model, (q, v, u), "forward_dynamics")
@@ -64,6 +65,15 @@ def _case(name: str, folder: Path, repeats: int) -> tuple[dict[str, Times], dict
         raise RuntimeError(f"{name}: {variant} differs by {agreement[variant]:.1e}; nothing to compare")
     measures["MuJoCo: mj_forward"] = _mujoco(model, folder)
     return interleaved(measures, repeats), agreement
+
+
+def _away_from_singularities(model: Model, *arrays: Array) -> list[Array]:
+    """The first states that are not close to a constraint singularity: there the proximal solver loses digits."""
+    clear = np.ones(len(arrays[0]), dtype=bool)
+    if "constraint_margin" in model.programs:
+        (margins,), _ = model("constraint_margin", arrays[0])
+        clear = np.abs(margins).min(axis=1) > CLEAR
+    return [x[clear][:STATES] for x in arrays]
 
 
 def _mujoco(model: Model, folder: Path) -> Callable[[], float]:
