@@ -169,14 +169,16 @@ def _measures(rows: Sequence[Row], lean: ctypes.CDLL, folder: Path) -> list[tupl
     code = {form: _library(compiled.model, here, lanes=form == LANES) for form in (ONE, LANES)}
     found = []
     for row in rows:
+        block = BLOCK if row.form == EIGHT else 1
+        arrays = _arrays(compiled, row, block)
         if row.form == EIGHT:
-            ours, results = _timed(compiled, row, compiled.function(row.function, "_batch_soa"), BLOCK, whole=True)
+            ours, results = _timed(compiled, arrays, compiled.function(row.function, "_batch_soa"), block, whole=True)
         else:
             name = "step" if row.function == STEP else row.function
-            ours, results = _timed(compiled, row, getattr(code[row.form], f"{mechanism}_{name}"), 1)
+            ours, results = _timed(compiled, arrays, getattr(code[row.form], f"{mechanism}_{name}"), block)
         theirs, error = None, 0.0
         if row.lean is not None:
-            theirs, others = _timed(compiled, row, getattr(lean, row.lean), BLOCK if row.form == EIGHT else 1)
+            theirs, others = _timed(compiled, arrays, getattr(lean, row.lean), block)
             error = max(difference(a[: len(b)], b) for a, b in zip(results, others, strict=True))
             if not error < AGREEMENT:
                 raise RuntimeError(f"{row.name}: differs from {row.lean} by {error:.1e}; nothing to compare")
@@ -205,28 +207,42 @@ def _library(model: Model, folder: Path, *, lanes: bool) -> ctypes.CDLL:
     return ctypes.CDLL(str(library))
 
 
-def _timed(
-    compiled: Compiled, row: Row, function: Any, block: int, *, whole: bool = False
-) -> tuple[Measure, list[np.ndarray]]:
-    """ns per state of a function of `block` states side by side, [entry][state], and its results (states, size).
+@dataclass(frozen=True)
+class Arrays:
+    """Inputs and results of STATES states, the same memory for ours and for the lean function."""
 
-    `whole`: the generated function for any number of states.
-    """
+    given: list[np.ndarray]
+    results: list[np.ndarray]
+
+
+def _arrays(compiled: Compiled, row: Row, block: int) -> Arrays:
+    """Of `block` states side by side, [entry][state]."""
     program = compiled.model.programs[_program(row)]
     ports = program.inputs[:2] if row.function == STEP else program.outputs  # a step gives coordinates and rates
     given = [_blocks(x, block) for x in states(compiled.model, program.name, STATES)]
-    results = [np.full((STATES // block, port.size * block), np.nan) for port in ports]
-    arrays = [*given, *results]
-    sizes = (ctypes.c_size_t * 8)(*[array.shape[1] for array in arrays])
-    places = (ctypes.c_void_p * 8)(*[array.ctypes.data for array in arrays]) if whole else pointers(arrays)
+    return Arrays(given, [np.full((STATES // block, port.size * block), np.nan) for port in ports])
+
+
+def _timed(
+    compiled: Compiled, arrays: Arrays, function: Any, block: int, *, whole: bool = False
+) -> tuple[Measure, list[np.ndarray]]:
+    """ns per state of a function of `block` states side by side, and its results (states, size).
+
+    `whole`: the generated function for any number of states.
+    """
+    every = [*arrays.given, *arrays.results]
+    sizes = (ctypes.c_size_t * 8)(*[array.shape[1] for array in every])
+    places = (ctypes.c_void_p * 8)(*[array.ctypes.data for array in every]) if whole else pointers(every)
     count, loop = STATES // block, compiled.loops.time_block if whole else compiled.loops.time_single
 
-    def measure(rounds: int = 60, kept: Sequence[np.ndarray] = arrays) -> float:
+    def measure(rounds: int = 60, kept: Sequence[np.ndarray] = every) -> float:
         rounds_, count_ = ctypes.c_size_t(rounds), ctypes.c_size_t(count)
         return loop(function, rounds_, count_, sizes, places) / block
 
+    for result in arrays.results:
+        result.fill(np.nan)
     measure(1)
-    return measure, [r.reshape(count, -1, block).transpose(0, 2, 1).reshape(STATES, -1) for r in results]
+    return measure, [r.reshape(count, -1, block).transpose(0, 2, 1).reshape(STATES, -1).copy() for r in arrays.results]
 
 
 def _blocks(x: np.ndarray, block: int) -> np.ndarray:
