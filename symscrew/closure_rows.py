@@ -15,12 +15,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from symscrew.closure import Cut, carry_before, carry_point, closure_bias
-from symscrew.contact_rows import contact_rows
+from symscrew.contact_rows import contact_rows, is_single, used_definitions
 from symscrew.differentiation import differentiate
 from symscrew.elimination import Affine, Column
 from symscrew.screws import IDENTITY, Matrix, Vector, cross, dot, subtract, transform, transpose
 from symscrew.system import System, Wrench
-from symscrew.tape import Node
+from symscrew.tape import Node, is_zero
 from symscrew.tree import GROUND
 
 
@@ -41,9 +41,9 @@ class View:
     @property
     def cost(self) -> int:
         """Products that an inertia takes on its way from the limb to the hub."""
-        used = [i for i in range(3) if any(not _zero(m[i]) for m in self.moments)]
-        rows = [[c for c in m if not _zero(c)] for m in self.moments]
-        rows += [[c for c in self.turn[i] if not _zero(c)] for i in used if not _single(self.turn[i])]
+        used = [i for i in range(3) if any(not is_zero(m[i]) for m in self.moments)]
+        rows = [[c for c in m if not is_zero(c)] for m in self.moments]
+        rows += [[c for c in self.turn[i] if not is_zero(c)] for i in used if not is_single(self.turn[i])]
         return sum(len(row) * (len(row) + 1) // 2 for row in rows)
 
 
@@ -79,7 +79,7 @@ def closure_rows(system: System, *, by_contacts: bool) -> ClosureRows:
         hub = system.tree.links[cut.hub].v.start
         seen: list[Affine] = []
         for i, components in enumerate(view.turn):
-            entries: Affine = {hub + j: system.tape.node(e) for j, e in enumerate(components) if not _zero(e)}
+            entries: Affine = {hub + j: system.tape.node(e) for j, e in enumerate(components) if not is_zero(e)}
             if len(entries) > 1:
                 name = ("seen", c, i)
                 definitions.append((name, {name: system.tape.one, **{k: -e for k, e in entries.items()}}))
@@ -88,13 +88,11 @@ def closure_rows(system: System, *, by_contacts: bool) -> ClosureRows:
         for powers, moment in zip(view.limb, view.moments, strict=True):
             row: Affine = dict(powers)
             for value, entries in zip(moment, seen, strict=True):
-                row |= {} if _zero(value) else {k: -value * e for k, e in entries.items()}
+                row |= {} if is_zero(value) else {k: -value * e for k, e in entries.items()}
             result.rows.append(row)
-    used = {column for rows in (result.rows, (row for _, row in definitions)) for row in rows for column in row}
-    for name, row in definitions:
-        if name in used:
-            result.defined[len(result.rows)] = name
-            result.rows.append(row)
+    for name, row in used_definitions(result.rows, definitions):
+        result.defined[len(result.rows)] = name
+        result.rows.append(row)
     return result
 
 
@@ -180,11 +178,3 @@ def _view(system: System, cut: Cut) -> View | None:
 def _about(centre: Vector, wrench: Wrench) -> Vector:
     force, moment = wrench
     return subtract(moment, cross(centre, force))
-
-
-def _zero(entry: Node | int) -> bool:
-    return (entry == 0) if isinstance(entry, int) else entry is entry.tape.zero
-
-
-def _single(row: Sequence[Node | int]) -> bool:
-    return sum(not _zero(entry) for entry in row) == 1

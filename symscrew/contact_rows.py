@@ -8,6 +8,7 @@ hub through plane rotations and one lever arm.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +17,7 @@ from symscrew.elimination import Affine, Column
 from symscrew.joints import JOINT_TYPES
 from symscrew.screws import IDENTITY, ZERO, Matrix, cross, transpose
 from symscrew.system import System
-from symscrew.tape import Node
+from symscrew.tape import Node, is_zero
 from symscrew.tree import GROUND
 
 
@@ -47,7 +48,7 @@ def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
 
     def turned(components: list[Affine], matrix: Matrix) -> list[Affine]:
         """Components in the axes that are the rows of `matrix` in the present ones."""
-        if all(_trivial(row) for row in matrix):
+        if all(is_single(row) for row in matrix):
             return [_combined(tape, components, row) for row in matrix]
         return [seen(_combined(tape, components, row)) for row in matrix]
 
@@ -69,13 +70,20 @@ def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
             for k, entry in part.items():
                 total[k] = total[k] - entry if k in total else -entry
         rows.append({k: e for k, e in total.items() if e is not tape.zero})
+    return ContactRows(rows, used_definitions(rows, definitions))
+
+
+def used_definitions(
+    rows: Sequence[Affine], definitions: Sequence[tuple[Column, Affine]]
+) -> list[tuple[Column, Affine]]:
+    """Those components that rows use, directly or through later components."""
     used = {k for row in rows for k in row}
     kept = []
     for name, row in reversed(definitions):
         if name in used:
             kept.append((name, row))
             used |= set(row)
-    return ContactRows(rows, kept[::-1])
+    return kept[::-1]
 
 
 def _combined(tape: Any, components: list[Affine], factors: Any) -> Affine:
@@ -88,5 +96,6 @@ def _combined(tape: Any, components: list[Affine], factors: Any) -> Affine:
     return total
 
 
-def _trivial(row: Any) -> bool:
-    return sum(not (e == 0 if isinstance(e, int) else e is e.tape.zero) for e in row) == 1
+def is_single(row: Sequence[Node | int]) -> bool:
+    """Whether a row has one entry."""
+    return sum(not is_zero(entry) for entry in row) == 1

@@ -17,7 +17,7 @@ from symscrew.differentiation import count_operations, differentiate
 from symscrew.effects.acting import Acting
 from symscrew.recursion import inertial_wrench, rates
 from symscrew.system import System
-from symscrew.tape import Node
+from symscrew.tape import Node, is_zero
 from symscrew.tree_dynamics import balanced_forces, generalised_forces
 
 SHORT = 6  # freedoms of a branch: of longer ones the recursion takes fewer operations
@@ -29,7 +29,7 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
     still = [tape.zero] * len(tree.v)
     result = generalised_forces(system, acting, still)
     given = all(q.op == "symbol" for q in system.inputs.q)  # else angles may stand in their cosines and sines only
-    if not given or acting.simplifications or any(not _is_zero(c) for c in acting.ground.omega):
+    if not given or acting.simplifications or any(not is_zero(c) for c in acting.ground.omega):
         return result
     lean = acting.lean_inertia()
     resting = rates(tree, system.frames, system.placed, still, still, acting.ground)
@@ -80,7 +80,3 @@ def _christoffel(system: System, places: Sequence[int], inertia: Sequence[Sequen
             result[i] = result[i] + by * (v[j] * v[k])
             result[j] = result[j] + by * (v[i] * v[k])
     return [result[k] for k in places]
-
-
-def _is_zero(entry: Node | int) -> bool:
-    return entry == 0 if isinstance(entry, int) else entry is entry.tape.zero

@@ -72,7 +72,7 @@ def linearise(tape: Tape, outputs: Sequence[Node], seeds: Mapping[Node, Mapping[
     given = {node.index: columns for node, columns in seeds.items()}
     into: dict[Vertex, Edges] = {}
     order: list[int] = []
-    for node in _evaluation_order(outputs, given):
+    for node in evaluation_order(outputs, given):
         if node.index in given:
             edges: Edges = {("direction", d): w for d, w in given[node.index].items() if w is not tape.zero}
         else:
@@ -90,7 +90,7 @@ def linearise(tape: Tape, outputs: Sequence[Node], seeds: Mapping[Node, Mapping[
     return graph
 
 
-def _evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
+def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
     """Nodes behind the outputs down to the given ones; arguments come first."""
     found: dict[int, Node] = {}
     stack = list(outputs)
@@ -175,12 +175,13 @@ def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node])
         else:
             new = [done[a.index] for a in args]
             done[node.index] = (
-                node if all(a is b for a, b in zip(args, new, strict=True)) else _made(tape, node.op, new)
+                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
             )
     return [done[node.index] for node in nodes]
 
 
-def _made(tape: Tape, op: str, args: Sequence[Node]) -> Node:
+def remade(tape: Tape, op: str, args: Sequence[Node]) -> Node:
+    """An operation on other arguments, folded anew."""
     if op == "sub":
         return args[0] - args[1]
     if op in ("add", "mul", "neg", "reciprocal"):

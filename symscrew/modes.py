@@ -10,14 +10,14 @@ What follows what is certified numerically: at every sample state, for coordinat
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from symscrew.program import Function
-from symscrew.reciprocals import remade
+from symscrew.differentiation import substitute
+from symscrew.program import Function, roots_of, with_roots
 from symscrew.system import System
 from symscrew.tape import Node
 
@@ -64,17 +64,15 @@ class Mode:
         solved = any(function.name == name or function.name.startswith(f"{name}_") for name in SOLVED)
         if not solved or not self.q or not known >= set(self.system.inputs.q):
             return function
-        roots = [n for nodes in function.results for n in nodes] + [guard for guard, _ in function.guards]
-        found = iter(_substituted(roots, self._nodes))
-        results = tuple(tuple(next(found) for _ in nodes) for nodes in function.results)
+        found = with_roots(function, substitute(self.system.tape, roots_of(function), self._nodes))
         guards: dict[Node, float] = {}
-        for pivot, (_, threshold) in zip(found, function.guards, strict=True):
+        for pivot, threshold in found.guards:
             if pivot.value is None:
                 guards[pivot] = max(threshold, guards.get(pivot, 0.0))
         guards[self._configuration] = HALF
         if known >= set(self.system.inputs.v):
             guards[self._rates] = HALF
-        return replace(function, results=results, guards=tuple(guards.items()))
+        return replace(found, guards=tuple(guards.items()))
 
     @cached_property
     def _nodes(self) -> dict[Node, Node]:
@@ -147,24 +145,3 @@ def _followers(samples: np.ndarray, reference: np.ndarray, kinds: Sequence[str])
         else:
             result.append(Follower(j, *found, float(reference[j] - found[1] * reference[found[0]])))
     return tuple(result)
-
-
-def _substituted(roots: Sequence[Node], put: Mapping[Node, Node]) -> list[Node]:
-    """The roots with other nodes for some inputs."""
-    new = {old.index: node for old, node in put.items()}
-    stack = list(roots)
-    while stack:
-        node = stack[-1]
-        missing = [arg for arg in _args(node) if arg.index not in new] if node.index not in new else []
-        if missing:
-            stack += missing
-            continue
-        stack.pop()
-        if node.index not in new:
-            args = tuple(new[arg.index] for arg in _args(node))
-            new[node.index] = node if args == _args(node) else remade(node, args)
-    return [new[root.index] for root in roots]
-
-
-def _args(node: Node) -> tuple[Node, ...]:
-    return () if node.op in ("symbol", "const") else node.args

@@ -16,8 +16,9 @@ from functools import cached_property
 
 import numpy as np
 
+from symscrew.differentiation import remade
 from symscrew.operations import apply_numpy
-from symscrew.reciprocals import remade, shared_reciprocals
+from symscrew.reciprocals import shared_reciprocals
 from symscrew.tape import Node
 
 COUNTED = {
@@ -197,10 +198,10 @@ STATUS = {
 
 def lower(function: Function) -> Program:
     """The program of a function: dead code gone, quotients and signs where they cost least."""
-    fewer = _with_roots(function, shared_reciprocals(_roots(function)))
-    uses = _uses(_roots(fewer))
+    fewer = with_roots(function, shared_reciprocals(roots_of(function)))
+    uses = _uses(roots_of(fewer))
     factored = _factored(fewer, uses)
-    return _Lowering(factored, uses if factored is fewer else _uses(_roots(factored))).program()
+    return _Lowering(factored, uses if factored is fewer else _uses(roots_of(factored))).program()
 
 
 def _uses(roots: Sequence[Node]) -> dict[int, int]:
@@ -224,28 +225,28 @@ def _uses(roots: Sequence[Node]) -> dict[int, int]:
 
 def _factored(function: Function, uses: Mapping[int, int]) -> Function:
     """The function with a b + a c written as a (b + c) wherever neither product serves anything else."""
-    roots = _roots(function)
+    roots = roots_of(function)
     new: dict[int, Node] = {}  # what is written in another way
     for index in sorted(uses):
         node = roots[0].tape.nodes[index]
         if node.op in ("add", "sub"):
             made = _factor(node, uses, new)
         elif node.op not in ("symbol", "const") and any(a.index in new for a in node.args):
-            made = remade(node, tuple([new.get(a.index, a) for a in node.args]))
+            made = remade(node.tape, node.op, [new.get(a.index, a) for a in node.args])
         else:
             continue
         if made is not node:
             new[index] = made
-    return _with_roots(function, [new.get(root.index, root) for root in roots]) if new else function
+    return with_roots(function, [new.get(root.index, root) for root in roots]) if new else function
 
 
-def _roots(function: Function) -> list[Node]:
+def roots_of(function: Function) -> list[Node]:
     """All results, then the guarded pivots."""
     return [n for nodes in function.results for n in nodes] + [g for g, _ in function.guards]
 
 
-def _with_roots(function: Function, roots: Sequence[Node]) -> Function:
-    """The function with other results and guarded pivots, in the order of `_roots`."""
+def with_roots(function: Function, roots: Sequence[Node]) -> Function:
+    """The function with other results and guarded pivots, in the order of `roots_of`."""
     left = iter(roots)
     results = tuple(tuple(next(left) for _ in nodes) for nodes in function.results)
     return replace(function, results=results, guards=tuple((next(left), t) for _, t in function.guards))

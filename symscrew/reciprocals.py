@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from symscrew.differentiation import evaluation_order, remade
 from symscrew.tape import Node
 
 
 def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
     """The same expressions with fewer divisions."""
-    order = _evaluation_order(roots)
+    order = evaluation_order(roots, {})
     inverted = {node.args[0].index for node in order if node.op == "reciprocal"}
     replaced: dict[int, tuple[Node, Node]] = {}  # reciprocal of x -> (y, 1 / (x y))
     for product in (node for node in order if node.op == "mul" and node.index in inverted):
@@ -26,18 +27,6 @@ def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
     if not replaced:
         return list(roots)
     return _rebuilt(roots, replaced)
-
-
-def _evaluation_order(roots: Sequence[Node]) -> list[Node]:
-    found: dict[int, Node] = {}
-    stack = list(roots)
-    while stack:
-        node = stack.pop()
-        if node.index not in found:
-            found[node.index] = node
-            if node.op not in ("symbol", "const"):
-                stack += node.args
-    return [found[index] for index in sorted(found)]
 
 
 def _depends(node: Node, on: Node, replaced: dict[int, tuple[Node, Node]]) -> bool:
@@ -74,21 +63,5 @@ def _rebuilt(roots: Sequence[Node], replaced: dict[int, tuple[Node, Node]]) -> l
         if node.index in replaced:
             new[node.index] = node.tape.mul(*args)
         else:
-            new[node.index] = node if args == node.args else remade(node, args)
+            new[node.index] = node if args == node.args else remade(node.tape, node.op, args)
     return [new[root.index] for root in roots]
-
-
-def remade(node: Node, args: Sequence[Node]) -> Node:
-    """A node's operation on other arguments."""
-    tape = node.tape
-    if node.op == "add":
-        return tape.add(*args)
-    if node.op == "sub":
-        return tape.add(args[0], tape.neg(args[1]))
-    if node.op == "mul":
-        return tape.mul(*args)
-    if node.op == "neg":
-        return tape.neg(*args)
-    if node.op == "reciprocal":
-        return tape.reciprocal(*args)
-    return tape.function(node.op, *args)

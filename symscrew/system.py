@@ -180,7 +180,7 @@ class System:
         self._push(entries, index, force, moment, 1, inside)
         return entries
 
-    def limb_wrenches(self, cut: Cut, row: Row, entries: dict[int, Node] | None = None) -> dict[int, Wrench]:
+    def limb_wrenches(self, cut: Cut, row: Row, entries: dict[int, Node]) -> dict[int, Wrench]:
         """A reciprocal wrench at the origin of its tip and of every link between it and what the hub hangs on, too.
 
         In that link's axes. Its power per joint rate of the limb is added to `entries`.
@@ -188,9 +188,9 @@ class System:
         common = self.tree.common(cut.tip, cut.hub)
         if cut.tip == common:
             return {}
-        placed, noted = self.placed[cut.tip], {} if entries is None else entries
+        placed = self.placed[cut.tip]
         force, moment = row.force, add(row.couple, cross(cut.tip_point, row.force))
-        below = self._push(noted, cut.tip, placed.before(force), placed.before(moment), 1, common)
+        below = self._push(entries, cut.tip, placed.before(force), placed.before(moment), 1, common)
         return {cut.tip: (force, moment), **below}
 
     def _outwards(self, index: int, force: Vector, moment: Vector) -> Wrench:

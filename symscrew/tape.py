@@ -356,6 +356,11 @@ class Tape:
         return done[self.node(node).index]
 
 
+def is_zero(entry: Node | int) -> bool:
+    """Whether an entry is always zero."""
+    return entry == 0 if isinstance(entry, int) else entry is entry.tape.zero
+
+
 def high_precision(number: sympy.Expr) -> Any:
     """An exact SymPy number as a 60-digit float of `CONTEXT`."""
     return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(number.evalf(60)._mpf_)
