@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from symscrew.differentiation import remade
+from symscrew.common_factors import factored
 from symscrew.operations import apply_numpy
 from symscrew.reciprocals import shared_reciprocals
 from symscrew.tape import Node
@@ -117,20 +117,22 @@ class Program:
 
     @cached_property
     def checked(self) -> tuple[int, ...]:
-        """The slots whose sum must be finite: computed outputs, guarded pivots, inputs that might go unnoticed in them.
+        """The slots whose sum must be finite, so that all outputs, guarded pivots and inputs are.
 
-        The pivots, because an infinite one would make its quotients 0. The inputs that no output depends on, or only
-        through operations that can lose a NaN or an infinity (1/x, a comparison): the others show in the outputs.
+        Not those in front of another one through operations that pass a NaN or an infinity on: it shows there. Pivots
+        are among them because an infinite one would make its quotients 0.
         """
-        outputs = [s for slots in self.results for s in slots if isinstance(s, int)]
-        found = list(dict.fromkeys([*outputs, *(slot for slot, _ in self.guards)]))
-        seen = set(found)
+        watched = {s for slots in self.results for s in slots if isinstance(s, int)}
+        watched |= {slot for slot, _ in self.guards}
+        seen: set[int] = set()
+        found = []
         for instruction in reversed(self.instructions):
-            if instruction.target in seen:
-                for arg in instruction.args[: PASSING.get(instruction.op, 0)]:
-                    if isinstance(arg, int):
-                        seen.add(arg)
-        return (*found, *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
+            if instruction.target in watched and instruction.target not in seen:
+                found.append(instruction.target)
+            elif instruction.target not in seen:
+                continue
+            seen |= {arg for arg in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(arg, int)}
+        return (*found[::-1], *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
     @cached_property
     def hash(self) -> str:
@@ -199,45 +201,8 @@ STATUS = {
 def lower(function: Function) -> Program:
     """The program of a function: dead code gone, quotients and signs where they cost least."""
     fewer = with_roots(function, shared_reciprocals(roots_of(function)))
-    uses = _uses(roots_of(fewer))
-    factored = _factored(fewer, uses)
-    return _Lowering(factored, uses if factored is fewer else _uses(roots_of(factored))).program()
-
-
-def _uses(roots: Sequence[Node]) -> dict[int, int]:
-    """How often each node that the roots need is an operand or a root."""
-    uses: dict[int, int] = {}
-    stack: list[Node] = []
-    needed: Sequence[Node] = roots
-    while True:
-        for node in needed:
-            index = node.index
-            if index in uses:
-                uses[index] += 1
-            else:
-                uses[index] = 1
-                if node.op not in ("symbol", "const"):
-                    stack.append(node)
-        if not stack:
-            return uses
-        needed = stack.pop().args
-
-
-def _factored(function: Function, uses: Mapping[int, int]) -> Function:
-    """The function with a b + a c written as a (b + c) wherever neither product serves anything else."""
-    roots = roots_of(function)
-    new: dict[int, Node] = {}  # what is written in another way
-    for index in sorted(uses):
-        node = roots[0].tape.nodes[index]
-        if node.op in ("add", "sub"):
-            made = _factor(node, uses, new)
-        elif node.op not in ("symbol", "const") and any(a.index in new for a in node.args):
-            made = remade(node.tape, node.op, [new.get(a.index, a) for a in node.args])
-        else:
-            continue
-        if made is not node:
-            new[index] = made
-    return with_roots(function, [new.get(root.index, root) for root in roots]) if new else function
+    found, uses = factored(roots_of(fewer))
+    return _Lowering(with_roots(fewer, found), uses).program()
 
 
 def roots_of(function: Function) -> list[Node]:
@@ -250,21 +215,6 @@ def with_roots(function: Function, roots: Sequence[Node]) -> Function:
     left = iter(roots)
     results = tuple(tuple(next(left) for _ in nodes) for nodes in function.results)
     return replace(function, results=results, guards=tuple((next(left), t) for _, t in function.guards))
-
-
-def _factor(node: Node, uses: Mapping[int, int], new: Mapping[int, Node]) -> Node:
-    """A sum or difference; of two products that nothing else needs, with a common factor, as one product."""
-    tape = node.tape
-    x, y = (new.get(a.index, a) for a in node.args)
-    if x.op == "mul" and y.op == "mul" and all(uses[old.index] == 1 for old in node.args):
-        for common in x.args:
-            if common in y.args:
-                rest = [next((a for a in product.args if a is not common), common) for product in (x, y)]
-                inner = tape.add(rest[0], rest[1] if node.op == "add" else tape.neg(rest[1]))
-                return tape.mul(common, inner)
-    if (x, y) == node.args:
-        return node
-    return tape.add(x, y if node.op == "add" else tape.neg(y))
 
 
 class _Lowering:

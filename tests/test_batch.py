@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import platform
 import subprocess
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,12 +13,11 @@ import numpy as np
 import pytest
 from model_states import model, relative
 
-from symscrew.compiled import CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
+from symscrew.compiled import FLAGS, CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 from symscrew.export.c import print_c, print_source, straight_line
 from symscrew.export.c_function import Printed
 from symscrew.export.c_precision import DOUBLE
 from symscrew.model import Model, derive
-from symscrew.verification import STRICT
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 NAME = "four_bar"
@@ -142,23 +142,27 @@ def test_threads_give_the_same(found: Model, vectorised: CompiledModel) -> None:
             assert np.array_equal(a, b, equal_nan=True)
 
 
-def test_the_lanes_are_vector_code(found: Model, tmp_path: Path) -> None:
-    """The compiler says for each block whether it has used its vectors: for arithmetic it always does."""
+@pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3", "x86-64-v4"])
+def test_the_lanes_are_vector_code(found: Model, tmp_path: Path, machine: str) -> None:
+    """The compiler says for each block whether it has used its vectors: it always does, with checks or without."""
     compiler = find_compiler()
     assert compiler is not None
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
-    if "Free Software Foundation" not in version:
-        pytest.skip("only gcc tells by -fopt-info-vec")
-    name = "closure_bias"
-    for file, text in print_c(only(found, name)).items():
+    if "Free Software Foundation" not in version or platform.machine() != "x86_64":
+        pytest.skip("only gcc tells by -fopt-info-vec, and these machines are x86-64")
+    names = ("closure_bias", "velocity", "inverse_dynamics", "forward_dynamics")
+    for file, text in print_c(only(found, *names)).items():
         (tmp_path / file).write_text(text)
-    command = [compiler, *STRICT, "-O2", "-fopt-info-vec", "-c", f"{NAME}.c", "-o", "code.o"]
+    flags = [*FLAGS, f"-march={machine}", "-fopt-info-vec"]
+    command = [compiler, *flags, "-c", f"{NAME}.c", "-o", "code.o"]
     told = subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path).stderr
     lines = (tmp_path / f"{NAME}.c").read_text().splitlines()
-    start = next(i for i, line in enumerate(lines, 1) if f"{NAME}_{name}_block(" in line)
     vectorised_lines = [int(line.split(":")[1]) for line in told.splitlines() if "loop vectorized" in line]
-    loops = [i for i, line in enumerate(lines, 1) if i > start and "_VECTORISE" in line]
-    assert loops and all(any(i < at <= i + 8 for at in vectorised_lines) for i in loops), told
+    for name in names:
+        start = next(i for i, line in enumerate(lines, 1) if f"static void {NAME}_{name}_block(" in line)
+        end = next(i for i, line in enumerate(lines, 1) if i > start and line == "}")
+        loops = [i for i, line in enumerate(lines, 1) if start < i < end and "_VECTORISE" in line]
+        assert loops and all(any(i < at <= i + 8 for at in vectorised_lines) for i in loops), (name, told)
 
 
 def test_without_batches_nothing_of_them_is_printed(found: Model) -> None:

@@ -18,7 +18,16 @@ STAGES = (
     ("errors", "joints", "library_names", "mechanism", "replacement", "screws"),
     ("expressions", "names", "reader", "limbs", "validation", "builder", "description", "sections", "starter", "usage"),
     ("maximal_coordinates", "joint_motion", "newton_euler", "interchange", "catalogue"),
-    ("elementary", "least_squares", "operations", "tape", "tape_expressions", "reciprocals", "differentiation"),
+    (
+        "elementary",
+        "least_squares",
+        "operations",
+        "tape",
+        "tape_expressions",
+        "reciprocals",
+        "common_factors",
+        "differentiation",
+    ),  # fmt: skip
     ("program", "rank_revealing", "jacobians"),
     ("lanes", "lane_signs", "packs"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),

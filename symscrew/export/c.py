@@ -132,7 +132,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)",
         '#pragma GCC optimize("no-tree-slp-vectorize")',
         "#endif",
-        *(c_batch.WIDEST if batches else []),
+        *(c_batch.VECTORS if batches else []),
         "",
         f"const char *{model.name}_status_text(int status)",
         "{",

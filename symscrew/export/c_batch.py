@@ -26,8 +26,12 @@ THREADED = 1024  # states from which on threads are worth their start
 BY_LANES = frozenset(op for op, kind in COUNTED.items() if kind != "trig")
 
 
-WIDEST = [
+VECTORS = [
     "",
+    "/* Where comparisons might trap, GCC has no vectors for blocks that check something. */",
+    "#if defined(__GNUC__) && !defined(__clang__)",
+    '#pragma GCC optimize("no-trapping-math")',
+    "#endif",
     "/* Of itself GCC takes half of a vector of 512 bits. */",
     "#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)",
     '#pragma GCC target("prefer-vector-width=512")',

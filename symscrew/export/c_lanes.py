@@ -179,27 +179,29 @@ def statements(body: Body, instructions: Mapping[int, Instruction], stored: Iter
 def total(body: Body, checked: Iterable[int], guards: Iterable[tuple[int, float]]) -> None:
     """The sum of what must be finite is returned, NaN where a pivot is small.
 
-    Packs whose lanes must all be finite are summed and compared as vectors.
+    Packs whose lanes must all be finite are summed as vectors, packs of pivots are compared as vectors.
     """
     packing, precision, vector = body.packing, body.precision, body.vector
     left = dict.fromkeys(packing.negatives.get(slot, (slot, 1))[0] for slot in checked)
     small = {packing.negatives.get(slot, (slot, 1))[0]: threshold for slot, threshold in guards}
     packs = [item for item in packing.items if isinstance(item, Pack)]
     used = range(1 + max(k for pack in packs for k, t in enumerate(pack.targets) if t is not None))
-    whole = [pack for pack in packs if all(pack.targets[k] in left for k in used)]
-    terms, masks = [body.name(pack.number) for pack in whole], []
-    for pack in whole:
-        limits = [None if t is None else small.pop(t, None) for t in pack.targets]
-        if any(t is not None for t in limits):
+    terms, masks = [], []
+    for pack in packs:
+        name = body.name(pack.number)
+        if all(pack.targets[k] in left for k in used):
+            terms.append(name)
+            for k in used:
+                left.pop(pack.targets[k], None)  # type: ignore[arg-type]
+        limits = [None if t is None else small.get(t) for t in pack.targets]
+        if sum(t is not None for t in limits) > 1:
             texts = [precision.number(-1.0) if t is None else precision.threshold(t) for t in limits]
-            name, limit = body.name(pack.number), f"({vector}){{{', '.join(texts)}}}"
+            limit = f"({vector}){{{', '.join(texts)}}}"
             masks.append(f"(({name} <= {limit}) & ({name} >= -{limit}))")
-        for slot in pack.targets:
-            if slot is not None:
-                left.pop(slot, None)
+            small = {slot: t for slot, t in small.items() if slot not in pack.targets}
     single = [body.scalar(slot) for slot in left]
-    if whole:
-        text = balanced_sum(terms)
+    if terms or masks:
+        text = balanced_sum(terms) if terms else body.literal((0.0,) * packing.width)
         if masks:  # all bits set are a NaN
             text = f"({vector})(({vector}_mask)({text}) | {' | '.join(masks)})"
         body.lines.append(f"const {vector} every = {text};")

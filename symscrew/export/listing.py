@@ -22,7 +22,7 @@ MAX_LABELS = 96
 
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
-    """The instructions that what is checked (all results too) needs, in order, and every slot that is read."""
+    """The instructions that what is checked, and with it all results, needs, in order, and every slot that is read."""
     needed = set(program.checked)
     live = []
     for instruction in reversed(program.instructions):
