@@ -18,7 +18,6 @@ import numpy as np
 
 from symscrew.articulated import articulated_accelerations
 from symscrew.coriolis import still_forces
-from symscrew.differentiation import count_operations
 from symscrew.drives import solve_symmetric
 from symscrew.effects.acting import Acting
 from symscrew.elimination import Guard, magnitude
@@ -82,7 +81,7 @@ class Admissible:
         ways = [self._by_columns(acting)]
         if self.system.cuts and len(self.system.tree.v) <= SMALL:
             ways.append(self._handed_on(acting))
-        return min(ways, key=lambda way: count_operations(way[1]))
+        return min(ways, key=lambda way: self.loops.operations(way[1]))
 
     def _by_columns(self, acting: Acting) -> Accelerations:
         """With the columns of N, and the recursion at the accelerations p."""

@@ -7,15 +7,16 @@ entries of q: a spherical joint contributes components of its quaternion's vecto
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from symscrew.closure_rows import closure_rows, closure_rows_bias
-from symscrew.differentiation import count_operations
-from symscrew.elimination import NEGLIGIBLE, Column, Elimination, Guard, eliminate
+from symscrew.differentiation import count_operations, substitute
+from symscrew.elimination import NEGLIGIBLE, Affine, Column, Elimination, Guard, eliminate
 from symscrew.errors import DescriptionError
+from symscrew.modes import Mode
 from symscrew.screws import Vector, add, cross, dot, scale
 from symscrew.system import System
 from symscrew.tape import Node
@@ -35,10 +36,22 @@ class Independent:
 
 
 class Loops:
-    """The closure of a system, solved for the rates that depend on the independent ones."""
+    """The closure of a system, solved for the rates that depend on the independent ones.
 
-    def __init__(self, system: System, independent: Sequence[str] | None = None, *, by_contacts: bool = False) -> None:
+    `of_mode`: the same loops in general, and an operation mode: what follows there are further rows.
+    """
+
+    def __init__(
+        self,
+        system: System,
+        independent: Sequence[str] | None = None,
+        *,
+        by_contacts: bool = False,
+        of_mode: tuple[Loops, Mode] | None = None,
+    ) -> None:
         self.system = system
+        self.general: Loops = of_mode[0] if of_mode else self
+        self.mode: Mode | None = of_mode[1] if of_mode else None
         tree = system.tree
         n = len(tree.v)
         unknowns: dict[Column, float] = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
@@ -47,9 +60,16 @@ class Loops:
         self.rows = closure.rows
         for column in closure.defined.values():
             unknowns[column], scales = 1.0, [*scales, 1.0]
+        defined = dict(closure.defined)
+        if self.mode:
+            self.rows = [self._substituted(row) for row in self.rows]
+            for column, row in self.mode.rows:
+                defined[len(self.rows)] = column
+                self.rows.append(row)
+                scales.append(1.0 / unknowns[column])
 
         def eliminated(preferred: Sequence[int]) -> Elimination:
-            return eliminate(system.tape, self.rows, unknowns, scales, last=preferred, defined=closure.defined)
+            return eliminate(system.tape, self.rows, unknowns, scales, last=preferred, defined=defined)
 
         preferred = self._named(independent) if independent else self._preferred()
         self.elimination = eliminated(preferred)
@@ -123,6 +143,18 @@ class Loops:
             for e in self.entries
         )
 
+    # -- operation modes ---------------------------------------------------------------------------------
+
+    def _substituted(self, row: Mapping[Column, Node]) -> Affine:
+        """A row in the operation mode."""
+        assert self.mode is not None
+        entries = substitute(self.system.tape, list(row.values()), self.mode.nodes)
+        return {k: entry for k, entry in zip(row, entries, strict=True) if entry is not self.system.tape.zero}
+
+    def operations(self, nodes: Sequence[Node]) -> int:
+        """How many operations it takes to compute nodes, in the operation mode if there is one."""
+        return count_operations(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
+
     # -- linear solutions --------------------------------------------------------------------------------
 
     def dependent(self, right: Sequence[Node], free: Sequence[Node]) -> list[Node]:
@@ -142,7 +174,7 @@ class Loops:
         if len(self.system.tree.v) <= SMALL:
             ways.append(self.elimination.solve(values, known))
         found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
-        return min(found, key=count_operations)
+        return min(found, key=self.operations)
 
     def with_rates(self, particular: Sequence[Node], wanted: Sequence[Node]) -> list[Node]:
         """w = particular + N f, with f such that the independent coordinates change at the wanted rates.
@@ -247,7 +279,7 @@ class Loops:
     @property
     def rank(self) -> int:
         """How many constraint rows are independent."""
-        return sum(row < len(self.system.jacobian) for row, *_ in self.elimination.steps)
+        return len(self.system.tree.v) - len(self.free)
 
     @property
     def pivots(self) -> tuple[Node, ...]:
@@ -274,4 +306,4 @@ class Loops:
     def redundant(self) -> tuple[str, ...]:
         """Labels of the constraint rows that depend on the others on the closure manifold."""
         labels = [row.label for cut in self.system.cuts for row in cut.rows]
-        return tuple(labels[i] for i in self.elimination.redundant)
+        return tuple(labels[i] for i in self.general.elimination.redundant)

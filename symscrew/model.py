@@ -20,7 +20,15 @@ from symscrew.functions.closure import assembly, closure_functions
 from symscrew.functions.derivatives import derivative_functions
 from symscrew.functions.dynamics import dynamic_functions
 from symscrew.functions.effects import effect_functions
-from symscrew.functions.forward import MASSLESS_NOTE, chosen_loops, forward_functions, moves_mass, second_paths
+from symscrew.functions.forward import (
+    MASSLESS_NOTE,
+    closing_functions,
+    fewest_in_mode,
+    fewest_operations,
+    forward_functions,
+    moves_mass,
+    second_paths,
+)
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
 from symscrew.functions.momentum import momentum_functions
@@ -110,14 +118,19 @@ def derive(
         mechanism = replace(mechanism, characteristic_length=read)
     system = System(mechanism, transformed(mechanism, tuple(effects)))
     system.use_samples()
-    loops = chosen_loops(system, effects, independent)
+    ways = fewest_operations(system, effects, independent)
+    loops = ways.dynamics
+    mode = operation_mode(system, loops.free)
+    if one_mode:
+        ways = fewest_in_mode(ways, mode, effects, independent)
     motion = Motion(system)
     functions = [
         *kinematic_functions(system, motion),
-        *closure_functions(system, loops),
+        *closure_functions(system, ways.rates),
         *momentum_functions(system, motion, tuple(effects)),
-        *dynamic_functions(system, effects, loops),
-        *forward_functions(system, effects, loops),
+        *dynamic_functions(system, effects, ways.rates),
+        *forward_functions(system, effects, ways.dynamics),
+        *closing_functions(system, loops),
         *platform_functions(system, effects),
         *effect_functions(system, effects, loops),
     ]
@@ -125,7 +138,6 @@ def derive(
         functions += regressor_functions(system, effects, loops)
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)
-    mode = operation_mode(system, loops.free)
     if one_mode:
         functions = [mode.alone(function) for function in functions]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}

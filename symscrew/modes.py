@@ -26,7 +26,8 @@ SAME = 1e-9  # samples that agree to this, in radians or characteristic lengths,
 OFF = 1e-6  # a state this far off the mode, in the same units, is not of it; and rates, beside independent rates
 HALF = 0.5  # between what a comparison gives, 0 and 1
 NOTHING = 1e-12  # rates [rad/s, or characteristic lengths per second] below this are none
-SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "joint_reactions", "forward_dynamics")
+SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "joint_reactions", "forward_dynamics",
+          "linearisation")  # fmt: skip
 """Functions (and those named after them) that take closed loops for granted. Others are true of open loops too."""
 
 
@@ -64,7 +65,7 @@ class Mode:
         solved = any(function.name == name or function.name.startswith(f"{name}_") for name in SOLVED)
         if not solved or not self.q or not known >= set(self.system.inputs.q):
             return function
-        found = with_roots(function, substitute(self.system.tape, roots_of(function), self._nodes))
+        found = with_roots(function, substitute(self.system.tape, roots_of(function), self.nodes))
         guards: dict[Node, float] = {}
         for pivot, threshold in found.guards:
             if pivot.value is None:
@@ -75,7 +76,8 @@ class Mode:
         return replace(found, guards=tuple(guards.items()))
 
     @cached_property
-    def _nodes(self) -> dict[Node, Node]:
+    def nodes(self) -> dict[Node, Node]:
+        """What stands for the inputs of coordinates, rates and accelerations that follow."""
         inputs, tape = self.system.inputs, self.system.tape
         result = {}
         for nodes, followers in ((inputs.q, self.q), (inputs.v, self.v), (inputs.a, self.v)):
@@ -84,6 +86,20 @@ class Mode:
                 result[nodes[f.index]] = (lead if f.sign > 0 else -lead) + tape.constant(f.shift)
         return result
 
+    @property
+    def rows(self) -> list[tuple[int, dict[int, Node]]]:
+        """Per joint rate that follows: its column, and a row of the closure that says so."""
+        tape, found = self.system.tape, []
+        spheres = [range(x.v.start, x.v.stop) for x in self.system.tree.links if x.index and x.motion.kind == "S"]
+        still = {f.index for f in self.v if f.leader is None}
+        turning = {k for sphere in spheres if not still >= set(sphere) for k in sphere}  # in other axes than v
+        for f in self.v:
+            if f.leader is None and f.index not in turning:
+                found.append((f.index, {f.index: tape.one}))
+            elif f.leader is not None and not {f.index, f.leader} & turning:
+                found.append((f.index, {f.index: tape.one, f.leader: -tape.one if f.sign > 0 else tape.one}))
+        return found
+
     @cached_property
     def _configuration(self) -> Node:
         """1 at a configuration of this mode, else 0."""
@@ -91,7 +107,7 @@ class Mode:
         total = tape.zero
         for f in self.q:
             node = self.system.inputs.q[f.index]
-            off = node - self._nodes[node]
+            off = node - self.nodes[node]
             if self.system.tree.q[f.index].kind == "length":
                 off = off * tape.constant(1.0 / length)
             total = total + off * off
@@ -104,7 +120,7 @@ class Mode:
         shorter = tape.constant(1.0 / self.system.length)
         off, size = tape.constant(NOTHING * NOTHING), tape.zero
         for f in self.v:
-            apart = nodes[f.index] - self._nodes[nodes[f.index]]
+            apart = nodes[f.index] - self.nodes[nodes[f.index]]
             apart = apart * shorter if self.system.tree.v[f.index].kind == "length" else apart
             off = off + apart * apart
         for k in self.free:

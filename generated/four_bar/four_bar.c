@@ -23,6 +23,10 @@
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
+/* Where comparisons might trap, GCC has no vectors for blocks that check something. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-trapping-math")
+#endif
 /* Of itself GCC takes half of a vector of 512 bits. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC target("prefer-vector-width=512")
@@ -424,22 +428,20 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     const double x17 = x12 - x16;
     poses[12 * stride] = x17;
     poses[20 * stride] = x17;
-    double sum1 = x17;
     const double x19 = 0.8 * x15;
     const double x20 = x18 + x19;
     poses[18 * stride] = x20;
-    double sum2 = x20;
     const double x21 = -x20;
     poses[14 * stride] = x21;
-    double sum3 = x21;
+    double sum1 = x21;
     const double x22 = x4 - x20;
     const double x23 = 0.15 * x22;
     poses[21 * stride] = x23;
-    sum0 = sum0 + x23;
+    double sum2 = x23;
     const double x24 = x3 - x17;
     const double x25 = 0.15 * x24;
     poses[23 * stride] = x25;
-    sum1 = sum1 + x25;
+    double sum3 = x25;
     const double x27 = sine[2 * pitch];
     const double x28 = 0.47058823529411764 * x27;
     const double x29 = cosine[2 * pitch];
@@ -447,16 +449,14 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     const double x31 = x28 + x30;
     poses[24 * stride] = x31;
     poses[32 * stride] = x31;
-    sum2 = sum2 + x31;
     const double x36 = 0.64 * x31;
     const double x37 = 0.64 - x36;
     poses[33 * stride] = x37;
-    sum3 = sum3 + x37;
+    sum0 = sum0 + x37;
     const double x32 = 0.8823529411764706 * x27;
     const double x33 = 0.47058823529411764 * x29;
     const double x34 = x32 - x33;
     poses[26 * stride] = x34;
-    sum0 = sum0 + x34;
     const double x35 = -x34;
     poses[30 * stride] = x35;
     sum1 = sum1 + x35;
@@ -466,7 +466,6 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     sum2 = sum2 + x39;
     poses[0] = x3;
     poses[8 * stride] = x3;
-    sum3 = sum3 + x3;
     poses[stride] = 0.0;
     poses[3 * stride] = 0.0;
     poses[5 * stride] = 0.0;
@@ -488,7 +487,6 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     poses[16 * stride] = 1.0;
     poses[28 * stride] = 1.0;
     poses[6 * stride] = x4;
-    sum0 = sum0 + x4;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -696,13 +694,11 @@ static inline FOUR_BAR_INLINE double four_bar_body_twists_lane(
     twists[15 * stride] = 0.0;
     twists[16 * stride] = 0.0;
     twists[stride] = x3;
-    sum0 = sum0 + x3;
     twists[13 * stride] = x5;
-    sum1 = sum1 + x5;
     const double x1 = q[stride];
-    sum2 = sum2 + x1;
+    sum0 = sum0 + x1;
     const double x2 = q[2 * stride];
-    sum3 = sum3 + x2;
+    sum1 = sum1 + x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -937,15 +933,13 @@ static inline FOUR_BAR_INLINE double four_bar_body_twist_rates_lane(
     twist_rates[15 * stride] = 0.0;
     twist_rates[16 * stride] = 0.0;
     twist_rates[stride] = x6;
-    sum0 = sum0 + x6;
     twist_rates[13 * stride] = x8;
-    sum1 = sum1 + x8;
     const double x1 = q[stride];
-    sum2 = sum2 + x1;
+    sum0 = sum0 + x1;
     const double x2 = q[2 * stride];
-    sum3 = sum3 + x2;
+    sum1 = sum1 + x2;
     const double x5 = v[2 * stride];
-    sum0 = sum0 + x5;
+    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -1373,7 +1367,6 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x18 = 0.25 * x17;
     const double x19 = x10 + x18;
     positions[0] = x19;
-    double sum0 = x19;
     const double x20 = 0.15 * x14;
     const double x21 = x9 * x15;
     const double x22 = x14 * x12;
@@ -1381,7 +1374,6 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x24 = 0.25 * x23;
     const double x25 = x20 - x24;
     positions[2 * stride] = x25;
-    double sum1 = x25;
     const double x4 = v[stride];
     const double x26 = x4 * x20;
     const double x3 = v[0];
@@ -1390,13 +1382,12 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x29 = x26 - x28;
     const double x30 = -x29;
     velocities[0] = x30;
-    double sum2 = x30;
+    double sum0 = x30;
     const double x49 = x27 * x29;
     const double x31 = x4 * x10;
     const double x32 = x27 * x19;
     const double x33 = x31 - x32;
     velocities[2 * stride] = x33;
-    double sum3 = x33;
     const double x34 = x27 * x33;
     const double x7 = a[stride];
     const double x35 = x7 * x20;
@@ -1413,21 +1404,21 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x41 = x38 - x40;
     const double x42 = x34 - x41;
     accelerations[0] = x42;
-    sum0 = sum0 + x42;
+    double sum1 = x42;
     const double x47 = x39 * x19;
     const double x48 = x46 - x47;
     const double x50 = x48 + x49;
     accelerations[2 * stride] = x50;
-    sum1 = sum1 + x50;
+    double sum2 = x50;
     positions[stride] = 0.0;
     velocities[stride] = 0.0;
     accelerations[stride] = 0.0;
     const double x2 = q[2 * stride];
-    sum2 = sum2 + x2;
+    double sum3 = x2;
     const double x5 = v[2 * stride];
-    sum3 = sum3 + x5;
+    sum0 = sum0 + x5;
     const double x8 = a[2 * stride];
-    sum0 = sum0 + x8;
+    sum1 = sum1 + x8;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -1679,7 +1670,6 @@ static inline FOUR_BAR_INLINE double four_bar_joint_screws_lane(
     const double x6 = sine[0];
     const double x7 = 0.15 * x6;
     screws[11 * stride] = x7;
-    double sum1 = x7;
     const double x9 = sine[pitch];
     const double x10 = x6 * x9;
     const double x11 = cosine[pitch];
@@ -1688,14 +1678,14 @@ static inline FOUR_BAR_INLINE double four_bar_joint_screws_lane(
     const double x14 = 0.5 * x13;
     const double x15 = x14 - x4;
     screws[15 * stride] = x15;
-    double sum2 = x15;
+    double sum1 = x15;
     const double x16 = x6 * x11;
     const double x17 = x3 * x9;
     const double x18 = x16 + x17;
     const double x19 = 0.5 * x18;
     const double x20 = x7 + x19;
     screws[17 * stride] = x20;
-    double sum3 = x20;
+    double sum2 = x20;
     screws[0] = 0.0;
     screws[2 * stride] = 0.0;
     screws[3 * stride] = 0.0;
@@ -1717,7 +1707,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_screws_lane(
     screws[19 * stride] = 1.0;
     screws[23 * stride] = 0.64;
     const double x2 = q[2 * stride];
-    sum0 = sum0 + x2;
+    double sum3 = x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -1897,11 +1887,9 @@ static inline FOUR_BAR_INLINE double four_bar_joint_points_lane(
     const double x3 = sine[0];
     const double x4 = 0.15 * x3;
     points[3 * stride] = x4;
-    double sum0 = x4;
     const double x5 = cosine[0];
     const double x6 = 0.15 * x5;
     points[5 * stride] = x6;
-    double sum1 = x6;
     const double x8 = cosine[pitch];
     const double x9 = x3 * x8;
     const double x10 = sine[pitch];
@@ -1910,14 +1898,14 @@ static inline FOUR_BAR_INLINE double four_bar_joint_points_lane(
     const double x13 = 0.5 * x12;
     const double x14 = x4 + x13;
     points[6 * stride] = x14;
-    double sum2 = x14;
+    double sum0 = x14;
     const double x15 = x3 * x10;
     const double x16 = x5 * x8;
     const double x17 = x15 - x16;
     const double x18 = 0.5 * x17;
     const double x19 = x6 - x18;
     points[8 * stride] = x19;
-    double sum3 = x19;
+    double sum1 = x19;
     points[0] = 0.0;
     points[stride] = 0.0;
     points[2 * stride] = 0.0;
@@ -1927,8 +1915,8 @@ static inline FOUR_BAR_INLINE double four_bar_joint_points_lane(
     points[11 * stride] = 0.0;
     points[9 * stride] = 0.64;
     const double x2 = q[2 * stride];
-    sum0 = sum0 + x2;
-    return (sum0 + sum1) + (sum2 + sum3);
+    double sum2 = x2;
+    return (sum0 + sum1) + sum2;
 }
 
 int four_bar_joint_points(
@@ -2428,17 +2416,14 @@ static inline FOUR_BAR_INLINE double four_bar_joint_rates_lane(
     rates[2 * stride] = x7;
     double sum0 = x7;
     rates[0] = x3;
-    double sum1 = x3;
     rates[stride] = x4;
-    double sum2 = x4;
     rates[3 * stride] = x5;
-    double sum3 = x5;
     const double x0 = q[0];
-    sum0 = sum0 + x0;
+    double sum1 = x0;
     const double x1 = q[stride];
-    sum1 = sum1 + x1;
+    double sum2 = x1;
     const double x2 = q[2 * stride];
-    sum2 = sum2 + x2;
+    double sum3 = x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -3505,16 +3490,14 @@ static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
     const double x27 = x26 * x3;
     const double x31 = x27 / x30;
     v[2 * stride] = x31;
-    double sum1 = x31;
     const double x32 = x25 * x31;
     const double x33 = x8 + x32;
     const double x34 = 2.0 * x33;
     const double x35 = -x34;
     v[stride] = x35;
-    double sum2 = x35;
+    double sum1 = x35;
     v[0] = x3;
-    double sum3 = x3;
-    return (sum0 + sum1) + (sum2 + sum3);
+    return sum0 + sum1;
 }
 
 int four_bar_velocity(
@@ -3738,15 +3721,14 @@ static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
     const double x24 = 0.15 * x8;
     const double x28 = x24 / x27;
     null_space[2 * stride] = x28;
-    double sum1 = x28;
     const double x29 = x23 * x28;
     const double x30 = x6 + x29;
     const double x31 = 2.0 * x30;
     const double x32 = -x31;
     null_space[stride] = x32;
-    double sum2 = x32;
+    double sum1 = x32;
     null_space[0] = 1.0;
-    return (sum0 + sum1) + sum2;
+    return sum0 + sum1;
 }
 
 int four_bar_null_space(
@@ -4008,8 +3990,7 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     a[stride] = x69;
     double sum2 = x69;
     a[0] = x6;
-    double sum3 = x6;
-    return (sum0 + sum1) + (sum2 + sum3);
+    return (sum0 + sum1) + sum2;
 }
 
 int four_bar_acceleration(
@@ -4230,7 +4211,6 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x8 = x3 * x7;
     const double x9 = 0.5 * x8;
     momenta[0] = x9;
-    double sum0 = x9;
     const double x15 = x7 * x9;
     const double x10 = sine[0];
     const double x11 = 0.075 * x10;
@@ -4238,13 +4218,12 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x13 = 0.5 * x12;
     const double x14 = -x13;
     momenta[2 * stride] = x14;
-    double sum1 = x14;
+    double sum0 = x14;
     const double x16 = x11 * x13;
     const double x17 = x15 + x16;
     const double x18 = 0.0009375 * x3;
     const double x19 = x17 + x18;
     momenta[4 * stride] = x19;
-    double sum2 = x19;
     const double x20 = 0.15 * x6;
     const double x4 = v[stride];
     const double x21 = x4 * x20;
@@ -4275,7 +4254,7 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x46 = 1.2 * x45;
     const double x47 = -x46;
     momenta[6 * stride] = x47;
-    double sum3 = x47;
+    double sum1 = x47;
     const double x59 = x43 * x46;
     const double x96 = x9 - x46;
     const double x48 = 0.15 * x10;
@@ -4289,7 +4268,6 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x57 = x49 - x56;
     const double x58 = 1.2 * x57;
     momenta[8 * stride] = x58;
-    sum0 = sum0 + x58;
     const double x60 = x55 * x58;
     const double x61 = x59 + x60;
     const double x98 = x13 - x58;
@@ -4297,7 +4275,7 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x63 = x61 - x62;
     const double x64 = -x63;
     momenta[10 * stride] = x64;
-    sum1 = sum1 + x64;
+    double sum2 = x64;
     const double x100 = x19 - x63;
     const double x66 = sine[2 * pitch];
     const double x67 = 0.8823529411764706 * x66;
@@ -4318,10 +4296,10 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x80 = 1.2 * x79;
     const double x97 = x96 - x80;
     total_[0] = x97;
-    sum2 = sum2 + x97;
+    double sum3 = x97;
     const double x81 = -x80;
     momenta[12 * stride] = x81;
-    sum3 = sum3 + x81;
+    sum0 = sum0 + x81;
     const double x92 = x78 * x80;
     const double x82 = 0.64 * x75;
     const double x83 = 0.64 - x82;
@@ -4332,7 +4310,6 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x89 = x5 * x88;
     const double x90 = 1.2 * x89;
     momenta[14 * stride] = x90;
-    sum0 = sum0 + x90;
     const double x99 = x90 - x98;
     total_[2 * stride] = x99;
     sum1 = sum1 + x99;
@@ -4341,10 +4318,9 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x91 = 0.02601 * x5;
     const double x95 = x91 + x94;
     momenta[16 * stride] = x95;
-    sum2 = sum2 + x95;
     const double x101 = x100 + x95;
     total_[4 * stride] = x101;
-    sum3 = sum3 + x101;
+    sum2 = sum2 + x101;
     momenta[stride] = 0.0;
     momenta[3 * stride] = 0.0;
     momenta[5 * stride] = 0.0;
@@ -5404,7 +5380,6 @@ static inline FOUR_BAR_INLINE double four_bar_bias_lane(
     const double x18 = x13 - x17;
     const double x19 = 0.3 * x18;
     bias[stride] = x19;
-    double sum1 = x19;
     const double x4 = v[stride];
     const double x20 = x3 + x4;
     const double x21 = x20 * x20;
@@ -5415,10 +5390,10 @@ static inline FOUR_BAR_INLINE double four_bar_bias_lane(
     const double x26 = 2.133675 * x15;
     const double x27 = x25 - x26;
     bias[0] = x27;
-    double sum2 = x27;
+    double sum1 = x27;
     const double x5 = v[2 * stride];
-    double sum3 = x5;
-    return (sum0 + sum1) + (sum2 + sum3);
+    double sum2 = x5;
+    return (sum0 + sum1) + sum2;
 }
 
 int four_bar_bias(
@@ -5946,7 +5921,6 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x52 = x50 + x51;
     const double x26 = 0.15 * x13;
     pivot[pitch] = x26;
-    double sum1 = x26;
     const double x4 = y_ddot[0];
     const double x27 = x26 * x4;
     const double x28 = x25 * x27;
@@ -6050,11 +6024,11 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x128 = x22 * x127;
     const double x129 = x124 + x128;
     pivot[2 * pitch] = x129;
-    double sum2 = x129;
+    double sum1 = x129;
     const double x130 = x118 / x129;
     u[0] = x130;
-    double sum3 = x130;
-    return (sum0 + sum1) + (sum2 + sum3);
+    double sum2 = x130;
+    return (sum0 + sum1) + sum2;
 }
 
 int four_bar_inverse_dynamics_independent(
@@ -6373,7 +6347,6 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     double sum1 = x79;
     const double x80 = x68 / x79;
     u[0] = x80;
-    double sum2 = x80;
     const double x81 = x52 * x80;
     const double x82 = x53 + x81;
     const double x88 = x82 - x87;
@@ -6395,28 +6368,26 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x107 = x23 * x106;
     const double x108 = x99 + x107;
     reactions[0] = x108;
-    double sum3 = x108;
+    double sum2 = x108;
     const double x110 = x16 * x106;
     const double x111 = x109 - x110;
     reactions[2 * stride] = x111;
-    sum0 = sum0 + x111;
+    double sum3 = x111;
     const double x112 = x16 * x94;
     const double x115 = x23 * x94;
     const double x113 = x23 * x102;
     const double x114 = x112 + x113;
     reactions[6 * stride] = x114;
-    sum1 = sum1 + x114;
     const double x116 = x16 * x102;
     const double x117 = x115 - x116;
     reactions[8 * stride] = x117;
-    sum2 = sum2 + x117;
     const double x118 = 0.15 * x23;
     const double x119 = x118 * x114;
     const double x120 = 0.15 * x16;
     const double x121 = x120 * x117;
     const double x122 = x119 - x121;
     reactions[10 * stride] = x122;
-    sum3 = sum3 + x122;
+    sum0 = sum0 + x122;
     const double x123 = x16 * x27;
     const double x124 = x23 * x18;
     const double x125 = x123 + x124;
@@ -6427,7 +6398,6 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x130 = x129 * x35;
     const double x131 = x126 + x130;
     reactions[12 * stride] = x131;
-    sum0 = sum0 + x131;
     const double x133 = x125 * x35;
     const double x132 = x129 * x82;
     const double x134 = x132 - x133;
@@ -6931,16 +6901,15 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     double sum1 = x109;
     const double x110 = x91 / x109;
     a[0] = x110;
-    double sum2 = x110;
     const double x112 = x84 * x110;
     const double x113 = x111 + x112;
     const double x114 = -x113;
     a[stride] = x114;
-    double sum3 = x114;
+    double sum2 = x114;
     const double x115 = x81 * x110;
     const double x116 = x64 + x115;
     a[2 * stride] = x116;
-    sum0 = sum0 + x116;
+    double sum3 = x116;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -7814,7 +7783,6 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x79 = 0.5 + x78;
     const double x80 = 0.15 * x10;
     pivot[2 * pitch] = x80;
-    double sum1 = x80;
     const double x81 = x80 * x63;
     const double x82 = x50 * x81;
     const double x83 = x79 + x82;
@@ -7845,19 +7813,17 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x108 = x81 * x107;
     const double x109 = x106 + x108;
     pivot[pitch] = x109;
-    double sum2 = x109;
+    double sum1 = x109;
     const double x110 = x91 / x109;
     a[0] = x110;
-    double sum3 = x110;
     const double x112 = x84 * x110;
     const double x113 = x111 + x112;
     const double x114 = -x113;
     a[stride] = x114;
-    sum0 = sum0 + x114;
+    double sum2 = x114;
     const double x115 = x81 * x110;
     const double x116 = x64 + x115;
     a[2 * stride] = x116;
-    sum1 = sum1 + x116;
     const double x120 = x110 - x113;
     const double x195 = 0.306 * x116;
     const double x117 = 4.905 * x13;
@@ -7905,39 +7871,35 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x161 = x13 * x160;
     const double x162 = x153 - x161;
     reactions[0] = x162;
-    sum2 = sum2 + x162;
+    double sum3 = x162;
     const double x164 = x7 * x160;
     const double x165 = x163 + x164;
     reactions[2 * stride] = x165;
-    sum3 = sum3 + x165;
+    sum0 = sum0 + x165;
     const double x166 = x7 * x151;
     const double x169 = x13 * x151;
     const double x167 = x13 * x159;
     const double x168 = x166 - x167;
     reactions[6 * stride] = x168;
-    sum0 = sum0 + x168;
     const double x170 = x7 * x159;
     const double x171 = x169 + x170;
     reactions[8 * stride] = x171;
-    sum1 = sum1 + x171;
     const double x172 = 0.15 * x13;
     const double x173 = x172 * x168;
     const double x174 = 0.15 * x7;
     const double x175 = x174 * x171;
     const double x176 = x173 - x175;
     reactions[10 * stride] = x176;
-    sum2 = sum2 + x176;
+    sum1 = sum1 + x176;
     const double x177 = x42 * x128;
     const double x178 = x47 * x148;
     const double x179 = x177 + x178;
     reactions[12 * stride] = x179;
-    sum3 = sum3 + x179;
     const double x180 = x47 * x128;
     const double x199 = x10 * x128;
     const double x181 = x42 * x148;
     const double x182 = x180 - x181;
     reactions[14 * stride] = x182;
-    sum0 = sum0 + x182;
     const double x183 = 0.5 * x42;
     const double x184 = x172 - x183;
     const double x185 = x184 * x179;
@@ -7947,7 +7909,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x188 = x187 * x182;
     const double x189 = x185 - x188;
     reactions[16 * stride] = x189;
-    sum1 = sum1 + x189;
+    sum2 = sum2 + x189;
     const double x246 = 3.3146717314850727 * x47;
     const double x191 = 11.772 * x24;
     const double x192 = x190 - x191;
@@ -7969,16 +7931,16 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x206 = x202 - x205;
     const double x207 = x198 - x206;
     reactions[18 * stride] = x207;
-    sum2 = sum2 + x207;
+    sum3 = sum3 + x207;
     const double x212 = x7 * x204;
     const double x213 = x211 + x212;
     const double x214 = x210 + x213;
     const double x215 = -x214;
     reactions[20 * stride] = x215;
-    sum3 = sum3 + x215;
+    sum0 = sum0 + x215;
     const double x216 = 0.64 * x214;
     reactions[22 * stride] = x216;
-    sum0 = sum0 + x216;
+    sum1 = sum1 + x216;
     const double x217 = 1.6573358657425363 * x10;
     const double x218 = x217 * x217;
     const double x219 = 2.0 + x218;
@@ -8009,7 +7971,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x244 = x243 * x243;
     const double x245 = x239 + x244;
     pivot[3 * pitch] = x245;
-    sum1 = sum1 + x245;
+    sum2 = sum2 + x245;
     const double x271 = 1.0 / x245;
     const double x247 = x246 * x246;
     const double x249 = x248 * x248;
@@ -8055,7 +8017,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x273 = x270 * x272;
     const double x274 = x259 - x273;
     pivot[4 * pitch] = x274;
-    sum2 = sum2 + x274;
+    sum3 = sum3 + x274;
     const double x292 = x291 * x271;
     const double x293 = x291 * x292;
     const double x294 = x270 * x292;
@@ -8064,7 +8026,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x297 = x293 + x296;
     const double x298 = x280 - x297;
     pivot[5 * pitch] = x298;
-    sum3 = sum3 + x298;
+    sum0 = sum0 + x298;
     reactions[stride] = 0.0;
     reactions[3 * stride] = 0.0;
     reactions[4 * stride] = 0.0;
@@ -8480,7 +8442,6 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x116 = x107 * x11;
     const double x117 = x115 + x116;
     reactions[14 * stride] = x117;
-    sum3 = sum3 + x117;
     const double x118 = 0.5 * x111;
     const double x119 = x91 - x118;
     const double x125 = x119 * x113;
@@ -8490,7 +8451,7 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x123 = x121 - x122;
     const double x124 = x120 - x123;
     reactions[15 * stride] = x124;
-    sum0 = sum0 + x124;
+    sum3 = sum3 + x124;
     const double x131 = x111 * x13;
     const double x126 = 0.5 * x107;
     const double x127 = x96 + x126;
@@ -8498,13 +8459,13 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x129 = x125 + x128;
     const double x130 = -x129;
     reactions[16 * stride] = x130;
-    sum1 = sum1 + x130;
+    sum0 = sum0 + x130;
     const double x132 = x107 * x14;
     const double x133 = x131 + x132;
     const double x134 = x127 * x12;
     const double x135 = x133 - x134;
     reactions[17 * stride] = x135;
-    sum2 = sum2 + x135;
+    sum1 = sum1 + x135;
     const double x5 = v[2 * stride];
     const double x138 = x5 * x5;
     const double x139 = 0.306 * x138;
@@ -8535,17 +8496,17 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x158 = x148 + x157;
     reactions[18 * stride] = x158;
     sized_[19 * stride] = x158;
-    sum3 = sum3 + x158;
+    sum2 = sum2 + x158;
     const double x163 = x15 * x155;
     const double x164 = x162 - x163;
     const double x165 = x161 - x164;
     const double x166 = -x165;
     reactions[20 * stride] = x166;
     sized_[18 * stride] = x166;
-    sum0 = sum0 + x166;
+    sum3 = sum3 + x166;
     const double x177 = 0.64 * x165;
     reactions[22 * stride] = x177;
-    sum1 = sum1 + x177;
+    sum0 = sum0 + x177;
     const double x167 = x30 * x14;
     const double x168 = x65 - x167;
     const double x169 = x15 * x168;
@@ -8560,28 +8521,27 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x175 = x174 * x12;
     const double x176 = x173 - x175;
     reactions[21 * stride] = x176;
-    sum2 = sum2 + x176;
     const double x203 = 3.3146717314850727 * x176;
     sized_[22 * stride] = x203;
-    sum3 = sum3 + x203;
+    sum1 = sum1 + x203;
     const double x181 = 0.51 * x137;
     const double x182 = x181 * x12;
     const double x183 = x180 - x182;
     const double x202 = 3.3146717314850727 * x183;
     sized_[21 * stride] = x202;
-    sum0 = sum0 + x202;
+    sum2 = sum2 + x202;
     const double x184 = 0.64 * x12;
     const double x185 = x183 + x184;
     reactions[23 * stride] = x185;
-    sum1 = sum1 + x185;
+    sum3 = sum3 + x185;
     const double x198 = 3.3146717314850727 * x13;
     const double x199 = -x198;
     sized_[15 * stride] = x199;
-    sum2 = sum2 + x199;
+    sum0 = sum0 + x199;
     const double x200 = 3.3146717314850727 * x14;
     const double x201 = -x200;
     sized_[16 * stride] = x201;
-    sum3 = sum3 + x201;
+    sum1 = sum1 + x201;
     reactions[4 * stride] = 0.0;
     sized_[5 * stride] = 0.0;
     sized_[11 * stride] = 0.0;
@@ -8589,9 +8549,8 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     sized_[23 * stride] = 0.0;
     reactions[19 * stride] = x12;
     sized_[20 * stride] = x12;
-    sum0 = sum0 + x12;
     const double x6 = u[0];
-    sum1 = sum1 + x6;
+    sum2 = sum2 + x6;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -9268,14 +9227,13 @@ static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
     double sum1 = x42;
     const double x43 = x38 / x42;
     v_next[0] = x43;
-    double sum2 = x43;
     const double x46 = x31 * x43;
     v_next[2 * stride] = x46;
-    double sum3 = x46;
+    double sum2 = x46;
     const double x44 = x34 * x43;
     const double x45 = -x44;
     v_next[stride] = x45;
-    sum0 = sum0 + x45;
+    double sum3 = x45;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -9690,16 +9648,14 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     double sum0 = x44;
     const double x45 = x43 / x44;
     v[0] = x45;
-    double sum1 = x45;
     const double x50 = x49 * x45;
     const double x51 = x48 + x50;
     const double x52 = 2.0 * x51;
     const double x53 = -x52;
     v[stride] = x53;
-    double sum2 = x53;
+    double sum1 = x53;
     v[2 * stride] = x1;
-    double sum3 = x1;
-    return (sum0 + sum1) + (sum2 + sum3);
+    return sum0 + sum1;
 }
 
 int four_bar_inverse_velocity(
@@ -10313,14 +10269,13 @@ static inline double four_bar_assemble_step_lane(
     const double x34 = x24 * x18;
     const double x35 = x33 - x34;
     pivot[0] = x35;
-    double sum0 = x35;
     const double x48 = x12 * x18;
     const double x49 = x47 + x48;
     const double x36 = 1.0 / x35;
     const double x79 = 0.5 * x35;
     const double x80 = -x79;
     orientation_[0] = x80;
-    double sum1 = x80;
+    double sum0 = x80;
     const double x37 = x32 * x36;
     const double x73 = 3.3146717314850727 * x32;
     const double x74 = x73 * x73;
@@ -10336,7 +10291,7 @@ static inline double four_bar_assemble_step_lane(
     const double x77 = x74 + x76;
     const double x78 = sqrt(x77);
     residual_[0] = x78;
-    double sum2 = x78;
+    double sum1 = x78;
     const double x42 = x41 * x41;
     const double x43 = x4 * x4;
     const double x52 = 0.15 * x7;
@@ -10350,7 +10305,7 @@ static inline double four_bar_assemble_step_lane(
     const double x61 = x42 + x60;
     const double x62 = sqrt(x61);
     step[0] = x62;
-    double sum3 = x62;
+    double sum2 = x62;
     const double x63 = x62 < 0.5 ? 1.0 : 0.0;
     const double x64 = x63 != 0.0 ? 1.0 : x62;
     const double x65 = 0.5 / x64;
@@ -10358,17 +10313,17 @@ static inline double four_bar_assemble_step_lane(
     const double x67 = x4 * x66;
     const double x68 = x0 - x67;
     q_next[0] = x68;
-    sum0 = sum0 + x68;
+    double sum3 = x68;
     const double x69 = x58 * x66;
     const double x1 = q[stride];
     const double x70 = x1 + x69;
     q_next[stride] = x70;
-    sum1 = sum1 + x70;
+    sum0 = sum0 + x70;
     const double x71 = x41 * x66;
     const double x2 = q[2 * stride];
     const double x72 = x2 + x71;
     q_next[2 * stride] = x72;
-    sum2 = sum2 + x72;
+    sum1 = sum1 + x72;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 

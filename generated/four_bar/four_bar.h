@@ -70,7 +70,7 @@ const char *four_bar_status_text(int status);
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 50 (add 27, mul 16, trig 6, compare 1)
+ * Operations: 44 (add 21, mul 16, trig 6, compare 1)
  */
 #define FOUR_BAR_BODY_POSES_Q_SIZE 3
 #define FOUR_BAR_BODY_POSES_POSES_SIZE 36
@@ -106,7 +106,7 @@ int four_bar_body_poses_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 17 (add 9, mul 5, trig 2, compare 1)
+ * Operations: 15 (add 7, mul 5, trig 2, compare 1)
  */
 #define FOUR_BAR_BODY_TWISTS_Q_SIZE 3
 #define FOUR_BAR_BODY_TWISTS_V_SIZE 3
@@ -148,7 +148,7 @@ int four_bar_body_twists_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 23 (add 11, mul 9, trig 2, compare 1)
+ * Operations: 21 (add 9, mul 9, trig 2, compare 1)
  */
 #define FOUR_BAR_BODY_TWIST_RATES_Q_SIZE 3
 #define FOUR_BAR_BODY_TWIST_RATES_V_SIZE 3
@@ -224,7 +224,7 @@ int four_bar_forward_kinematics_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 51 (add 24, mul 22, trig 4, compare 1)
+ * Operations: 48 (add 21, mul 22, trig 4, compare 1)
  */
 #define FOUR_BAR_POINT_MOTION_Q_SIZE 3
 #define FOUR_BAR_POINT_MOTION_V_SIZE 3
@@ -274,7 +274,7 @@ int four_bar_point_motion_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 23 (add 10, mul 8, trig 4, compare 1)
+ * Operations: 22 (add 9, mul 8, trig 4, compare 1)
  */
 #define FOUR_BAR_JOINT_SCREWS_Q_SIZE 3
 #define FOUR_BAR_JOINT_SCREWS_SCREWS_SIZE 24
@@ -305,7 +305,7 @@ int four_bar_joint_screws_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 22 (add 9, mul 8, trig 4, compare 1)
+ * Operations: 20 (add 7, mul 8, trig 4, compare 1)
  */
 #define FOUR_BAR_JOINT_POINTS_Q_SIZE 3
 #define FOUR_BAR_JOINT_POINTS_POINTS_SIZE 12
@@ -400,7 +400,7 @@ int four_bar_joint_displacements_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 9 (add 8, compare 1)
+ * Operations: 6 (add 5, compare 1)
  */
 #define FOUR_BAR_JOINT_RATES_Q_SIZE 3
 #define FOUR_BAR_JOINT_RATES_V_SIZE 3
@@ -569,7 +569,7 @@ int four_bar_closure_bias_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 38 (add 12, mul 16, div 1, trig 6, compare 3)
+ * Operations: 36 (add 10, mul 16, div 1, trig 6, compare 3)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
  */
@@ -606,7 +606,7 @@ int four_bar_velocity_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 35 (add 11, mul 14, div 1, trig 6, compare 3)
+ * Operations: 34 (add 10, mul 14, div 1, trig 6, compare 3)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
  */
@@ -644,7 +644,7 @@ int four_bar_null_space_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 70 (add 23, mul 37, div 1, trig 6, compare 3)
+ * Operations: 69 (add 22, mul 37, div 1, trig 6, compare 3)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
  */
@@ -692,7 +692,7 @@ int four_bar_acceleration_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 108 (add 50, mul 51, trig 6, compare 1)
+ * Operations: 103 (add 45, mul 51, trig 6, compare 1)
  */
 #define FOUR_BAR_MOMENTUM_SCREWS_Q_SIZE 3
 #define FOUR_BAR_MOMENTUM_SCREWS_V_SIZE 3
@@ -844,7 +844,7 @@ int four_bar_mass_matrix_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 29 (add 10, mul 13, trig 5, compare 1)
+ * Operations: 28 (add 9, mul 13, trig 5, compare 1)
  */
 #define FOUR_BAR_BIAS_Q_SIZE 3
 #define FOUR_BAR_BIAS_V_SIZE 3
@@ -928,7 +928,7 @@ int four_bar_inverse_dynamics_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 136 (add 42, mul 78, div 3, trig 6, compare 7)
+ * Operations: 135 (add 41, mul 78, div 3, trig 6, compare 7)
  */
 #define FOUR_BAR_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE 3
 #define FOUR_BAR_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 1
@@ -977,7 +977,7 @@ int four_bar_inverse_dynamics_independent_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 270 (add 110, mul 139, div 4, trig 6, compare 11)
+ * Operations: 266 (add 106, mul 139, div 4, trig 6, compare 11)
  * Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
  *   divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
  *   D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1030,7 +1030,7 @@ int four_bar_joint_reactions_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations where no pivot is small: 119 (add 43, mul 63, div 2, trig 6, compare 5)
+ * Operations where no pivot is small: 118 (add 42, mul 63, div 2, trig 6, compare 5)
  */
 #define FOUR_BAR_FORWARD_DYNAMICS_Q_SIZE 3
 #define FOUR_BAR_FORWARD_DYNAMICS_V_SIZE 3
@@ -1127,7 +1127,7 @@ int four_bar_forward_dynamics_independent_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations where no pivot is small: 324 (add 135, mul 165, div 5, trig 6, compare 13)
+ * Operations where no pivot is small: 317 (add 128, mul 165, div 5, trig 6, compare 13)
  * Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
  *   divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
  *   D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1214,7 +1214,7 @@ int four_bar_close_position_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 50 (add 17, mul 20, div 2, trig 6, compare 5)
+ * Operations: 49 (add 16, mul 20, div 2, trig 6, compare 5)
  */
 #define FOUR_BAR_CLOSE_VELOCITY_Q_SIZE 3
 #define FOUR_BAR_CLOSE_VELOCITY_V_SIZE 3
@@ -1282,7 +1282,7 @@ int four_bar_inverse_kinematics_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 58 (add 19, mul 30, div 2, sqrt 1, trig 2, compare 4)
+ * Operations: 56 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 4)
  */
 #define FOUR_BAR_INVERSE_VELOCITY_POSE_SIZE 1
 #define FOUR_BAR_INVERSE_VELOCITY_RATE_SIZE 1
@@ -1366,7 +1366,7 @@ int four_bar_inverse_dynamics_platform_batch_soa(
  *   3 not converged: the loops could not be closed from this guess; all outputs are NaN
  *   4 other branch: the loops close only on another assembly branch than the guess; all outputs are
  *     NaN
- * Operations of one Newton step (at most 25 per substep): 86 (add 32, mul 38, div 2, sqrt 2, trig 6,
+ * Operations of one Newton step (at most 25 per substep): 85 (add 31, mul 38, div 2, sqrt 2, trig 6,
  * compare 6)
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my

@@ -168,7 +168,7 @@ def body_poses(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 50 (add 27, mul 16, trig 6, compare 1)
+    Operations: 44 (add 21, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("body_poses", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -210,7 +210,7 @@ def body_poses(*arguments):
         x37 = 0.64 - x36
         x38 = 0.64 * x34
         x39 = -x38
-        return _finish(batch, ((x3, 0.0, x5, 0.0, 1.0, 0.0, x4, 0.0, x3, 0.0, 0.0, 0.0, x17, 0.0, x21, 0.0, 1.0, 0.0, x20, 0.0, x17, x23, 0.0, x25, x31, 0.0, x34, 0.0, 1.0, 0.0, x35, 0.0, x31, x37, 0.0, x39),), (), (x3, x5, x4, x17, x21, x20, x23, x25, x31, x34, x35, x37, x39))
+        return _finish(batch, ((x3, 0.0, x5, 0.0, 1.0, 0.0, x4, 0.0, x3, 0.0, 0.0, 0.0, x17, 0.0, x21, 0.0, 1.0, 0.0, x20, 0.0, x17, x23, 0.0, x25, x31, 0.0, x34, 0.0, 1.0, 0.0, x35, 0.0, x31, x37, 0.0, x39),), (), (x5, x21, x23, x25, x35, x37, x39))
 
 
 def body_twists(*arguments):
@@ -230,7 +230,7 @@ def body_twists(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 17 (add 9, mul 5, trig 2, compare 1)
+    Operations: 15 (add 7, mul 5, trig 2, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -244,7 +244,7 @@ def body_twists(*arguments):
         x12 = 0.15 * x11
         x13 = x4 * x12
         x14 = 0.64 * x5
-        return _finish(batch, ((0.0, x3, 0.0, 0.0, 0.0, 0.0, 0.0, x6, 0.0, x10, 0.0, x13, 0.0, x5, 0.0, 0.0, 0.0, x14),), (), (x3, x6, x10, x13, x5, x14, x1, x2))
+        return _finish(batch, ((0.0, x3, 0.0, 0.0, 0.0, 0.0, 0.0, x6, 0.0, x10, 0.0, x13, 0.0, x5, 0.0, 0.0, 0.0, x14),), (), (x6, x10, x13, x14, x1, x2))
 
 
 def body_twist_rates(*arguments):
@@ -266,7 +266,7 @@ def body_twist_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 23 (add 11, mul 9, trig 2, compare 1)
+    Operations: 21 (add 9, mul 9, trig 2, compare 1)
     """
     entries, batch = _entries("body_twist_rates", {"q": 3, "v": 3, "a": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
@@ -285,7 +285,7 @@ def body_twist_rates(*arguments):
         x20 = x4 * x19
         x21 = x18 + x20
         x22 = 0.64 * x8
-        return _finish(batch, ((0.0, x6, 0.0, 0.0, 0.0, 0.0, 0.0, x9, 0.0, x17, 0.0, x21, 0.0, x8, 0.0, 0.0, 0.0, x22),), (), (x6, x9, x17, x21, x8, x22, x1, x2, x5))
+        return _finish(batch, ((0.0, x6, 0.0, 0.0, 0.0, 0.0, 0.0, x9, 0.0, x17, 0.0, x21, 0.0, x8, 0.0, 0.0, 0.0, x22),), (), (x9, x17, x21, x22, x1, x2, x5))
 
 
 def forward_kinematics(*arguments):
@@ -343,7 +343,7 @@ def point_motion(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 51 (add 24, mul 22, trig 4, compare 1)
+    Operations: 48 (add 21, mul 22, trig 4, compare 1)
     """
     entries, batch = _entries("point_motion", {"q": 3, "v": 3, "a": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
@@ -390,7 +390,7 @@ def point_motion(*arguments):
         x48 = x46 - x47
         x49 = x27 * x29
         x50 = x48 + x49
-        return _finish(batch, ((x19, 0.0, x25), (x30, 0.0, x33), (x42, 0.0, x50)), (), (x19, x25, x30, x33, x42, x50, x2, x5, x8))
+        return _finish(batch, ((x19, 0.0, x25), (x30, 0.0, x33), (x42, 0.0, x50)), (), (x30, x42, x50, x2, x5, x8))
 
 
 def joint_screws(*arguments):
@@ -408,7 +408,7 @@ def joint_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 23 (add 10, mul 8, trig 4, compare 1)
+    Operations: 22 (add 9, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("joint_screws", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -431,7 +431,7 @@ def joint_screws(*arguments):
         x18 = x16 + x17
         x19 = 0.5 * x18
         x20 = x7 + x19
-        return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x5, 0.0, x7, 0.0, 1.0, 0.0, x15, 0.0, x20, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x5, x7, x15, x20, x2))
+        return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x5, 0.0, x7, 0.0, 1.0, 0.0, x15, 0.0, x20, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x5, x15, x20, x2))
 
 
 def joint_points(*arguments):
@@ -446,7 +446,7 @@ def joint_points(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 22 (add 9, mul 8, trig 4, compare 1)
+    Operations: 20 (add 7, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("joint_points", {"q": 3}, arguments)
     x0, x1, x2, = entries
@@ -468,7 +468,7 @@ def joint_points(*arguments):
         x17 = x15 - x16
         x18 = 0.5 * x17
         x19 = x6 - x18
-        return _finish(batch, ((0.0, 0.0, 0.0, x4, 0.0, x6, x14, 0.0, x19, 0.64, 0.0, 0.0),), (), (x4, x6, x14, x19, x2))
+        return _finish(batch, ((0.0, 0.0, 0.0, x4, 0.0, x6, x14, 0.0, x19, 0.64, 0.0, 0.0),), (), (x14, x19, x2))
 
 
 def platform_jacobian(*arguments):
@@ -536,7 +536,7 @@ def joint_displacements(*arguments):
         x28 = x4 * x23
         x29 = x27 - x28
         x30 = np.arctan2(x26, x29)
-        return _finish(batch, ((x0, x1, x30, x2),), (), (x0, x1, x30, x2))
+        return _finish(batch, ((x0, x1, x30, x2),), (), (x30, x0, x1, x2))
 
 
 def joint_rates(*arguments):
@@ -552,14 +552,14 @@ def joint_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 9 (add 8, compare 1)
+    Operations: 6 (add 5, compare 1)
     """
     entries, batch = _entries("joint_rates", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
     with np.errstate(all="ignore"):
         x6 = x3 + x4
         x7 = x5 - x6
-        return _finish(batch, ((x3, x4, x7, x5),), (), (x3, x4, x7, x5, x0, x1, x2))
+        return _finish(batch, ((x3, x4, x7, x5),), (), (x7, x0, x1, x2))
 
 
 def drive_rates(*arguments):
@@ -580,7 +580,7 @@ def drive_rates(*arguments):
     entries, batch = _entries("drive_rates", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x3,),), (), (x3, x0, x1, x2, x4, x5))
+        return _finish(batch, ((x3,),), (), (x0, x1, x2, x3, x4, x5))
 
 
 def closure(*arguments):
@@ -746,7 +746,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 38 (add 12, mul 16, div 1, trig 6, compare 3)
+    Operations: 36 (add 10, mul 16, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -785,7 +785,7 @@ def velocity(*arguments):
         x33 = x8 + x32
         x34 = 2.0 * x33
         x35 = -x34
-        return _finish(batch, ((x3, x35, x31),), ((x30, 3.01689e-10),), (x3, x35, x31, x30))
+        return _finish(batch, ((x3, x35, x31),), ((x30, 3.01689e-10),), (x30, x35))
 
 
 def null_space(*arguments):
@@ -800,7 +800,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 35 (add 11, mul 14, div 1, trig 6, compare 3)
+    Operations: 34 (add 10, mul 14, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -837,7 +837,7 @@ def null_space(*arguments):
         x30 = x6 + x29
         x31 = 2.0 * x30
         x32 = -x31
-        return _finish(batch, ((1.0, x32, x28),), ((x27, 3.01689e-10),), (x32, x28, x27))
+        return _finish(batch, ((1.0, x32, x28),), ((x27, 3.01689e-10),), (x27, x32))
 
 
 def acceleration(*arguments):
@@ -856,7 +856,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 70 (add 23, mul 37, div 1, trig 6, compare 3)
+    Operations: 69 (add 22, mul 37, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -927,7 +927,7 @@ def acceleration(*arguments):
         x68 = 2.0 * x67
         x69 = -x68
         x70 = x56 + x64
-        return _finish(batch, ((x6, x69, x70),), ((x54, 3.01689e-10),), (x6, x69, x70, x54))
+        return _finish(batch, ((x6, x69, x70),), ((x54, 3.01689e-10),), (x54, x69, x70))
 
 
 def momentum_screws(*arguments):
@@ -949,7 +949,7 @@ def momentum_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 108 (add 50, mul 51, trig 6, compare 1)
+    Operations: 103 (add 45, mul 51, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_screws", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -1050,7 +1050,7 @@ def momentum_screws(*arguments):
         x99 = x90 - x98
         x100 = x19 - x63
         x101 = x100 + x95
-        return _finish(batch, ((x9, 0.0, x14, 0.0, x19, 0.0, x47, 0.0, x58, 0.0, x64, 0.0, x81, 0.0, x90, 0.0, x95, 0.0), (x97, 0.0, x99, 0.0, x101, 0.0)), (), (x9, x14, x19, x47, x58, x64, x81, x90, x95, x97, x99, x101))
+        return _finish(batch, ((x9, 0.0, x14, 0.0, x19, 0.0, x47, 0.0, x58, 0.0, x64, 0.0, x81, 0.0, x90, 0.0, x95, 0.0), (x97, 0.0, x99, 0.0, x101, 0.0)), (), (x14, x47, x64, x81, x97, x99, x101))
 
 
 def momentum_rates(*arguments):
@@ -1308,7 +1308,7 @@ def bias(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 29 (add 10, mul 13, trig 5, compare 1)
+    Operations: 28 (add 9, mul 13, trig 5, compare 1)
     """
     entries, batch = _entries("bias", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -1338,7 +1338,7 @@ def bias(*arguments):
         x28 = 0.4899573262537283 - x2
         x29 = np.sin(x28)
         x30 = 3.00186 * x29
-        return _finish(batch, ((x27, x19, x30),), (), (x27, x19, x30, x5))
+        return _finish(batch, ((x27, x19, x30),), (), (x27, x30, x5))
 
 
 def inverse_dynamics(*arguments):
@@ -1434,7 +1434,7 @@ def inverse_dynamics(*arguments):
         x78 = x62 * x77
         x79 = x74 + x78
         x80 = x68 / x79
-        return _finish(batch, ((x80,),), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09)), (x80, x51, x79, x5))
+        return _finish(batch, ((x80,),), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09)), (x51, x79, x80, x5))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1454,7 +1454,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 136 (add 42, mul 78, div 3, trig 6, compare 7)
+    Operations: 135 (add 41, mul 78, div 3, trig 6, compare 7)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1}, arguments)
     x0, x1, x2, x3, x4, = entries
@@ -1585,7 +1585,7 @@ def inverse_dynamics_independent(*arguments):
         x128 = x22 * x127
         x129 = x124 + x128
         x130 = x118 / x129
-        return _finish(batch, ((x130,),), ((x24, 3.01689e-10), (x26, 1.2634000000000003e-10), (x129, 4.813897755635771e-09)), (x130, x24, x26, x129))
+        return _finish(batch, ((x130,),), ((x24, 3.01689e-10), (x26, 1.2634000000000003e-10), (x129, 4.813897755635771e-09)), (x24, x129, x130))
 
 
 def joint_reactions(*arguments):
@@ -1610,7 +1610,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 270 (add 110, mul 139, div 4, trig 6, compare 11)
+    Operations: 266 (add 106, mul 139, div 4, trig 6, compare 11)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1861,7 +1861,7 @@ def joint_reactions(*arguments):
         x249 = x247 * x248
         x250 = x246 + x249
         x251 = x233 - x250
-        return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x227, 4.3948000000000004e-08), (x251, 4.3948000000000004e-08)), (x80, x108, x111, x114, x117, x122, x131, x135, x142, x160, x168, x169, x51, x79, x198, x227, x251))
+        return _finish(batch, ((x80,), (x108, 0.0, x111, 0.0, 0.0, 0.0, x114, 0.0, x117, 0.0, x122, 0.0, x131, 0.0, x135, 0.0, x142, 0.0, x160, 0.0, x168, 0.0, x169, 0.0)), ((x51, 1.2634000000000003e-10), (x79, 4.813897755635771e-09), (x198, 1.3789999999999998e-08), (x227, 4.3948000000000004e-08), (x251, 4.3948000000000004e-08)), (x51, x79, x108, x111, x122, x135, x142, x160, x168, x169, x198, x227, x251))
 
 
 def _forward_dynamics_first(*arguments):
@@ -1979,7 +1979,7 @@ def _forward_dynamics_first(*arguments):
         x114 = -x113
         x115 = x81 * x110
         x116 = x64 + x115
-        return _finish(batch, ((x110, x114, x116),), ((x62, 3.01689e-06), (x109, 3.264600000000001e-07)), (x110, x114, x116, x62, x109))
+        return _finish(batch, ((x110, x114, x116),), ((x62, 3.01689e-06), (x109, 3.264600000000001e-07)), (x62, x109, x114, x116))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -2086,7 +2086,7 @@ def forward_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 119 (add 43, mul 63, div 2, trig 6, compare 5)
+    Operations where no pivot is small: 118 (add 42, mul 63, div 2, trig 6, compare 5)
     """
     settings = ((1.0, 1.0, 1.0,), (3.3146717314850727, 3.3146717314850727, 3.3146717314850727, 1.0, 1.0,), 2, 1.0e-09)
     return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
@@ -2224,7 +2224,7 @@ def forward_dynamics_independent(*arguments):
         x112 = x85 * x111
         x113 = x110 + x112
         x114 = x95 / x113
-        return _finish(batch, ((x114,),), ((x29, 3.01689e-10), (x113, 3.2646e-11)), (x114, x29, x113))
+        return _finish(batch, ((x114,),), ((x29, 3.01689e-10), (x113, 3.2646e-11)), (x29, x113, x114))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -2524,7 +2524,7 @@ def _forward_dynamics_reactions_first(*arguments):
         x296 = x294 * x295
         x297 = x293 + x296
         x298 = x280 - x297
-        return _finish(batch, ((x110, x114, x116), (x162, 0.0, x165, 0.0, 0.0, 0.0, x168, 0.0, x171, 0.0, x176, 0.0, x179, 0.0, x182, 0.0, x189, 0.0, x207, 0.0, x215, 0.0, x216, 0.0)), ((x62, 3.01689e-06), (x109, 3.264600000000001e-07), (x80, 1.2634000000000003e-06), (x245, 0.0001379), (x274, 0.00043948), (x298, 0.00043948)), (x110, x114, x116, x162, x165, x168, x171, x176, x179, x182, x189, x207, x215, x216, x62, x109, x80, x245, x274, x298))
+        return _finish(batch, ((x110, x114, x116), (x162, 0.0, x165, 0.0, 0.0, 0.0, x168, 0.0, x171, 0.0, x176, 0.0, x179, 0.0, x182, 0.0, x189, 0.0, x207, 0.0, x215, 0.0, x216, 0.0)), ((x62, 3.01689e-06), (x109, 3.264600000000001e-07), (x80, 1.2634000000000003e-06), (x245, 0.0001379), (x274, 0.00043948), (x298, 0.00043948)), (x62, x109, x114, x162, x165, x176, x189, x207, x215, x216, x245, x274, x298))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -2806,7 +2806,7 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         x201 = -x200
         x202 = 3.3146717314850727 * x183
         x203 = 3.3146717314850727 * x176
-        return _finish(batch, ((x60, x61, x64, x78, 0.0, x82, x86, x61, x90, x95, x99, x104, x114, x61, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185), (x64, x60, x61, x187, x189, 0.0, x190, x191, x61, x193, x195, 0.0, x196, x197, x61, x199, x201, 0.0, x166, x158, x12, x202, x203, 0.0)), (), (x60, x61, x64, x78, x82, x86, x90, x95, x99, x104, x114, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185, x187, x189, x190, x191, x193, x195, x196, x197, x199, x201, x202, x203, x6))
+        return _finish(batch, ((x60, x61, x64, x78, 0.0, x82, x86, x61, x90, x95, x99, x104, x114, x61, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185), (x64, x60, x61, x187, x189, 0.0, x190, x191, x61, x193, x195, 0.0, x196, x197, x61, x199, x201, 0.0, x166, x158, x12, x202, x203, 0.0)), (), (x60, x61, x64, x78, x82, x86, x90, x95, x99, x104, x114, x124, x130, x135, x158, x166, x177, x185, x187, x189, x190, x191, x193, x195, x196, x197, x199, x201, x202, x203, x6))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -2835,7 +2835,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 324 (add 135, mul 165, div 5, trig 6, compare 13)
+    Operations where no pivot is small: 317 (add 128, mul 165, div 5, trig 6, compare 13)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -2934,7 +2934,7 @@ def close_position(*arguments):
         x70 = x69 * x69
         x71 = x68 + x70
         x72 = np.sqrt(x71)
-        return _finish(batch, ((x60, x63, x66), (x72,)), ((x27, 3.01689e-10), (x58, 2.4194e-09)), (x60, x63, x66, x72, x27, x58))
+        return _finish(batch, ((x60, x63, x66), (x72,)), ((x27, 3.01689e-10), (x58, 2.4194e-09)), (x27, x58, x60, x63, x66, x72))
 
 
 def close_velocity(*arguments):
@@ -2951,7 +2951,7 @@ def close_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 50 (add 17, mul 20, div 2, trig 6, compare 5)
+    Operations: 49 (add 16, mul 20, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("close_velocity", {"q": 3, "v": 3}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -2997,7 +2997,7 @@ def close_velocity(*arguments):
         x44 = x34 * x43
         x45 = -x44
         x46 = x31 * x43
-        return _finish(batch, ((x43, x45, x46),), ((x30, 3.01689e-10), (x42, 2.4194e-09)), (x43, x45, x46, x30, x42))
+        return _finish(batch, ((x43, x45, x46),), ((x30, 3.01689e-10), (x42, 2.4194e-09)), (x30, x42, x45, x46))
 
 
 def inverse_kinematics(*arguments):
@@ -3070,7 +3070,7 @@ def inverse_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 58 (add 19, mul 30, div 2, sqrt 1, trig 2, compare 4)
+    Operations: 56 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 4)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 1, "rate": 1}, arguments)
     x0, x1, = entries
@@ -3127,7 +3127,7 @@ def inverse_velocity(*arguments):
         x51 = x48 + x50
         x52 = 2.0 * x51
         x53 = -x52
-        return _finish(batch, ((x45, x53, x1),), ((x44, 3.01689e-10),), (x45, x53, x1, x44))
+        return _finish(batch, ((x45, x53, x1),), ((x44, 3.01689e-10),), (x44, x53))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -3295,7 +3295,7 @@ def inverse_dynamics_platform(*arguments):
         x143 = x11 * x142
         x144 = x139 + x143
         x145 = x133 / x144
-        return _finish(batch, ((x145,),), ((x31, 3.01689e-10), (x144, 4.813897755635771e-09)), (x145, x31, x144))
+        return _finish(batch, ((x145,),), ((x31, 3.01689e-10), (x144, 4.813897755635771e-09)), (x31, x144, x145))
 
 
 def _assemble_step(*arguments):
@@ -3380,7 +3380,7 @@ def _assemble_step(*arguments):
         x78 = np.sqrt(x77)
         x79 = 0.5 * x35
         x80 = -x79
-        return _finish(batch, ((x68, x70, x72), (x78,), (x62,), (x80,)), ((x35, 3.01689e-13),), (x68, x70, x72, x78, x62, x80, x35))
+        return _finish(batch, ((x68, x70, x72), (x78,), (x62,), (x80,)), ((x35, 3.01689e-13),), (x62, x68, x70, x72, x78, x80))
 
 
 def assemble(*arguments):
@@ -3400,7 +3400,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 86 (add 32, mul 38, div 2, sqrt 2, trig 6,
+    Operations of one Newton step (at most 25 per substep): 85 (add 31, mul 38, div 2, sqrt 2, trig 6,
     compare 6)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my

@@ -94,7 +94,7 @@ const char *three_ups_upu_s_physical_status_text(int status);
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 307 (add 166, mul 124, trig 16, compare 1)
+ * Operations: 289 (add 148, mul 124, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_BODY_POSES_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_BODY_POSES_POSES_SIZE 108
@@ -149,7 +149,7 @@ int three_ups_upu_s_physical_body_poses_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 161 (add 79, mul 65, trig 16, compare 1)
+ * Operations: 157 (add 75, mul 65, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_BODY_TWISTS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_BODY_TWISTS_V_SIZE 15
@@ -214,7 +214,7 @@ int three_ups_upu_s_physical_body_twists_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 279 (add 121, mul 141, trig 16, compare 1)
+ * Operations: 275 (add 117, mul 141, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_BODY_TWIST_RATES_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_BODY_TWIST_RATES_V_SIZE 15
@@ -257,7 +257,7 @@ int three_ups_upu_s_physical_body_twist_rates_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 72 (add 50, mul 21, compare 1)
+ * Operations: 69 (add 47, mul 21, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_KINEMATICS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_KINEMATICS_POSITIONS_SIZE 30
@@ -311,7 +311,7 @@ int three_ups_upu_s_physical_forward_kinematics_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 315 (add 185, mul 129, compare 1)
+ * Operations: 291 (add 161, mul 129, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_POINT_MOTION_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_POINT_MOTION_V_SIZE 15
@@ -385,7 +385,7 @@ int three_ups_upu_s_physical_point_motion_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 341 (add 183, mul 141, trig 16, compare 1)
+ * Operations: 318 (add 160, mul 141, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_SCREWS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_SCREWS_SCREWS_SIZE 156
@@ -425,7 +425,7 @@ int three_ups_upu_s_physical_joint_screws_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 110 (add 61, mul 32, trig 16, compare 1)
+ * Operations: 106 (add 57, mul 32, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_POINTS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_POINTS_POINTS_SIZE 39
@@ -514,7 +514,7 @@ int three_ups_upu_s_physical_platform_jacobian_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 451 (add 175, mul 231, div 4, sqrt 4, trig 22, compare 15)
+ * Operations: 445 (add 169, mul 231, div 4, sqrt 4, trig 22, compare 15)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_DISPLACEMENTS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_DISPLACEMENTS_DISPLACEMENTS_SIZE 26
@@ -559,7 +559,7 @@ int three_ups_upu_s_physical_joint_displacements_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 246 (add 111, mul 117, div 1, trig 16, compare 1)
+ * Operations: 235 (add 100, mul 117, div 1, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_RATES_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_JOINT_RATES_V_SIZE 15
@@ -673,7 +673,7 @@ int three_ups_upu_s_physical_closure_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 345 (add 155, mul 173, trig 16, compare 1)
+ * Operations: 339 (add 149, mul 173, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_CLOSURE_JACOBIAN_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_CLOSURE_JACOBIAN_JACOBIAN_SIZE 195
@@ -757,7 +757,7 @@ int three_ups_upu_s_physical_closure_bias_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 240 (add 87, mul 107, div 7, trig 16, compare 23)
+ * Operations: 236 (add 83, mul 107, div 7, trig 16, compare 23)
  * Note: independent coordinates y: limb5_S.qx, limb5_S.qy
  */
 #define THREE_UPS_UPU_S_PHYSICAL_VELOCITY_Q_SIZE 16
@@ -804,7 +804,7 @@ int three_ups_upu_s_physical_velocity_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 326 (add 124, mul 156, div 7, trig 16, compare 23)
+ * Operations: 322 (add 120, mul 156, div 7, trig 16, compare 23)
  * Note: independent coordinates y: limb5_S.qx, limb5_S.qy
  */
 #define THREE_UPS_UPU_S_PHYSICAL_NULL_SPACE_Q_SIZE 16
@@ -850,7 +850,7 @@ int three_ups_upu_s_physical_null_space_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 524 (add 194, mul 284, div 7, trig 16, compare 23)
+ * Operations: 520 (add 190, mul 284, div 7, trig 16, compare 23)
  * Note: independent coordinates y: limb5_S.qx, limb5_S.qy
  */
 #define THREE_UPS_UPU_S_PHYSICAL_ACCELERATION_Q_SIZE 16
@@ -916,7 +916,7 @@ int three_ups_upu_s_physical_acceleration_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1090 (add 493, mul 580, trig 16, compare 1)
+ * Operations: 1059 (add 462, mul 580, trig 16, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_MOMENTUM_SCREWS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_MOMENTUM_SCREWS_V_SIZE 15
@@ -1195,7 +1195,7 @@ int three_ups_upu_s_physical_bias_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 575 (add 203, mul 326, div 7, trig 16, compare 23)
+ * Operations: 571 (add 199, mul 326, div 7, trig 16, compare 23)
  * Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
  *   takes weights and an internal preload
  */
@@ -1244,7 +1244,7 @@ int three_ups_upu_s_physical_inverse_dynamics_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1037 (add 363, mul 619, div 10, trig 16, compare 29)
+ * Operations: 1033 (add 359, mul 619, div 10, trig 16, compare 29)
  * Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
  *   takes weights and an internal preload
  */
@@ -1303,7 +1303,7 @@ int three_ups_upu_s_physical_inverse_dynamics_independent_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 619 (add 219, mul 342, div 11, trig 16, compare 31)
+ * Operations: 615 (add 215, mul 342, div 11, trig 16, compare 31)
  * Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
  *   takes weights and an internal preload
  */
@@ -1387,7 +1387,7 @@ int three_ups_upu_s_physical_inverse_dynamics_preload_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1260 (add 555, mul 659, div 7, trig 16, compare 23)
+ * Operations: 1239 (add 534, mul 659, div 7, trig 16, compare 23)
  * Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
  *   takes weights and an internal preload
  */
@@ -1449,7 +1449,7 @@ int three_ups_upu_s_physical_joint_reactions_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations where no pivot is small: 822 (add 307, mul 469, div 7, trig 16, compare 23)
+ * Operations where no pivot is small: 818 (add 303, mul 469, div 7, trig 16, compare 23)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_DYNAMICS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_DYNAMICS_V_SIZE 15
@@ -1496,7 +1496,7 @@ int three_ups_upu_s_physical_forward_dynamics_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 906 (add 316, mul 538, div 9, trig 16, compare 27)
+ * Operations: 902 (add 312, mul 538, div 9, trig 16, compare 27)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_DYNAMICS_INDEPENDENT_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 2
@@ -1573,7 +1573,7 @@ int three_ups_upu_s_physical_forward_dynamics_independent_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations where no pivot is small: 1815 (add 783, mul 983, div 8, trig 16, compare 25)
+ * Operations where no pivot is small: 1787 (add 755, mul 983, div 8, trig 16, compare 25)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_DYNAMICS_REACTIONS_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_FORWARD_DYNAMICS_REACTIONS_V_SIZE 15
@@ -1625,7 +1625,7 @@ int three_ups_upu_s_physical_forward_dynamics_reactions_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 595 (add 239, mul 307, div 8, sqrt 2, trig 16, compare 23)
+ * Operations: 589 (add 233, mul 307, div 8, sqrt 2, trig 16, compare 23)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_CLOSE_POSITION_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_CLOSE_POSITION_Q_NEXT_SIZE 16
@@ -1672,7 +1672,7 @@ int three_ups_upu_s_physical_close_position_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 370 (add 146, mul 178, div 7, trig 16, compare 23)
+ * Operations: 364 (add 140, mul 178, div 7, trig 16, compare 23)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_CLOSE_VELOCITY_Q_SIZE 16
 #define THREE_UPS_UPU_S_PHYSICAL_CLOSE_VELOCITY_V_SIZE 15
@@ -1710,7 +1710,7 @@ int three_ups_upu_s_physical_close_velocity_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 155 (add 65, mul 65, div 8, sqrt 8, trig 8, compare 1)
+ * Operations: 151 (add 61, mul 65, div 8, sqrt 8, trig 8, compare 1)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_INVERSE_KINEMATICS_POSE_SIZE 4
 #define THREE_UPS_UPU_S_PHYSICAL_INVERSE_KINEMATICS_Q_SIZE 16
@@ -1747,7 +1747,7 @@ int three_ups_upu_s_physical_inverse_kinematics_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 253 (add 98, mul 122, div 8, sqrt 8, compare 17)
+ * Operations: 246 (add 91, mul 122, div 8, sqrt 8, compare 17)
  */
 #define THREE_UPS_UPU_S_PHYSICAL_INVERSE_VELOCITY_POSE_SIZE 4
 #define THREE_UPS_UPU_S_PHYSICAL_INVERSE_VELOCITY_RATE_SIZE 3
@@ -1787,7 +1787,7 @@ int three_ups_upu_s_physical_inverse_velocity_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 946 (add 354, mul 550, div 11, sqrt 8, compare 23)
+ * Operations: 938 (add 346, mul 550, div 11, sqrt 8, compare 23)
  * Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
  *   takes weights and an internal preload
  */
@@ -1839,7 +1839,7 @@ int three_ups_upu_s_physical_inverse_dynamics_platform_batch_soa(
  *   3 not converged: the loops could not be closed from this guess; all outputs are NaN
  *   4 other branch: the loops close only on another assembly branch than the guess; all outputs are
  *     NaN
- * Operations of one Newton step (at most 25 per substep): 737 (add 278, mul 369, div 17, sqrt 11, trig
+ * Operations of one Newton step (at most 25 per substep): 723 (add 264, mul 369, div 17, sqrt 11, trig
  * 28, compare 34)
  * Note: independent coordinates y: limb5_S.qx, limb5_S.qy
  */

@@ -191,7 +191,7 @@ def body_poses(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 307 (add 166, mul 124, trig 16, compare 1)
+    Operations: 289 (add 148, mul 124, trig 16, compare 1)
     """
     entries, batch = _entries("body_poses", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -438,7 +438,7 @@ def body_poses(*arguments):
         x255 = x253 - x254
         x256 = x252 + x255
         x257 = -x256
-        return _finish(batch, ((x21, x24, x27, x28, x32, x35, x36, x37, x39, 0.0, 0.0, 0.0, x45, x52, x58, 0.0, x53, x46, x61, x65, x68, x70, x72, x73, x45, x52, x58, 0.0, x53, x46, x61, x65, x68, x80, x86, x91, x92, 0.0, x94, x103, x106, x112, x116, x119, x123, x125, x127, x129, x92, 0.0, x94, x103, x106, x112, x116, x119, x123, x136, x142, x148, x154, x160, x167, 0.0, x161, x155, x171, x175, x178, x180, x182, x183, x154, x160, x167, 0.0, x161, x155, x171, x175, x178, x190, x196, x201, x202, 0.0, x204, x212, x215, x220, x224, x228, x232, x234, x236, x238, x202, 0.0, x204, x212, x215, x220, x224, x228, x232, x245, x251, x257),), (), (x21, x24, x27, x28, x32, x35, x36, x37, x39, x45, x52, x58, x53, x46, x61, x65, x68, x70, x72, x73, x80, x86, x91, x92, x94, x103, x106, x112, x116, x119, x123, x125, x127, x129, x136, x142, x148, x154, x160, x167, x161, x155, x171, x175, x178, x180, x182, x183, x190, x196, x201, x202, x204, x212, x215, x220, x224, x228, x232, x234, x236, x238, x245, x251, x257))
+        return _finish(batch, ((x21, x24, x27, x28, x32, x35, x36, x37, x39, 0.0, 0.0, 0.0, x45, x52, x58, 0.0, x53, x46, x61, x65, x68, x70, x72, x73, x45, x52, x58, 0.0, x53, x46, x61, x65, x68, x80, x86, x91, x92, 0.0, x94, x103, x106, x112, x116, x119, x123, x125, x127, x129, x92, 0.0, x94, x103, x106, x112, x116, x119, x123, x136, x142, x148, x154, x160, x167, 0.0, x161, x155, x171, x175, x178, x180, x182, x183, x154, x160, x167, 0.0, x161, x155, x171, x175, x178, x190, x196, x201, x202, 0.0, x204, x212, x215, x220, x224, x228, x232, x234, x236, x238, x202, 0.0, x204, x212, x215, x220, x224, x228, x232, x245, x251, x257),), (), (x21, x24, x27, x28, x32, x35, x36, x37, x39, x52, x65, x70, x72, x73, x80, x86, x91, x94, x103, x112, x116, x123, x125, x127, x129, x136, x142, x148, x167, x171, x175, x180, x182, x183, x190, x196, x201, x204, x224, x228, x232, x234, x236, x238, x245, x251, x257))
 
 
 def body_twists(*arguments):
@@ -477,7 +477,7 @@ def body_twists(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 161 (add 79, mul 65, trig 16, compare 1)
+    Operations: 157 (add 75, mul 65, trig 16, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 16, "v": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, = entries
@@ -604,7 +604,7 @@ def body_twists(*arguments):
         x150 = x27 * x149
         x151 = x138 + x150
         x152 = -x151
-        return _finish(batch, ((x47, x60, x69, 0.0, 0.0, 0.0, x16, x71, x73, 0.0, x75, x78, x16, x71, x73, x81, x85, x88, x90, x19, x93, x95, 0.0, x97, x90, x19, x93, x102, x104, x107, x22, x109, x111, 0.0, x114, x116, x22, x109, x111, x120, x125, x128, x130, x25, x133, x136, 0.0, x139, x130, x25, x133, x145, x148, x152),), (), (x47, x60, x69, x16, x71, x73, x75, x78, x81, x85, x88, x90, x19, x93, x95, x97, x102, x104, x107, x22, x109, x111, x114, x116, x120, x125, x128, x130, x25, x133, x136, x139, x145, x148, x152, x2, x5, x8, x11))
+        return _finish(batch, ((x47, x60, x69, 0.0, 0.0, 0.0, x16, x71, x73, 0.0, x75, x78, x16, x71, x73, x81, x85, x88, x90, x19, x93, x95, 0.0, x97, x90, x19, x93, x102, x104, x107, x22, x109, x111, 0.0, x114, x116, x22, x109, x111, x120, x125, x128, x130, x25, x133, x136, 0.0, x139, x130, x25, x133, x145, x148, x152),), (), (x47, x60, x69, x71, x73, x78, x81, x85, x88, x90, x93, x102, x104, x107, x109, x111, x114, x120, x125, x128, x130, x133, x136, x139, x145, x148, x152, x2, x5, x8, x11, x16, x19, x22, x25))
 
 
 def body_twist_rates(*arguments):
@@ -648,7 +648,7 @@ def body_twist_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 279 (add 121, mul 141, trig 16, compare 1)
+    Operations: 275 (add 117, mul 141, trig 16, compare 1)
     """
     entries, batch = _entries("body_twist_rates", {"q": 16, "v": 15, "a": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, x31, x32, x33, x34, x35, x36, x37, x38, x39, x40, x41, x42, x43, x44, x45, = entries
@@ -890,7 +890,7 @@ def body_twist_rates(*arguments):
         x280 = x27 * x279
         x281 = x276 + x280
         x282 = -x281
-        return _finish(batch, ((x62, x75, x84, 0.0, 0.0, 0.0, x31, x90, x94, 0.0, x100, x105, x31, x90, x94, x118, x125, x133, x139, x34, x144, x150, 0.0, x154, x139, x34, x144, x167, x174, x181, x37, x187, x191, 0.0, x198, x202, x37, x187, x191, x215, x223, x230, x236, x40, x241, x248, 0.0, x253, x236, x40, x241, x267, x274, x282),), (), (x62, x75, x84, x31, x90, x94, x100, x105, x118, x125, x133, x139, x34, x144, x150, x154, x167, x174, x181, x37, x187, x191, x198, x202, x215, x223, x230, x236, x40, x241, x248, x253, x267, x274, x282, x2, x5, x8, x11, x28, x29, x30))
+        return _finish(batch, ((x62, x75, x84, 0.0, 0.0, 0.0, x31, x90, x94, 0.0, x100, x105, x31, x90, x94, x118, x125, x133, x139, x34, x144, x150, 0.0, x154, x139, x34, x144, x167, x174, x181, x37, x187, x191, 0.0, x198, x202, x37, x187, x191, x215, x223, x230, x236, x40, x241, x248, 0.0, x253, x236, x40, x241, x267, x274, x282),), (), (x62, x75, x84, x90, x94, x105, x118, x125, x133, x139, x144, x167, x174, x181, x187, x191, x198, x215, x223, x230, x236, x241, x248, x253, x267, x274, x282, x2, x5, x8, x11, x28, x29, x30, x31, x34, x37, x40))
 
 
 def forward_kinematics(*arguments):
@@ -909,7 +909,7 @@ def forward_kinematics(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 72 (add 50, mul 21, compare 1)
+    Operations: 69 (add 47, mul 21, compare 1)
     """
     entries, batch = _entries("forward_kinematics", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -959,7 +959,7 @@ def forward_kinematics(*arguments):
         x58 = x21 + x46
         x59 = x26 + x50
         x60 = x31 + x53
-        return _finish(batch, ((0.0, 0.0, 0.0, x21, x26, x31, (-0.8), 0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, x36, x41, x44, x47, x51, x54, x55, x56, x57, x58, x59, x60),), (), (x21, x26, x31, x36, x41, x44, x47, x51, x54, x55, x56, x57, x58, x59, x60, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11))
+        return _finish(batch, ((0.0, 0.0, 0.0, x21, x26, x31, (-0.8), 0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, x36, x41, x44, x47, x51, x54, x55, x56, x57, x58, x59, x60),), (), (x36, x41, x44, x47, x51, x54, x55, x56, x57, x58, x59, x60, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11))
 
 
 def point_motion(*arguments):
@@ -996,7 +996,7 @@ def point_motion(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 315 (add 185, mul 129, compare 1)
+    Operations: 291 (add 161, mul 129, compare 1)
     """
     entries, batch = _entries("point_motion", {"q": 16, "v": 15, "a": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, x31, x32, x33, x34, x35, x36, x37, x38, x39, x40, x41, x42, x43, x44, x45, = entries
@@ -1235,7 +1235,7 @@ def point_motion(*arguments):
         x277 = x98 * x150
         x278 = x276 - x277
         x279 = x275 + x278
-        return _finish(batch, ((0.0, 0.0, 0.0, x51, x56, x61, (-0.8), 0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, x67, x73, x77, x80, x84, x87, x88, x89, x90, x91, x92, x93), (0.0, 0.0, 0.0, x106, x114, x117, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x121, x125, x129, x132, x135, x138, x141, x144, x147, x150, x153, x156), (0.0, 0.0, 0.0, x173, x185, x192, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x200, x208, x216, x223, x230, x237, x244, x251, x258, x265, x272, x279)), (), (x51, x56, x61, x67, x73, x77, x80, x84, x87, x88, x89, x90, x91, x92, x93, x106, x114, x117, x121, x125, x129, x132, x135, x138, x141, x144, x147, x150, x153, x156, x173, x185, x192, x200, x208, x216, x223, x230, x237, x244, x251, x258, x265, x272, x279, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x31, x32, x33, x34, x35, x36, x37, x38, x39, x40, x41, x42))
+        return _finish(batch, ((0.0, 0.0, 0.0, x51, x56, x61, (-0.8), 0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, x67, x73, x77, x80, x84, x87, x88, x89, x90, x91, x92, x93), (0.0, 0.0, 0.0, x106, x114, x117, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x121, x125, x129, x132, x135, x138, x141, x144, x147, x150, x153, x156), (0.0, 0.0, 0.0, x173, x185, x192, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x200, x208, x216, x223, x230, x237, x244, x251, x258, x265, x272, x279)), (), (x67, x73, x77, x121, x125, x129, x173, x185, x192, x200, x208, x216, x223, x230, x237, x244, x251, x258, x265, x272, x279, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x31, x32, x33, x34, x35, x36, x37, x38, x39, x40, x41, x42))
 
 
 def joint_screws(*arguments):
@@ -1277,7 +1277,7 @@ def joint_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 341 (add 183, mul 141, trig 16, compare 1)
+    Operations: 318 (add 160, mul 141, trig 16, compare 1)
     """
     entries, batch = _entries("joint_screws", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -1538,7 +1538,7 @@ def joint_screws(*arguments):
         x269 = x223 * x256
         x270 = x218 * x252
         x271 = x269 + x270
-        return _finish(batch, ((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x16, x17, 0.0, x18, x20, 0.0, 0.0, 0.0, x22, x25, x26, x23, x27, x29, x35, x40, x43, x48, x53, x56, x60, x63, x66, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, x67, 0.0, x69, x70, 0.0, x71, 0.0, 0.0, 0.0, x75, x76, x78, x67, 0.0, x69, x82, x88, x89, x94, x97, x102, x105, x108, x112, x116, x119, x123, x126, x129, x133, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x134, x135, 0.0, x137, x138, 0.0, 0.0, 0.0, x141, x144, x145, x148, x152, x157, x163, x168, x171, 0.0, x134, x135, x175, x177, x178, x182, x186, x189, x192, x196, x200, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, x201, 0.0, x203, x205, 0.0, x207, 0.0, 0.0, 0.0, x211, x213, x215, x201, 0.0, x203, x220, x226, x228, x232, x235, x239, x242, x245, x249, x253, x257, x261, x265, x268, x271, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), (), (x16, x17, x18, x20, x22, x25, x26, x23, x27, x29, x35, x40, x43, x48, x53, x56, x60, x63, x66, x67, x69, x70, x71, x75, x76, x78, x82, x88, x89, x94, x97, x102, x105, x108, x112, x116, x119, x123, x126, x129, x133, x134, x135, x137, x138, x141, x144, x145, x148, x152, x157, x163, x168, x171, x175, x177, x178, x182, x186, x189, x192, x196, x200, x201, x203, x205, x207, x211, x213, x215, x220, x226, x228, x232, x235, x239, x242, x245, x249, x253, x257, x261, x265, x268, x271))
+        return _finish(batch, ((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x16, x17, 0.0, x18, x20, 0.0, 0.0, 0.0, x22, x25, x26, x23, x27, x29, x35, x40, x43, x48, x53, x56, x60, x63, x66, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, x67, 0.0, x69, x70, 0.0, x71, 0.0, 0.0, 0.0, x75, x76, x78, x67, 0.0, x69, x82, x88, x89, x94, x97, x102, x105, x108, x112, x116, x119, x123, x126, x129, x133, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x134, x135, 0.0, x137, x138, 0.0, 0.0, 0.0, x141, x144, x145, x148, x152, x157, x163, x168, x171, 0.0, x134, x135, x175, x177, x178, x182, x186, x189, x192, x196, x200, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, x201, 0.0, x203, x205, 0.0, x207, 0.0, 0.0, 0.0, x211, x213, x215, x201, 0.0, x203, x220, x226, x228, x232, x235, x239, x242, x245, x249, x253, x257, x261, x265, x268, x271, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), (), (x18, x20, x25, x29, x35, x40, x43, x60, x63, x66, x69, x70, x71, x75, x78, x82, x88, x89, x94, x102, x105, x108, x112, x116, x123, x126, x129, x133, x137, x138, x141, x144, x157, x163, x168, x171, x175, x177, x178, x182, x186, x192, x196, x200, x203, x205, x207, x211, x213, x215, x220, x226, x228, x242, x245, x249, x253, x257, x261, x265, x268, x271))
 
 
 def joint_points(*arguments):
@@ -1562,7 +1562,7 @@ def joint_points(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 110 (add 61, mul 32, trig 16, compare 1)
+    Operations: 106 (add 57, mul 32, trig 16, compare 1)
     """
     entries, batch = _entries("joint_points", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -1649,7 +1649,7 @@ def joint_points(*arguments):
         x95 = x93 - x94
         x96 = -x84
         x97 = -x94
-        return _finish(batch, (((-0.8), 0.0, 0.0, x23, x29, x34, x35, x36, x32, 0.0, (-0.8), 0.0, x44, x50, x55, x56, x57, x58, 0.8, 0.0, 0.0, x65, x71, x76, x63, x77, x74, 0.0, 0.8, 0.0, x85, x90, x95, x96, x88, x97, 0.0, 0.0, 0.0),), (), (x23, x29, x34, x35, x36, x32, x44, x50, x55, x56, x57, x58, x65, x71, x76, x63, x77, x74, x85, x90, x95, x96, x88, x97, x12, x13, x14, x15))
+        return _finish(batch, (((-0.8), 0.0, 0.0, x23, x29, x34, x35, x36, x32, 0.0, (-0.8), 0.0, x44, x50, x55, x56, x57, x58, 0.8, 0.0, 0.0, x65, x71, x76, x63, x77, x74, 0.0, 0.8, 0.0, x85, x90, x95, x96, x88, x97, 0.0, 0.0, 0.0),), (), (x23, x29, x34, x35, x36, x44, x50, x55, x56, x57, x58, x65, x71, x76, x77, x85, x90, x95, x96, x97, x12, x13, x14, x15))
 
 
 def platform_jacobian(*arguments):
@@ -1735,7 +1735,7 @@ def joint_displacements(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 451 (add 175, mul 231, div 4, sqrt 4, trig 22, compare 15)
+    Operations: 445 (add 169, mul 231, div 4, sqrt 4, trig 22, compare 15)
     """
     entries, batch = _entries("joint_displacements", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -2165,7 +2165,7 @@ def joint_displacements(*arguments):
         x438 = x13 * x437
         x439 = x14 * x437
         x440 = x15 * x437
-        return _finish(batch, ((x0, x1, x2, x43, x75, x3, x4, x5, x193, x194, x196, x6, x7, x8, x309, x311, x313, x9, x10, x11, x419, x420, x421, x438, x439, x440),), (), (x0, x1, x2, x43, x75, x3, x4, x5, x193, x194, x196, x6, x7, x8, x309, x311, x313, x9, x10, x11, x419, x420, x421, x438, x439, x440))
+        return _finish(batch, ((x0, x1, x2, x43, x75, x3, x4, x5, x193, x194, x196, x6, x7, x8, x309, x311, x313, x9, x10, x11, x419, x420, x421, x438, x439, x440),), (), (x43, x75, x193, x194, x196, x309, x311, x313, x419, x420, x421, x438, x439, x440, x0, x1, x2, x5, x8, x11))
 
 
 def joint_rates(*arguments):
@@ -2193,7 +2193,7 @@ def joint_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 246 (add 111, mul 117, div 1, trig 16, compare 1)
+    Operations: 235 (add 100, mul 117, div 1, trig 16, compare 1)
     """
     entries, batch = _entries("joint_rates", {"q": 16, "v": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, = entries
@@ -2414,7 +2414,7 @@ def joint_rates(*arguments):
         x244 = x243 * x207
         x245 = x240 + x244
         x246 = -x245
-        return _finish(batch, ((x16, x17, x18, x103, x107, x19, x20, x21, x116, x139, x154, x22, x23, x24, x183, x186, x200, x25, x26, x27, x209, x231, x246, x69, x78, x90),), (), (x16, x17, x18, x103, x107, x19, x20, x21, x116, x139, x154, x22, x23, x24, x183, x186, x200, x25, x26, x27, x209, x231, x246, x69, x78, x90, x2, x5, x8, x11))
+        return _finish(batch, ((x16, x17, x18, x103, x107, x19, x20, x21, x116, x139, x154, x22, x23, x24, x183, x186, x200, x25, x26, x27, x209, x231, x246, x69, x78, x90),), (), (x103, x107, x116, x139, x154, x183, x186, x200, x209, x231, x246, x2, x5, x8, x11, x18, x21, x24, x27))
 
 
 def drive_rates(*arguments):
@@ -2441,7 +2441,7 @@ def drive_rates(*arguments):
     entries, batch = _entries("drive_rates", {"q": 16, "v": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x18, x21, x24, x27),), (), (x18, x21, x24, x27, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x19, x20, x22, x23, x25, x26, x28, x29, x30))
+        return _finish(batch, ((x18, x21, x24, x27),), (), (x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30))
 
 
 def closure(*arguments):
@@ -2654,7 +2654,7 @@ def closure_jacobian(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 345 (add 155, mul 173, trig 16, compare 1)
+    Operations: 339 (add 149, mul 173, trig 16, compare 1)
     """
     entries, batch = _entries("closure_jacobian", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -2955,7 +2955,7 @@ def closure_jacobian(*arguments):
         x309 = x307 + x308
         x310 = x258 * x199
         x311 = x309 + x310
-        return _finish(batch, ((0.0, 0.0, x20, x36, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x18, 0.0, x46, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x51, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x49, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x56, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x54, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x61, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x59, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, x73, x85, x97, x110, x119, x131, x140, x149, x162, x171, x180, x192, x201, x205, x209, x214, x220, x223, x226, x231, x234, x238, x243, x246, x249, x254, x261, x265, x271, x277, x280, x283, x288, x291, x295, x300, x303, x306, x311),), (), (x20, x36, x18, x46, x51, x49, x56, x54, x61, x59, x73, x85, x97, x110, x119, x131, x140, x149, x162, x171, x180, x192, x201, x205, x209, x214, x220, x223, x226, x231, x234, x238, x243, x246, x249, x254, x261, x265, x271, x277, x280, x283, x288, x291, x295, x300, x303, x306, x311))
+        return _finish(batch, ((0.0, 0.0, x20, x36, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x18, 0.0, x46, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x51, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x49, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x56, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x54, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x61, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x59, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, x73, x85, x97, x110, x119, x131, x140, x149, x162, x171, x180, x192, x201, x205, x209, x214, x220, x223, x226, x231, x234, x238, x243, x246, x249, x254, x261, x265, x271, x277, x280, x283, x288, x291, x295, x300, x303, x306, x311),), (), (x20, x51, x56, x61, x73, x85, x97, x110, x119, x131, x140, x149, x162, x171, x180, x192, x201, x205, x209, x214, x220, x223, x226, x231, x234, x238, x243, x246, x249, x254, x261, x265, x271, x277, x280, x283, x288, x291, x295, x300, x303, x306, x311))
 
 
 def closure_bias(*arguments):
@@ -3308,7 +3308,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 240 (add 87, mul 107, div 7, trig 16, compare 23)
+    Operations: 236 (add 83, mul 107, div 7, trig 16, compare 23)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("velocity", {"q": 16, "y_dot": 2}, arguments)
@@ -3506,7 +3506,7 @@ def velocity(*arguments):
         x207 = x206 * x83
         x208 = x205 + x207
         x209 = x203 + x208
-        return _finish(batch, ((x94, x99, x101, x117, x126, x129, x145, x153, x156, x172, x181, x183, x195, x200, x209),), ((x132, 6.62327e-10), (x104, 6.62327e-10), (x159, 6.62327e-10), (x36, 6.62327e-10), (x133, 6.62327e-10), (x105, 6.62327e-10), (x160, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x82, 1.0e-09)), (x94, x99, x101, x117, x126, x129, x145, x153, x156, x172, x181, x183, x195, x200, x209, x132, x104, x159, x36, x133, x105, x160, x40, x63, x71, x82))
+        return _finish(batch, ((x94, x99, x101, x117, x126, x129, x145, x153, x156, x172, x181, x183, x195, x200, x209),), ((x132, 6.62327e-10), (x104, 6.62327e-10), (x159, 6.62327e-10), (x36, 6.62327e-10), (x133, 6.62327e-10), (x105, 6.62327e-10), (x160, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x82, 1.0e-09)), (x40, x63, x71, x82, x94, x99, x101, x105, x117, x126, x129, x133, x145, x153, x156, x160, x172, x181, x183, x195, x200, x209))
 
 
 def null_space(*arguments):
@@ -3532,7 +3532,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 326 (add 124, mul 156, div 7, trig 16, compare 23)
+    Operations: 322 (add 120, mul 156, div 7, trig 16, compare 23)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("null_space", {"q": 16}, arguments)
@@ -3801,7 +3801,7 @@ def null_space(*arguments):
         x276 = x201 * x205
         x277 = x275 - x276
         x278 = x274 + x277
-        return _finish(batch, ((x89, x94, x96, x112, x121, x124, x140, x148, x151, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278),), ((x127, 6.62327e-10), (x99, 6.62327e-10), (x154, 6.62327e-10), (x36, 6.62327e-10), (x128, 6.62327e-10), (x100, 6.62327e-10), (x155, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x78, 1.0e-09)), (x89, x94, x96, x112, x121, x124, x140, x148, x151, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278, x127, x99, x154, x36, x128, x100, x155, x40, x63, x71, x78))
+        return _finish(batch, ((x89, x94, x96, x112, x121, x124, x140, x148, x151, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278),), ((x127, 6.62327e-10), (x99, 6.62327e-10), (x154, 6.62327e-10), (x36, 6.62327e-10), (x128, 6.62327e-10), (x100, 6.62327e-10), (x155, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x78, 1.0e-09)), (x40, x63, x71, x78, x89, x94, x96, x100, x112, x121, x124, x128, x140, x148, x151, x155, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278))
 
 
 def acceleration(*arguments):
@@ -3829,7 +3829,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 524 (add 194, mul 284, div 7, trig 16, compare 23)
+    Operations: 520 (add 190, mul 284, div 7, trig 16, compare 23)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("acceleration", {"q": 16, "v": 15, "y_ddot": 2}, arguments)
@@ -4311,7 +4311,7 @@ def acceleration(*arguments):
         x506 = x504 - x505
         x507 = x114 * x496
         x508 = x506 - x507
-        return _finish(batch, ((x255, x264, x273, x316, x337, x347, x390, x410, x419, x462, x483, x492, x498, x503, x508),), ((x350, 6.62327e-10), (x276, 6.62327e-10), (x422, 6.62327e-10), (x51, 6.62327e-10), (x351, 6.62327e-10), (x277, 6.62327e-10), (x423, 6.62327e-10), (x55, 6.62327e-10), (x78, 1.0e-09), (x86, 1.0e-09), (x237, 1.0e-09)), (x255, x264, x273, x316, x337, x347, x390, x410, x419, x462, x483, x492, x498, x503, x508, x350, x276, x422, x51, x351, x277, x423, x55, x78, x86, x237))
+        return _finish(batch, ((x255, x264, x273, x316, x337, x347, x390, x410, x419, x462, x483, x492, x498, x503, x508),), ((x350, 6.62327e-10), (x276, 6.62327e-10), (x422, 6.62327e-10), (x51, 6.62327e-10), (x351, 6.62327e-10), (x277, 6.62327e-10), (x423, 6.62327e-10), (x55, 6.62327e-10), (x78, 1.0e-09), (x86, 1.0e-09), (x237, 1.0e-09)), (x55, x78, x86, x237, x255, x264, x273, x277, x316, x337, x347, x351, x390, x410, x419, x423, x462, x483, x492, x498, x503, x508))
 
 
 def momentum_screws(*arguments):
@@ -4352,7 +4352,7 @@ def momentum_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1090 (add 493, mul 580, trig 16, compare 1)
+    Operations: 1059 (add 462, mul 580, trig 16, compare 1)
     """
     entries, batch = _entries("momentum_screws", {"q": 16, "v": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, = entries
@@ -5387,7 +5387,7 @@ def momentum_screws(*arguments):
         x1058 = x1057 - x797
         x1059 = x1058 - x946
         x1060 = x1059 - x1011
-        return _finish(batch, ((x66, x80, x84, x111, x138, x165, x202, x221, x229, x253, x282, x312, x337, x354, x362, x366, x371, x375, x413, x431, x438, x468, x493, x523, x550, x565, x572, x576, x581, x586, x623, x643, x650, x675, x704, x734, x760, x778, x785, x789, x793, x798, x837, x855, x863, x893, x917, x947, x975, x991, x999, x1003, x1007, x1012), (x1020, x1028, x1036, x1044, x1052, x1060)), (), (x66, x80, x84, x111, x138, x165, x202, x221, x229, x253, x282, x312, x337, x354, x362, x366, x371, x375, x413, x431, x438, x468, x493, x523, x550, x565, x572, x576, x581, x586, x623, x643, x650, x675, x704, x734, x760, x778, x785, x789, x793, x798, x837, x855, x863, x893, x917, x947, x975, x991, x999, x1003, x1007, x1012, x1020, x1028, x1036, x1044, x1052, x1060))
+        return _finish(batch, ((x66, x80, x84, x111, x138, x165, x202, x221, x229, x253, x282, x312, x337, x354, x362, x366, x371, x375, x413, x431, x438, x468, x493, x523, x550, x565, x572, x576, x581, x586, x623, x643, x650, x675, x704, x734, x760, x778, x785, x789, x793, x798, x837, x855, x863, x893, x917, x947, x975, x991, x999, x1003, x1007, x1012), (x1020, x1028, x1036, x1044, x1052, x1060)), (), (x229, x312, x362, x371, x468, x493, x523, x581, x586, x643, x675, x734, x760, x778, x798, x837, x863, x893, x947, x975, x991, x999, x1012, x1020, x1028, x1036, x1044, x1052, x1060))
 
 
 def momentum_rates(*arguments):
@@ -7832,7 +7832,7 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 575 (add 203, mul 326, div 7, trig 16, compare 23)
+    Operations: 571 (add 199, mul 326, div 7, trig 16, compare 23)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -8377,7 +8377,7 @@ def inverse_dynamics(*arguments):
         x581 = x110 * x571
         x582 = x139 * x568
         x583 = x581 - x582
-        return _finish(batch, ((x574, x577, x580, x583),), ((x320, 6.3211e-10), (x321, 5.4232e-10), (x238, 6.4044e-10), (x239, 5.480600000000001e-10), (x156, 6.284e-10), (x157, 5.3975e-10), (x65, 6.233100000000001e-10), (x66, 5.362000000000001e-10), (x97, 4.0171000000000005e-10), (x134, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x574, x577, x580, x583, x320, x321, x238, x239, x156, x157, x65, x66, x97, x134, x567))
+        return _finish(batch, ((x574, x577, x580, x583),), ((x320, 6.3211e-10), (x321, 5.4232e-10), (x238, 6.4044e-10), (x239, 5.480600000000001e-10), (x156, 6.284e-10), (x157, 5.3975e-10), (x65, 6.233100000000001e-10), (x66, 5.362000000000001e-10), (x97, 4.0171000000000005e-10), (x134, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x66, x97, x134, x157, x239, x321, x567, x574, x577, x580, x583))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -8400,7 +8400,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1037 (add 363, mul 619, div 10, trig 16, compare 29)
+    Operations: 1033 (add 359, mul 619, div 10, trig 16, compare 29)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -9398,7 +9398,7 @@ def inverse_dynamics_independent(*arguments):
         x1008 = x116 * x995
         x1009 = x89 * x999
         x1010 = x1008 - x1009
-        return _finish(batch, ((x1001, x1004, x1007, x1010),), ((x492, 6.62327e-10), (x646, 6.62327e-10), (x131, 6.62327e-10), (x41, 6.62327e-10), (x495, 6.62327e-10), (x649, 6.62327e-10), (x134, 6.62327e-10), (x42, 6.62327e-10), (x142, 1.0e-09), (x149, 1.0e-09), (x158, 1.0e-09), (x69, 4.0171000000000005e-10), (x114, 4.881397689000001e-10), (x994, 4.904060840999999e-10)), (x1001, x1004, x1007, x1010, x492, x646, x131, x41, x495, x649, x134, x42, x142, x149, x158, x69, x114, x994))
+        return _finish(batch, ((x1001, x1004, x1007, x1010),), ((x492, 6.62327e-10), (x646, 6.62327e-10), (x131, 6.62327e-10), (x41, 6.62327e-10), (x495, 6.62327e-10), (x649, 6.62327e-10), (x134, 6.62327e-10), (x42, 6.62327e-10), (x142, 1.0e-09), (x149, 1.0e-09), (x158, 1.0e-09), (x69, 4.0171000000000005e-10), (x114, 4.881397689000001e-10), (x994, 4.904060840999999e-10)), (x42, x69, x114, x134, x142, x149, x158, x495, x649, x994, x1001, x1004, x1007, x1010))
 
 
 def inverse_dynamics_preload(*arguments):
@@ -9431,7 +9431,7 @@ def inverse_dynamics_preload(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 619 (add 219, mul 342, div 11, trig 16, compare 31)
+    Operations: 615 (add 215, mul 342, div 11, trig 16, compare 31)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -10008,7 +10008,7 @@ def inverse_dynamics_preload(*arguments):
         x621 = x127 * x608
         x622 = x620 - x621
         x623 = x53 - x622
-        return _finish(batch, ((x611, x615, x619, x623),), ((x340, 6.3211e-10), (x341, 5.4232e-10), (x258, 6.4044e-10), (x259, 5.480600000000001e-10), (x176, 6.284e-10), (x177, 5.3975e-10), (x76, 6.233100000000001e-10), (x77, 5.362000000000001e-10), (x104, 4.0171000000000005e-10), (x157, 4.881397689000001e-10), (x603, 4.904060840999999e-10), (x46, 0.0), (x47, 0.0), (x48, 0.0), (x49, 0.0)), (x611, x615, x619, x623, x340, x341, x258, x259, x176, x177, x76, x77, x104, x157, x603, x46, x47, x48, x49))
+        return _finish(batch, ((x611, x615, x619, x623),), ((x340, 6.3211e-10), (x341, 5.4232e-10), (x258, 6.4044e-10), (x259, 5.480600000000001e-10), (x176, 6.284e-10), (x177, 5.3975e-10), (x76, 6.233100000000001e-10), (x77, 5.362000000000001e-10), (x104, 4.0171000000000005e-10), (x157, 4.881397689000001e-10), (x603, 4.904060840999999e-10), (x46, 0.0), (x47, 0.0), (x48, 0.0), (x49, 0.0)), (x77, x104, x157, x177, x259, x341, x603, x611, x615, x619, x623, x46, x47, x48, x49))
 
 
 def joint_reactions(*arguments):
@@ -10057,7 +10057,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1260 (add 555, mul 659, div 7, trig 16, compare 23)
+    Operations: 1239 (add 534, mul 659, div 7, trig 16, compare 23)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -11212,7 +11212,7 @@ def joint_reactions(*arguments):
         x1191 = x103 * x1127
         x1192 = x1111 + x1191
         x1193 = x1190 - x1192
-        return _finish(batch, ((x575, x578, x581, x585), (x609, x633, x637, x664, x671, x674, x675, x680, x685, x696, x714, x723, x728, x733, x738, x743, x750, x757, x775, x778, x781, x802, x805, x809, x814, x815, x819, x837, x845, x855, x861, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x934, x939, x944, x955, x970, x979, x983, x989, x995, x998, x1001, x1004, x1022, x1025, x1028, x1048, x1052, x1055, x1060, x1061, x1065, x1083, x1091, x1100, x1107, x1110, x1115, x1118, x1121, x1124, x1157, x1176, x1193, 0.0, 0.0, 0.0)), ((x320, 6.3211e-10), (x321, 5.4232e-10), (x238, 6.4044e-10), (x239, 5.480600000000001e-10), (x156, 6.284e-10), (x157, 5.3975e-10), (x67, 6.233100000000001e-10), (x68, 5.362000000000001e-10), (x95, 4.0171000000000005e-10), (x140, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x575, x578, x581, x585, x609, x633, x637, x664, x671, x674, x675, x680, x685, x696, x714, x723, x728, x733, x738, x743, x750, x757, x775, x778, x781, x802, x805, x809, x814, x815, x819, x837, x845, x855, x861, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x934, x939, x944, x955, x970, x979, x983, x989, x995, x998, x1001, x1004, x1022, x1025, x1028, x1048, x1052, x1055, x1060, x1061, x1065, x1083, x1091, x1100, x1107, x1110, x1115, x1118, x1121, x1124, x1157, x1176, x1193, x320, x321, x238, x239, x156, x157, x67, x68, x95, x140, x567))
+        return _finish(batch, ((x575, x578, x581, x585), (x609, x633, x637, x664, x671, x674, x675, x680, x685, x696, x714, x723, x728, x733, x738, x743, x750, x757, x775, x778, x781, x802, x805, x809, x814, x815, x819, x837, x845, x855, x861, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x934, x939, x944, x955, x970, x979, x983, x989, x995, x998, x1001, x1004, x1022, x1025, x1028, x1048, x1052, x1055, x1060, x1061, x1065, x1083, x1091, x1100, x1107, x1110, x1115, x1118, x1121, x1124, x1157, x1176, x1193, 0.0, 0.0, 0.0)), ((x320, 6.3211e-10), (x321, 5.4232e-10), (x238, 6.4044e-10), (x239, 5.480600000000001e-10), (x156, 6.284e-10), (x157, 5.3975e-10), (x67, 6.233100000000001e-10), (x68, 5.362000000000001e-10), (x95, 4.0171000000000005e-10), (x140, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x68, x95, x140, x157, x239, x321, x567, x575, x585, x609, x637, x664, x671, x674, x680, x685, x696, x714, x723, x728, x743, x750, x757, x775, x778, x802, x805, x809, x814, x837, x845, x855, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x939, x944, x955, x970, x979, x989, x995, x998, x1001, x1004, x1022, x1025, x1048, x1052, x1055, x1060, x1083, x1091, x1100, x1107, x1118, x1121, x1124, x1157, x1176, x1193))
 
 
 def _forward_dynamics_first(*arguments):
@@ -11994,7 +11994,7 @@ def _forward_dynamics_first(*arguments):
         x806 = x804 + x805
         x807 = x92 * x738
         x808 = x806 - x807
-        return _finish(batch, ((x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808),), ((x227, 6.62327e-06), (x248, 6.62327e-06), (x192, 6.62327e-06), (x53, 6.62327e-06), (x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05)), (x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808, x227, x248, x192, x53, x231, x252, x196, x57, x80, x717, x732))
+        return _finish(batch, ((x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808),), ((x227, 6.62327e-06), (x248, 6.62327e-06), (x192, 6.62327e-06), (x53, 6.62327e-06), (x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05)), (x57, x80, x196, x231, x252, x717, x732, x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -12733,7 +12733,7 @@ def _forward_dynamics_dense(*arguments):
         x763 = x761 + x762
         x764 = x760 + x763
         x765 = -x764
-        return _finish(batch, ((x44, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x45, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x55, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x56, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x66, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x67, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x77, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x78, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0921), (x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, 0.0), (0.0, 0.0, x322, x330, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x37, 0.0, x339, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x341, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x48, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x343, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x59, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x345, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x70, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583), (x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765)), (), (x44, x45, x55, x56, x66, x67, x77, x78, x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, x322, x330, x37, x339, x341, x48, x343, x59, x345, x70, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583, x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765))
+        return _finish(batch, ((x44, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x45, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x55, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x56, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x66, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x67, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x77, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x78, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0921), (x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, 0.0), (0.0, 0.0, x322, x330, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x37, 0.0, x339, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x341, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x48, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x343, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x59, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x345, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x70, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583), (x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765)), (), (x44, x45, x55, x56, x66, x67, x77, x78, x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, x322, x341, x343, x345, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583, x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765))
 
 
 def forward_dynamics(*arguments):
@@ -12764,7 +12764,7 @@ def forward_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 822 (add 307, mul 469, div 7, trig 16, compare 23)
+    Operations where no pivot is small: 818 (add 303, mul 469, div 7, trig 16, compare 23)
     """
     settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
     return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
@@ -12790,7 +12790,7 @@ def forward_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 906 (add 316, mul 538, div 9, trig 16, compare 27)
+    Operations: 902 (add 312, mul 538, div 9, trig 16, compare 27)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 16, "y_dot": 2, "u": 4}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, = entries
@@ -13660,7 +13660,7 @@ def forward_dynamics_independent(*arguments):
         x884 = x882 - x883
         x885 = x879 - x884
         x886 = 0.5 * x885
-        return _finish(batch, ((x868, x886),), ((x245, 6.62327e-10), (x265, 6.62327e-10), (x285, 6.62327e-10), (x40, 6.62327e-10), (x249, 6.62327e-10), (x269, 6.62327e-10), (x289, 6.62327e-10), (x44, 6.62327e-10), (x67, 1.0e-09), (x75, 1.0e-09), (x86, 1.0e-09), (x415, 2.8035e-09), (x825, 2.7975000000000003e-09)), (x868, x886, x245, x265, x285, x40, x249, x269, x289, x44, x67, x75, x86, x415, x825))
+        return _finish(batch, ((x868, x886),), ((x245, 6.62327e-10), (x265, 6.62327e-10), (x285, 6.62327e-10), (x40, 6.62327e-10), (x249, 6.62327e-10), (x269, 6.62327e-10), (x289, 6.62327e-10), (x44, 6.62327e-10), (x67, 1.0e-09), (x75, 1.0e-09), (x86, 1.0e-09), (x415, 2.8035e-09), (x825, 2.7975000000000003e-09)), (x44, x67, x75, x86, x249, x269, x289, x415, x825, x868, x886))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -15357,7 +15357,7 @@ def _forward_dynamics_reactions_first(*arguments):
         x1721 = x1712 + x1720
         x1722 = x1710 - x1721
         x1723 = x1708 - x1722
-        return _finish(batch, ((x744, x750, x753, x759, x765, x768, x774, x780, x782, x788, x794, x796, x802, x808, x814), (x1152, x1175, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1270, x1276, x1282, x1287, x1295, x1302, x1316, x1320, x1323, x1343, x1346, x1349, x1354, x1356, x1360, x1377, x1385, x1394, x1400, x1403, x1409, x1412, x1416, x1419, x1427, x1436, x1440, x1457, x1463, x1466, x1467, x1471, x1475, x1487, x1501, x1510, x1515, x1520, x1525, x1529, x1533, x1536, x1550, x1553, x1556, x1576, x1579, x1583, x1587, x1588, x1593, x1609, x1618, x1627, x1633, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723, 0.0, 0.0, 0.0)), ((x227, 6.62327e-06), (x248, 6.62327e-06), (x192, 6.62327e-06), (x53, 6.62327e-06), (x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05), (x839, 4.017100000000001e-06)), (x744, x750, x753, x759, x765, x768, x774, x780, x782, x788, x794, x796, x802, x808, x814, x1152, x1175, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1270, x1276, x1282, x1287, x1295, x1302, x1316, x1320, x1323, x1343, x1346, x1349, x1354, x1356, x1360, x1377, x1385, x1394, x1400, x1403, x1409, x1412, x1416, x1419, x1427, x1436, x1440, x1457, x1463, x1466, x1467, x1471, x1475, x1487, x1501, x1510, x1515, x1520, x1525, x1529, x1533, x1536, x1550, x1553, x1556, x1576, x1579, x1583, x1587, x1588, x1593, x1609, x1618, x1627, x1633, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723, x227, x248, x192, x53, x231, x252, x196, x57, x80, x717, x732, x839))
+        return _finish(batch, ((x744, x750, x753, x759, x765, x768, x774, x780, x782, x788, x794, x796, x802, x808, x814), (x1152, x1175, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1270, x1276, x1282, x1287, x1295, x1302, x1316, x1320, x1323, x1343, x1346, x1349, x1354, x1356, x1360, x1377, x1385, x1394, x1400, x1403, x1409, x1412, x1416, x1419, x1427, x1436, x1440, x1457, x1463, x1466, x1467, x1471, x1475, x1487, x1501, x1510, x1515, x1520, x1525, x1529, x1533, x1536, x1550, x1553, x1556, x1576, x1579, x1583, x1587, x1588, x1593, x1609, x1618, x1627, x1633, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723, 0.0, 0.0, 0.0)), ((x227, 6.62327e-06), (x248, 6.62327e-06), (x192, 6.62327e-06), (x53, 6.62327e-06), (x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05), (x839, 4.017100000000001e-06)), (x57, x80, x196, x231, x252, x717, x732, x750, x753, x765, x768, x780, x794, x802, x808, x814, x839, x1152, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1276, x1282, x1287, x1295, x1302, x1320, x1343, x1346, x1349, x1354, x1356, x1377, x1385, x1394, x1409, x1412, x1416, x1419, x1427, x1440, x1457, x1463, x1466, x1487, x1501, x1510, x1515, x1529, x1533, x1536, x1553, x1576, x1579, x1583, x1593, x1609, x1618, x1627, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -16096,7 +16096,7 @@ def _forward_dynamics_reactions_dense(*arguments):
         x763 = x761 + x762
         x764 = x760 + x763
         x765 = -x764
-        return _finish(batch, ((x44, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x45, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x55, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x56, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x66, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x67, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x77, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x78, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0921), (x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, 0.0), (0.0, 0.0, x322, x330, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x37, 0.0, x339, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x341, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x48, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x343, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x59, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x345, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x70, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583), (x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765)), (), (x44, x45, x55, x56, x66, x67, x77, x78, x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, x322, x330, x37, x339, x341, x48, x343, x59, x345, x70, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583, x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765))
+        return _finish(batch, ((x44, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x45, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x55, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x56, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x66, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x67, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x77, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x78, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.8436, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0921), (x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, 0.0), (0.0, 0.0, x322, x330, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x37, 0.0, x339, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x341, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x48, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x343, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x59, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x345, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x70, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583), (x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765)), (), (x44, x45, x55, x56, x66, x67, x77, x78, x105, x124, x134, x161, x180, x190, x217, x236, x246, x273, x292, x302, x311, x320, x322, x341, x343, x345, x354, x366, x378, x391, x398, x409, x418, x425, x437, x446, x453, x464, x473, x477, x481, x486, x492, x495, x498, x503, x506, x510, x515, x518, x521, x526, x533, x537, x543, x549, x552, x555, x560, x563, x567, x572, x575, x578, x583, x622, x628, x633, x659, x683, x689, x694, x718, x724, x729, x753, x759, x765))
 
 
 def _forward_dynamics_reactions_wrenches(*arguments):
@@ -16954,7 +16954,7 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         x910 = -x60
         x911 = -x61
         x912 = -x62
-        return _finish(batch, ((x102, x126, x129, x163, x169, x172, x173, x177, x182, x193, x221, x230, x234, x240, x246, x251, x258, x265, x326, x329, x333, x356, x359, x362, x366, x367, x371, x391, x399, x409, x415, x419, x424, x428, x431, x434, x474, x499, x503, x524, x530, x533, x534, x539, x543, x555, x571, x580, x583, x589, x595, x598, x601, x604, x666, x669, x672, x695, x699, x702, x707, x708, x713, x733, x741, x751, x757, x760, x765, x768, x771, x774, x818, x839, x856, 0.0, 0.0, 0.0), (x857, x102, x120, x858, x859, 0.0, 0.0, x84, x860, x861, x863, x865, x866, x867, x868, x870, 0.0, x872, x873, x329, x290, x874, x875, 0.0, 0.0, x321, x876, x877, x879, x881, x882, x883, x884, 0.0, 0.0, 0.0, x885, x474, x886, x887, x889, 0.0, 0.0, x471, x890, x891, x893, x895, x896, x897, x898, 0.0, 0.0, 0.0, x899, x669, x900, x901, x903, 0.0, 0.0, x660, x904, x905, x907, x909, x910, x911, x912, 0.0, 0.0, 0.0, x818, x839, x856, 0.0, 0.0, 0.0)), (), (x102, x126, x129, x163, x169, x172, x173, x177, x182, x193, x221, x230, x234, x240, x246, x251, x258, x265, x326, x329, x333, x356, x359, x362, x366, x367, x371, x391, x399, x409, x415, x419, x424, x428, x431, x434, x474, x499, x503, x524, x530, x533, x534, x539, x543, x555, x571, x580, x583, x589, x595, x598, x601, x604, x666, x669, x672, x695, x699, x702, x707, x708, x713, x733, x741, x751, x757, x760, x765, x768, x771, x774, x818, x839, x856, x857, x120, x858, x859, x84, x860, x861, x863, x865, x866, x867, x868, x870, x872, x873, x290, x874, x875, x321, x876, x877, x879, x881, x882, x883, x884, x885, x886, x887, x889, x471, x890, x891, x893, x895, x896, x897, x898, x899, x900, x901, x903, x660, x904, x905, x907, x909, x910, x911, x912, x31, x32, x33, x34, x49))
+        return _finish(batch, ((x102, x126, x129, x163, x169, x172, x173, x177, x182, x193, x221, x230, x234, x240, x246, x251, x258, x265, x326, x329, x333, x356, x359, x362, x366, x367, x371, x391, x399, x409, x415, x419, x424, x428, x431, x434, x474, x499, x503, x524, x530, x533, x534, x539, x543, x555, x571, x580, x583, x589, x595, x598, x601, x604, x666, x669, x672, x695, x699, x702, x707, x708, x713, x733, x741, x751, x757, x760, x765, x768, x771, x774, x818, x839, x856, 0.0, 0.0, 0.0), (x857, x102, x120, x858, x859, 0.0, 0.0, x84, x860, x861, x863, x865, x866, x867, x868, x870, 0.0, x872, x873, x329, x290, x874, x875, 0.0, 0.0, x321, x876, x877, x879, x881, x882, x883, x884, 0.0, 0.0, 0.0, x885, x474, x886, x887, x889, 0.0, 0.0, x471, x890, x891, x893, x895, x896, x897, x898, 0.0, 0.0, 0.0, x899, x669, x900, x901, x903, 0.0, 0.0, x660, x904, x905, x907, x909, x910, x911, x912, 0.0, 0.0, 0.0, x818, x839, x856, 0.0, 0.0, 0.0)), (), (x102, x169, x172, x182, x193, x221, x230, x234, x240, x246, x251, x258, x265, x329, x333, x356, x362, x391, x399, x409, x415, x419, x428, x431, x434, x474, x499, x503, x524, x530, x533, x539, x555, x571, x580, x589, x595, x598, x601, x604, x666, x669, x695, x699, x702, x707, x713, x733, x741, x751, x757, x768, x771, x774, x818, x839, x856, x857, x858, x859, x860, x861, x863, x865, x866, x867, x868, x870, x872, x873, x874, x875, x876, x877, x879, x881, x882, x883, x884, x885, x886, x887, x889, x890, x891, x893, x895, x896, x897, x898, x899, x900, x901, x903, x904, x905, x907, x909, x910, x911, x912, x31, x32, x33, x34, x49))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -17007,7 +17007,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 1815 (add 783, mul 983, div 8, trig 16, compare 25)
+    Operations where no pivot is small: 1787 (add 755, mul 983, div 8, trig 16, compare 25)
     """
     settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
     return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense, _forward_dynamics_reactions_wrenches, arguments, *settings)
@@ -17034,7 +17034,7 @@ def close_position(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 595 (add 239, mul 307, div 8, sqrt 2, trig 16, compare 23)
+    Operations: 589 (add 233, mul 307, div 8, sqrt 2, trig 16, compare 23)
     """
     entries, batch = _entries("close_position", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -17584,7 +17584,7 @@ def close_position(*arguments):
         x558 = x557 * x557
         x559 = x556 + x558
         x560 = np.sqrt(x559)
-        return _finish(batch, ((x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522), (x560,)), ((x196, 6.62327e-10), (x144, 6.62327e-10), (x119, 6.62327e-10), (x18, 6.62327e-10), (x197, 6.62327e-10), (x148, 6.62327e-10), (x124, 6.62327e-10), (x19, 6.62327e-10), (x84, 1.0e-09), (x165, 5.4106e-09), (x424, 5.4385e-09)), (x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522, x560, x196, x144, x119, x18, x197, x148, x124, x19, x84, x165, x424))
+        return _finish(batch, ((x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522), (x560,)), ((x196, 6.62327e-10), (x144, 6.62327e-10), (x119, 6.62327e-10), (x18, 6.62327e-10), (x197, 6.62327e-10), (x148, 6.62327e-10), (x124, 6.62327e-10), (x19, 6.62327e-10), (x84, 1.0e-09), (x165, 5.4106e-09), (x424, 5.4385e-09)), (x19, x84, x165, x197, x424, x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522, x560))
 
 
 def close_velocity(*arguments):
@@ -17610,7 +17610,7 @@ def close_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 370 (add 146, mul 178, div 7, trig 16, compare 23)
+    Operations: 364 (add 140, mul 178, div 7, trig 16, compare 23)
     """
     entries, batch = _entries("close_velocity", {"q": 16, "v": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, = entries
@@ -17937,7 +17937,7 @@ def close_velocity(*arguments):
         x350 = x348 + x349
         x351 = x347 + x350
         x352 = -x351
-        return _finish(batch, ((x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352),), ((x161, 6.62327e-10), (x117, 6.62327e-10), (x92, 6.62327e-10), (x33, 6.62327e-10), (x162, 6.62327e-10), (x121, 6.62327e-10), (x97, 6.62327e-10), (x34, 6.62327e-10), (x79, 1.0e-09), (x138, 5.4106e-09), (x298, 5.4385e-09)), (x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352, x161, x117, x92, x33, x162, x121, x97, x34, x79, x138, x298))
+        return _finish(batch, ((x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352),), ((x161, 6.62327e-10), (x117, 6.62327e-10), (x92, 6.62327e-10), (x33, 6.62327e-10), (x162, 6.62327e-10), (x121, 6.62327e-10), (x97, 6.62327e-10), (x34, 6.62327e-10), (x79, 1.0e-09), (x138, 5.4106e-09), (x298, 5.4385e-09)), (x34, x79, x138, x162, x298, x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352))
 
 
 def inverse_kinematics(*arguments):
@@ -17955,7 +17955,7 @@ def inverse_kinematics(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 155 (add 65, mul 65, div 8, sqrt 8, trig 8, compare 1)
+    Operations: 151 (add 61, mul 65, div 8, sqrt 8, trig 8, compare 1)
     """
     entries, batch = _entries("inverse_kinematics", {"pose": 4}, arguments)
     x0, x1, x2, x3, = entries
@@ -18099,7 +18099,7 @@ def inverse_kinematics(*arguments):
         x140 = x138 + x139
         x141 = np.arctan2(x137, x140)
         x142 = x131 - 0.3
-        return _finish(batch, ((x34, x55, x56, x70, x88, x89, x100, x115, x116, x126, x141, x142, x0, x1, x2, x3),), (), (x34, x55, x56, x70, x88, x89, x100, x115, x116, x126, x141, x142, x0, x1, x2, x3))
+        return _finish(batch, ((x34, x55, x56, x70, x88, x89, x100, x115, x116, x126, x141, x142, x0, x1, x2, x3),), (), (x34, x55, x56, x70, x88, x89, x100, x115, x116, x126, x141, x142))
 
 
 def inverse_velocity(*arguments):
@@ -18119,7 +18119,7 @@ def inverse_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 253 (add 98, mul 122, div 8, sqrt 8, compare 17)
+    Operations: 246 (add 91, mul 122, div 8, sqrt 8, compare 17)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 4, "rate": 3}, arguments)
     x0, x1, x2, x3, x4, x5, x6, = entries
@@ -18338,7 +18338,7 @@ def inverse_velocity(*arguments):
         x218 = x213 * x208
         x219 = x212 * x205
         x220 = x218 - x219
-        return _finish(batch, ((x72, x90, x93, x117, x134, x137, x158, x175, x178, x199, x217, x220, x4, x5, x6),), ((x162, 6.62327e-10), (x121, 6.62327e-10), (x203, 6.62327e-10), (x76, 6.62327e-10), (x143, 6.62327e-10), (x101, 6.62327e-10), (x184, 6.62327e-10), (x32, 6.62327e-10)), (x72, x90, x93, x117, x134, x137, x158, x175, x178, x199, x217, x220, x4, x5, x6, x162, x121, x203, x76, x143, x101, x184, x32))
+        return _finish(batch, ((x72, x90, x93, x117, x134, x137, x158, x175, x178, x199, x217, x220, x4, x5, x6),), ((x162, 6.62327e-10), (x121, 6.62327e-10), (x203, 6.62327e-10), (x76, 6.62327e-10), (x143, 6.62327e-10), (x101, 6.62327e-10), (x184, 6.62327e-10), (x32, 6.62327e-10)), (x72, x76, x90, x93, x117, x121, x134, x137, x158, x162, x175, x178, x199, x203, x217, x220))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -18358,7 +18358,7 @@ def inverse_dynamics_platform(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 946 (add 354, mul 550, div 11, sqrt 8, compare 23)
+    Operations: 938 (add 346, mul 550, div 11, sqrt 8, compare 23)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -19274,7 +19274,7 @@ def inverse_dynamics_platform(*arguments):
         x916 = x878 * x901
         x917 = x915 + x916
         x918 = -x917
-        return _finish(batch, ((x907, x911, x914, x918),), ((x484, 6.62327e-10), (x323, 6.62327e-10), (x628, 6.62327e-10), (x45, 6.62327e-10), (x479, 6.62327e-10), (x315, 6.62327e-10), (x621, 6.62327e-10), (x49, 6.62327e-10), (x99, 4.0171000000000005e-10), (x887, 4.881397689000001e-10), (x900, 4.904060840999999e-10)), (x907, x911, x914, x918, x484, x323, x628, x45, x479, x315, x621, x49, x99, x887, x900))
+        return _finish(batch, ((x907, x911, x914, x918),), ((x484, 6.62327e-10), (x323, 6.62327e-10), (x628, 6.62327e-10), (x45, 6.62327e-10), (x479, 6.62327e-10), (x315, 6.62327e-10), (x621, 6.62327e-10), (x49, 6.62327e-10), (x99, 4.0171000000000005e-10), (x887, 4.881397689000001e-10), (x900, 4.904060840999999e-10)), (x99, x887, x900, x907, x911, x914, x918))
 
 
 def _assemble_step(*arguments):
@@ -19967,7 +19967,7 @@ def _assemble_step(*arguments):
         x700 = x116 * x699
         x701 = x135 * x700
         x702 = -x701
-        return _finish(batch, ((x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x451, x442, x653, x453), (x691,), (x398,), (x702,)), ((x218, 6.62327e-13), (x287, 6.62327e-13), (x150, 6.62327e-13), (x36, 6.62327e-13), (x250, 6.62327e-13), (x317, 6.62327e-13), (x183, 6.62327e-13), (x40, 6.62327e-13), (x63, 1.0e-12), (x116, 1.0e-12), (x135, 1.0e-12)), (x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x451, x442, x653, x453, x691, x398, x702, x218, x287, x150, x36, x250, x317, x183, x40, x63, x116, x135))
+        return _finish(batch, ((x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x451, x442, x653, x453), (x691,), (x398,), (x702,)), ((x218, 6.62327e-13), (x287, 6.62327e-13), (x150, 6.62327e-13), (x36, 6.62327e-13), (x250, 6.62327e-13), (x317, 6.62327e-13), (x183, 6.62327e-13), (x40, 6.62327e-13), (x63, 1.0e-12), (x116, 1.0e-12), (x135, 1.0e-12)), (x398, x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x653, x691, x702))
 
 
 def assemble(*arguments):
@@ -19993,7 +19993,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 737 (add 278, mul 369, div 17, sqrt 11, trig
+    Operations of one Newton step (at most 25 per substep): 723 (add 264, mul 369, div 17, sqrt 11, trig
     28, compare 34)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """

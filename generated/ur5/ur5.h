@@ -84,7 +84,7 @@ const char *ur5_status_text(int status);
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 222 (add 121, mul 88, trig 12, compare 1)
+ * Operations: 201 (add 100, mul 88, trig 12, compare 1)
  */
 #define UR5_BODY_POSES_Q_SIZE 6
 #define UR5_BODY_POSES_POSES_SIZE 72
@@ -129,7 +129,7 @@ int ur5_body_poses_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 187 (add 84, mul 92, trig 10, compare 1)
+ * Operations: 170 (add 67, mul 92, trig 10, compare 1)
  */
 #define UR5_BODY_TWISTS_Q_SIZE 6
 #define UR5_BODY_TWISTS_V_SIZE 6
@@ -181,7 +181,7 @@ int ur5_body_twists_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 380 (add 167, mul 202, trig 10, compare 1)
+ * Operations: 361 (add 148, mul 202, trig 10, compare 1)
  */
 #define UR5_BODY_TWIST_RATES_Q_SIZE 6
 #define UR5_BODY_TWIST_RATES_V_SIZE 6
@@ -261,7 +261,7 @@ int ur5_forward_kinematics_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 411 (add 171, mul 229, trig 10, compare 1)
+ * Operations: 407 (add 167, mul 229, trig 10, compare 1)
  */
 #define UR5_POINT_MOTION_Q_SIZE 6
 #define UR5_POINT_MOTION_V_SIZE 6
@@ -320,7 +320,7 @@ int ur5_point_motion_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 136 (add 59, mul 66, trig 10, compare 1)
+ * Operations: 132 (add 55, mul 66, trig 10, compare 1)
  */
 #define UR5_JOINT_SCREWS_Q_SIZE 6
 #define UR5_JOINT_SCREWS_SCREWS_SIZE 36
@@ -356,7 +356,7 @@ int ur5_joint_screws_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 78 (add 36, mul 33, trig 8, compare 1)
+ * Operations: 76 (add 34, mul 33, trig 8, compare 1)
  */
 #define UR5_JOINT_POINTS_Q_SIZE 6
 #define UR5_JOINT_POINTS_POINTS_SIZE 18
@@ -396,7 +396,7 @@ int ur5_joint_points_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 136 (add 59, mul 66, trig 10, compare 1)
+ * Operations: 132 (add 55, mul 66, trig 10, compare 1)
  */
 #define UR5_PLATFORM_JACOBIAN_Q_SIZE 6
 #define UR5_PLATFORM_JACOBIAN_JACOBIAN_SIZE 36
@@ -693,7 +693,7 @@ int ur5_acceleration_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 840 (add 376, mul 451, trig 12, compare 1)
+ * Operations: 816 (add 352, mul 451, trig 12, compare 1)
  */
 #define UR5_MOMENTUM_SCREWS_Q_SIZE 6
 #define UR5_MOMENTUM_SCREWS_V_SIZE 6
@@ -842,7 +842,7 @@ int ur5_energy_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 182 (add 88, mul 85, trig 8, compare 1)
+ * Operations: 179 (add 85, mul 85, trig 8, compare 1)
  */
 #define UR5_MASS_MATRIX_Q_SIZE 6
 #define UR5_MASS_MATRIX_MASS_MATRIX_SIZE 36
@@ -878,7 +878,7 @@ int ur5_mass_matrix_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 292 (add 120, mul 161, trig 10, compare 1)
+ * Operations: 290 (add 118, mul 161, trig 10, compare 1)
  */
 #define UR5_BIAS_Q_SIZE 6
 #define UR5_BIAS_V_SIZE 6
@@ -921,7 +921,7 @@ int ur5_bias_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 318 (add 136, mul 171, trig 10, compare 1)
+ * Operations: 314 (add 132, mul 171, trig 10, compare 1)
  */
 #define UR5_INVERSE_DYNAMICS_Q_SIZE 6
 #define UR5_INVERSE_DYNAMICS_V_SIZE 6
@@ -968,7 +968,7 @@ int ur5_inverse_dynamics_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 318 (add 136, mul 171, trig 10, compare 1)
+ * Operations: 314 (add 132, mul 171, trig 10, compare 1)
  */
 #define UR5_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE 6
 #define UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 6
@@ -1029,7 +1029,7 @@ int ur5_inverse_dynamics_independent_batch_soa(
  * Returns
  *   0 success
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 919 (add 420, mul 486, trig 12, compare 1)
+ * Operations: 909 (add 410, mul 486, trig 12, compare 1)
  */
 #define UR5_JOINT_REACTIONS_Q_SIZE 6
 #define UR5_JOINT_REACTIONS_V_SIZE 6
@@ -1080,7 +1080,7 @@ int ur5_joint_reactions_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 589 (add 256, mul 310, div 4, trig 10, compare 9)
+ * Operations: 587 (add 254, mul 310, div 4, trig 10, compare 9)
  */
 #define UR5_FORWARD_DYNAMICS_Q_SIZE 6
 #define UR5_FORWARD_DYNAMICS_V_SIZE 6
@@ -1128,7 +1128,7 @@ int ur5_forward_dynamics_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 585 (add 253, mul 309, div 4, trig 10, compare 9)
+ * Operations: 581 (add 249, mul 309, div 4, trig 10, compare 9)
  */
 #define UR5_FORWARD_DYNAMICS_INDEPENDENT_Q_SIZE 6
 #define UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 6
@@ -1191,7 +1191,7 @@ int ur5_forward_dynamics_independent_batch_soa(
  *   0 success
  *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
  *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1264 (add 585, mul 654, div 4, trig 12, compare 9)
+ * Operations: 1255 (add 576, mul 654, div 4, trig 12, compare 9)
  */
 #define UR5_FORWARD_DYNAMICS_REACTIONS_Q_SIZE 6
 #define UR5_FORWARD_DYNAMICS_REACTIONS_V_SIZE 6

@@ -122,7 +122,7 @@ def body_poses(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 222 (add 121, mul 88, trig 12, compare 1)
+    Operations: 201 (add 100, mul 88, trig 12, compare 1)
     """
     entries, batch = _entries("body_poses", {"q": 6}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -301,7 +301,7 @@ def body_poses(*arguments):
         x177 = 0.005491 * x157
         x178 = x176 - x177
         x179 = x174 + x178
-        return _finish(batch, ((x6, x7, 0.0, x8, x6, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, x10, x11, x12, x8, x6, 0.0, x14, x16, x9, x17, x18, x20, x25, x28, x31, x8, x6, 0.0, x35, x39, x43, x48, x53, x59, x64, x67, x70, x8, x6, 0.0, x74, x78, x82, x88, x94, x100, x105, x108, x109, x112, x115, x116, x74, x78, x82, x123, x130, x135, x140, x143, x146, x112, x115, x116, x150, x154, x158, x165, x172, x179),), (), (x6, x7, x8, x10, x11, x12, x14, x16, x9, x17, x18, x20, x25, x28, x31, x35, x39, x43, x48, x53, x59, x64, x67, x70, x74, x78, x82, x88, x94, x100, x105, x108, x109, x112, x115, x116, x123, x130, x135, x140, x143, x146, x150, x154, x158, x165, x172, x179))
+        return _finish(batch, ((x6, x7, 0.0, x8, x6, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, x10, x11, x12, x8, x6, 0.0, x14, x16, x9, x17, x18, x20, x25, x28, x31, x8, x6, 0.0, x35, x39, x43, x48, x53, x59, x64, x67, x70, x8, x6, 0.0, x74, x78, x82, x88, x94, x100, x105, x108, x109, x112, x115, x116, x74, x78, x82, x123, x130, x135, x140, x143, x146, x112, x115, x116, x150, x154, x158, x165, x172, x179),), (), (x8, x14, x16, x17, x18, x20, x35, x39, x43, x48, x53, x59, x74, x78, x82, x88, x94, x100, x123, x130, x135, x150, x154, x158, x165, x172, x179))
 
 
 def body_twists(*arguments):
@@ -330,7 +330,7 @@ def body_twists(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 187 (add 84, mul 92, trig 10, compare 1)
+    Operations: 170 (add 67, mul 92, trig 10, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 6, "v": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, = entries
@@ -494,7 +494,7 @@ def body_twists(*arguments):
         x168 = x166 - x167
         x169 = x11 * x168
         x170 = x124 + x169
-        return _finish(batch, ((0.0, 0.0, x6, 0.0, 0.0, 0.0, x13, x16, x6, x18, x20, 0.0, x22, x25, x6, x31, x34, x43, x45, x48, x6, x58, x61, x78, x88, x97, x105, x112, x119, x124, x134, x143, x149, x158, x165, x170),), (), (x6, x13, x16, x18, x20, x22, x25, x31, x34, x43, x45, x48, x58, x61, x78, x88, x97, x105, x112, x119, x124, x134, x143, x149, x158, x165, x170, x5))
+        return _finish(batch, ((0.0, 0.0, x6, 0.0, 0.0, 0.0, x13, x16, x6, x18, x20, 0.0, x22, x25, x6, x31, x34, x43, x45, x48, x6, x58, x61, x78, x88, x97, x105, x112, x119, x124, x134, x143, x149, x158, x165, x170),), (), (x16, x25, x48, x97, x134, x143, x149, x158, x165, x170, x5))
 
 
 def body_twist_rates(*arguments):
@@ -526,7 +526,7 @@ def body_twist_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 380 (add 167, mul 202, trig 10, compare 1)
+    Operations: 361 (add 148, mul 202, trig 10, compare 1)
     """
     entries, batch = _entries("body_twist_rates", {"q": 6, "v": 6, "a": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -881,7 +881,7 @@ def body_twist_rates(*arguments):
         x365 = x361 + x364
         x366 = x11 * x365
         x367 = x358 - x366
-        return _finish(batch, ((0.0, 0.0, x12, 0.0, 0.0, 0.0, x23, x28, x12, x34, x38, 0.0, x42, x47, x54, x74, x81, x93, x97, x102, x111, x145, x154, x169, x198, x208, x215, x243, x256, x267, x296, x306, x313, x343, x356, x367),), (), (x12, x23, x28, x34, x38, x42, x47, x54, x74, x81, x93, x97, x102, x111, x145, x154, x169, x198, x208, x215, x243, x256, x267, x296, x306, x313, x343, x356, x367, x5))
+        return _finish(batch, ((0.0, 0.0, x12, 0.0, 0.0, 0.0, x23, x28, x12, x34, x38, 0.0, x42, x47, x54, x74, x81, x93, x97, x102, x111, x145, x154, x169, x198, x208, x215, x243, x256, x267, x296, x306, x313, x343, x356, x367),), (), (x28, x47, x102, x208, x296, x306, x313, x343, x356, x367, x5))
 
 
 def forward_kinematics(*arguments):
@@ -1011,7 +1011,7 @@ def point_motion(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 411 (add 171, mul 229, trig 10, compare 1)
+    Operations: 407 (add 167, mul 229, trig 10, compare 1)
     """
     entries, batch = _entries("point_motion", {"q": 6, "v": 6, "a": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -1417,7 +1417,7 @@ def point_motion(*arguments):
         x416 = x129 * x137
         x417 = x415 + x416
         x418 = x414 + x417
-        return _finish(batch, ((x54, x81, x102), (x137, x168, x191), (x291, x367, x418)), (), (x54, x81, x102, x137, x168, x191, x291, x367, x418, x5))
+        return _finish(batch, ((x54, x81, x102), (x137, x168, x191), (x291, x367, x418)), (), (x54, x81, x291, x367, x418, x5))
 
 
 def joint_screws(*arguments):
@@ -1444,7 +1444,7 @@ def joint_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 136 (add 59, mul 66, trig 10, compare 1)
+    Operations: 132 (add 55, mul 66, trig 10, compare 1)
     """
     entries, batch = _entries("joint_screws", {"q": 6}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -1562,7 +1562,7 @@ def joint_screws(*arguments):
         x116 = x96 * x112
         x117 = x89 * x104
         x118 = x116 - x117
-        return _finish(batch, ((0.0, 0.0, 1.0, 0.0, 0.0, 0.0, x6, x8, 0.0, x9, x10, 0.0, x6, x8, 0.0, x14, x15, x23, x6, x8, 0.0, x31, x32, x47, x55, x61, x67, x73, x78, x81, x90, x97, x102, x109, x115, x118),), (), (x6, x8, x9, x10, x14, x15, x23, x31, x32, x47, x55, x61, x67, x73, x78, x81, x90, x97, x102, x109, x115, x118, x5))
+        return _finish(batch, ((0.0, 0.0, 1.0, 0.0, 0.0, 0.0, x6, x8, 0.0, x9, x10, 0.0, x6, x8, 0.0, x14, x15, x23, x6, x8, 0.0, x31, x32, x47, x55, x61, x67, x73, x78, x81, x90, x97, x102, x109, x115, x118),), (), (x8, x9, x10, x14, x15, x23, x31, x32, x47, x73, x78, x81, x90, x97, x102, x109, x115, x118, x5))
 
 
 def joint_points(*arguments):
@@ -1582,7 +1582,7 @@ def joint_points(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 78 (add 36, mul 33, trig 8, compare 1)
+    Operations: 76 (add 34, mul 33, trig 8, compare 1)
     """
     entries, batch = _entries("joint_points", {"q": 6}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -1652,7 +1652,7 @@ def joint_points(*arguments):
         x68 = x63 + x67
         x69 = 0.09465 * x68
         x70 = x38 + x69
-        return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.089159, x10, x14, x17, x26, x33, x38, x41, x44, x38, x54, x62, x70),), (), (x10, x14, x17, x26, x33, x38, x41, x44, x54, x62, x70, x4, x5))
+        return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.089159, x10, x14, x17, x26, x33, x38, x41, x44, x38, x54, x62, x70),), (), (x10, x14, x26, x33, x41, x44, x54, x62, x70, x4, x5))
 
 
 def platform_jacobian(*arguments):
@@ -1676,7 +1676,7 @@ def platform_jacobian(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 136 (add 59, mul 66, trig 10, compare 1)
+    Operations: 132 (add 55, mul 66, trig 10, compare 1)
     """
     entries, batch = _entries("platform_jacobian", {"q": 6}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -1794,7 +1794,7 @@ def platform_jacobian(*arguments):
         x116 = x96 * x112
         x117 = x89 * x104
         x118 = x116 - x117
-        return _finish(batch, ((0.0, 0.0, 1.0, 0.0, 0.0, 0.0, x6, x8, 0.0, x9, x10, 0.0, x6, x8, 0.0, x14, x15, x23, x6, x8, 0.0, x31, x32, x47, x55, x61, x67, x73, x78, x81, x90, x97, x102, x109, x115, x118),), (), (x6, x8, x9, x10, x14, x15, x23, x31, x32, x47, x55, x61, x67, x73, x78, x81, x90, x97, x102, x109, x115, x118, x5))
+        return _finish(batch, ((0.0, 0.0, 1.0, 0.0, 0.0, 0.0, x6, x8, 0.0, x9, x10, 0.0, x6, x8, 0.0, x14, x15, x23, x6, x8, 0.0, x31, x32, x47, x55, x61, x67, x73, x78, x81, x90, x97, x102, x109, x115, x118),), (), (x8, x9, x10, x14, x15, x23, x31, x32, x47, x73, x78, x81, x90, x97, x102, x109, x115, x118, x5))
 
 
 def joint_displacements(*arguments):
@@ -1840,7 +1840,7 @@ def joint_rates(*arguments):
     entries, batch = _entries("joint_rates", {"q": 6, "v": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x6, x7, x8, x9, x10, x11),), (), (x6, x7, x8, x9, x10, x11, x0, x1, x2, x3, x4, x5))
+        return _finish(batch, ((x6, x7, x8, x9, x10, x11),), (), (x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11))
 
 
 def drive_rates(*arguments):
@@ -1864,7 +1864,7 @@ def drive_rates(*arguments):
     entries, batch = _entries("drive_rates", {"q": 6, "v": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x6, x7, x8, x9, x10, x11),), (), (x6, x7, x8, x9, x10, x11, x0, x1, x2, x3, x4, x5))
+        return _finish(batch, ((x6, x7, x8, x9, x10, x11),), (), (x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11))
 
 
 def velocity(*arguments):
@@ -1890,7 +1890,7 @@ def velocity(*arguments):
     entries, batch = _entries("velocity", {"q": 6, "y_dot": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x6, x7, x8, x9, x10, x11),), (), (x6, x7, x8, x9, x10, x11, x0, x1, x2, x3, x4, x5))
+        return _finish(batch, ((x6, x7, x8, x9, x10, x11),), (), (x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11))
 
 
 def null_space(*arguments):
@@ -1957,7 +1957,7 @@ def acceleration(*arguments):
     entries, batch = _entries("acceleration", {"q": 6, "v": 6, "y_ddot": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x12, x13, x14, x15, x16, x17),), (), (x12, x13, x14, x15, x16, x17, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11))
+        return _finish(batch, ((x12, x13, x14, x15, x16, x17),), (), (x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17))
 
 
 def momentum_screws(*arguments):
@@ -1989,7 +1989,7 @@ def momentum_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 840 (add 376, mul 451, trig 12, compare 1)
+    Operations: 816 (add 352, mul 451, trig 12, compare 1)
     """
     entries, batch = _entries("momentum_screws", {"q": 6, "v": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, = entries
@@ -2793,7 +2793,7 @@ def momentum_screws(*arguments):
         x808 = x807 - x438
         x809 = x808 - x607
         x810 = x809 - x779
-        return _finish(batch, ((x15, x19, 0.0, x21, x22, x27, x46, x58, x63, x90, x115, x136, x179, x205, x214, x240, x265, x286, x330, x357, x367, x393, x418, x439, x485, x515, x525, x553, x580, x608, x658, x687, x697, x725, x752, x780), (x785, x790, x794, x800, x805, x810)), (), (x15, x19, x21, x22, x27, x46, x58, x63, x90, x115, x136, x179, x205, x214, x240, x265, x286, x330, x357, x367, x393, x418, x439, x485, x515, x525, x553, x580, x608, x658, x687, x697, x725, x752, x780, x785, x790, x794, x800, x805, x810))
+        return _finish(batch, ((x15, x19, 0.0, x21, x22, x27, x46, x58, x63, x90, x115, x136, x179, x205, x214, x240, x265, x286, x330, x357, x367, x393, x418, x439, x485, x515, x525, x553, x580, x608, x658, x687, x697, x725, x752, x780), (x785, x790, x794, x800, x805, x810)), (), (x21, x63, x136, x240, x286, x393, x439, x553, x608, x725, x780, x785, x790, x794, x800, x805, x810))
 
 
 def momentum_rates(*arguments):
@@ -4470,7 +4470,7 @@ def mass_matrix(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 182 (add 88, mul 85, trig 8, compare 1)
+    Operations: 179 (add 85, mul 85, trig 8, compare 1)
     """
     entries, batch = _entries("mass_matrix", {"q": 6}, arguments)
     x0, x1, x2, x3, x4, x5, = entries
@@ -4639,7 +4639,7 @@ def mass_matrix(*arguments):
         x167 = 0.0001321171875 * x10
         x168 = -x165
         x169 = -x76
-        return _finish(batch, ((x75, x101, x103, x111, x132, x145, x101, x146, x149, x156, x166, x167, x103, x149, x147, x152, x168, x167, x111, x156, x152, x150, x169, x167, x132, x166, x168, x169, 0.003837400042173233, 0.0, x145, x167, x167, x167, 0.0, 0.0001321171875),), (), (x75, x101, x103, x111, x132, x145, x146, x149, x156, x166, x167, x147, x152, x168, x150, x169, x0, x5))
+        return _finish(batch, ((x75, x101, x103, x111, x132, x145, x101, x146, x149, x156, x166, x167, x103, x149, x147, x152, x168, x167, x111, x156, x152, x150, x169, x167, x132, x166, x168, x169, 0.003837400042173233, 0.0, x145, x167, x167, x167, 0.0, 0.0001321171875),), (), (x75, x101, x103, x111, x132, x145, x146, x149, x156, x166, x167, x168, x169, x0, x5))
 
 
 def bias(*arguments):
@@ -4659,7 +4659,7 @@ def bias(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 292 (add 120, mul 161, trig 10, compare 1)
+    Operations: 290 (add 118, mul 161, trig 10, compare 1)
     """
     entries, batch = _entries("bias", {"q": 6, "v": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, = entries
@@ -4949,7 +4949,7 @@ def bias(*arguments):
         x294 = x254 - x293
         x295 = -x281
         x296 = -x176
-        return _finish(batch, ((x251, x294, x295, x269, x149, x296),), (), (x251, x294, x295, x269, x149, x296, x0))
+        return _finish(batch, ((x251, x294, x295, x269, x149, x296),), (), (x251, x294, x295, x296, x0))
 
 
 def inverse_dynamics(*arguments):
@@ -4971,7 +4971,7 @@ def inverse_dynamics(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 318 (add 136, mul 171, trig 10, compare 1)
+    Operations: 314 (add 132, mul 171, trig 10, compare 1)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 6, "v": 6, "a": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -5287,7 +5287,7 @@ def inverse_dynamics(*arguments):
         x326 = x324 + x325
         x327 = x321 - x326
         x328 = x320 - x327
-        return _finish(batch, ((x277, x328, x308, x288, x156, x176),), (), (x277, x328, x308, x288, x156, x176, x0))
+        return _finish(batch, ((x277, x328, x308, x288, x156, x176),), (), (x277, x328, x0))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -5310,7 +5310,7 @@ def inverse_dynamics_independent(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 318 (add 136, mul 171, trig 10, compare 1)
+    Operations: 314 (add 132, mul 171, trig 10, compare 1)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 6, "y_dot": 6, "y_ddot": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -5626,7 +5626,7 @@ def inverse_dynamics_independent(*arguments):
         x326 = x324 + x325
         x327 = x321 - x326
         x328 = x320 - x327
-        return _finish(batch, ((x277, x328, x308, x288, x156, x176),), (), (x277, x328, x308, x288, x156, x176, x0))
+        return _finish(batch, ((x277, x328, x308, x288, x156, x176),), (), (x277, x328, x0))
 
 
 def joint_reactions(*arguments):
@@ -5663,7 +5663,7 @@ def joint_reactions(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 919 (add 420, mul 486, trig 12, compare 1)
+    Operations: 909 (add 410, mul 486, trig 12, compare 1)
     """
     entries, batch = _entries("joint_reactions", {"q": 6, "v": 6, "a": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -6546,7 +6546,7 @@ def joint_reactions(*arguments):
         x893 = x891 - x892
         x894 = x890 + x893
         x895 = -x894
-        return _finish(batch, ((x277, x328, x308, x288, x156, x176), (x480, x483, x487, x654, x657, 0.0, x661, x665, x666, x669, x672, x675, x683, x691, x695, x705, x713, x720, x732, x744, x754, x765, x774, x781, x792, x803, x812, x822, x831, x837, x848, x859, x866, x878, x887, x895)), (), (x277, x328, x308, x288, x156, x176, x480, x483, x487, x654, x657, x661, x665, x666, x669, x672, x675, x683, x691, x695, x705, x713, x720, x732, x744, x754, x765, x774, x781, x792, x803, x812, x822, x831, x837, x848, x859, x866, x878, x887, x895))
+        return _finish(batch, ((x277, x328, x308, x288, x156, x176), (x480, x483, x487, x654, x657, 0.0, x661, x665, x666, x669, x672, x675, x683, x691, x695, x705, x713, x720, x732, x744, x754, x765, x774, x781, x792, x803, x812, x822, x831, x837, x848, x859, x866, x878, x887, x895)), (), (x277, x328, x480, x483, x487, x654, x657, x661, x665, x666, x669, x672, x675, x683, x691, x695, x705, x713, x720, x732, x744, x754, x765, x774, x781, x822, x831, x837, x878, x887, x895))
 
 
 def forward_dynamics(*arguments):
@@ -6569,7 +6569,7 @@ def forward_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 589 (add 256, mul 310, div 4, trig 10, compare 9)
+    Operations: 587 (add 254, mul 310, div 4, trig 10, compare 9)
     """
     entries, batch = _entries("forward_dynamics", {"q": 6, "v": 6, "u": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -7144,7 +7144,7 @@ def forward_dynamics(*arguments):
         x585 = x79 * x552
         x586 = x584 - x585
         x587 = x580 - x586
-        return _finish(batch, ((x552, x556, x561, x569, x579, x587),), ((x196, 1.6686e-11), (x301, 6.031900000000001e-10), (x420, 3.3841000000000003e-09), (x551, 3.5163000000000008e-09)), (x552, x556, x561, x569, x579, x587, x196, x301, x420, x551, x0))
+        return _finish(batch, ((x552, x556, x561, x569, x579, x587),), ((x196, 1.6686e-11), (x301, 6.031900000000001e-10), (x420, 3.3841000000000003e-09), (x551, 3.5163000000000008e-09)), (x196, x301, x420, x551, x556, x569, x579, x587, x0))
 
 
 def forward_dynamics_independent(*arguments):
@@ -7168,7 +7168,7 @@ def forward_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 585 (add 253, mul 309, div 4, trig 10, compare 9)
+    Operations: 581 (add 249, mul 309, div 4, trig 10, compare 9)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 6, "y_dot": 6, "u": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -7739,7 +7739,7 @@ def forward_dynamics_independent(*arguments):
         x581 = x37 * x552
         x582 = x580 - x581
         x583 = x577 - x582
-        return _finish(batch, ((x552, x555, x560, x567, x576, x583),), ((x196, 1.6686e-11), (x301, 6.031900000000001e-10), (x420, 3.3841000000000003e-09), (x551, 3.5163000000000008e-09)), (x552, x555, x560, x567, x576, x583, x196, x301, x420, x551, x0))
+        return _finish(batch, ((x552, x555, x560, x567, x576, x583),), ((x196, 1.6686e-11), (x301, 6.031900000000001e-10), (x420, 3.3841000000000003e-09), (x551, 3.5163000000000008e-09)), (x196, x301, x420, x551, x576, x583, x0))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -7778,7 +7778,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1264 (add 585, mul 654, div 4, trig 12, compare 9)
+    Operations: 1255 (add 576, mul 654, div 4, trig 12, compare 9)
     """
     entries, batch = _entries("forward_dynamics_reactions", {"q": 6, "v": 6, "u": 6}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, = entries
@@ -8994,7 +8994,7 @@ def forward_dynamics_reactions(*arguments):
         x1226 = x1206 * x1183
         x1227 = x1225 - x1226
         x1228 = x1224 - x1227
-        return _finish(batch, ((x552, x556, x561, x569, x579, x587), (x808, x811, x815, x984, x988, 0.0, x992, x996, x997, x1000, x1004, x1008, x1016, x1024, x1028, x1038, x1047, x1054, x1066, x1078, x1088, x1099, x1109, x1116, x1127, x1138, x1147, x1157, x1166, x1172, x1183, x1194, x1201, x1212, x1221, x1228)), ((x196, 1.6686e-11), (x301, 6.031900000000001e-10), (x420, 3.3841000000000003e-09), (x551, 3.5163000000000008e-09)), (x552, x556, x561, x569, x579, x587, x808, x811, x815, x984, x988, x992, x996, x997, x1000, x1004, x1008, x1016, x1024, x1028, x1038, x1047, x1054, x1066, x1078, x1088, x1099, x1109, x1116, x1127, x1138, x1147, x1157, x1166, x1172, x1183, x1194, x1201, x1212, x1221, x1228, x196, x301, x420, x551))
+        return _finish(batch, ((x552, x556, x561, x569, x579, x587), (x808, x811, x815, x984, x988, 0.0, x992, x996, x997, x1000, x1004, x1008, x1016, x1024, x1028, x1038, x1047, x1054, x1066, x1078, x1088, x1099, x1109, x1116, x1127, x1138, x1147, x1157, x1166, x1172, x1183, x1194, x1201, x1212, x1221, x1228)), ((x196, 1.6686e-11), (x301, 6.031900000000001e-10), (x420, 3.3841000000000003e-09), (x551, 3.5163000000000008e-09)), (x196, x301, x420, x551, x556, x569, x579, x808, x811, x815, x984, x988, x992, x996, x997, x1000, x1004, x1008, x1016, x1024, x1028, x1038, x1047, x1054, x1066, x1078, x1088, x1099, x1109, x1116, x1157, x1166, x1172, x1212, x1221, x1228))
 
 
 def limb_margins(*arguments):

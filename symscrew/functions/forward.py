@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from symscrew.admissible import Admissible
-from symscrew.differentiation import count_operations
 from symscrew.effects import Acting, Effect
 from symscrew.elimination import Guard
 from symscrew.equilibrium import ONE
@@ -14,6 +13,7 @@ from symscrew.functions.closure import THRESHOLD, guarded, jacobian_in_v, moved_
 from symscrew.functions.dynamics import Equations, Loads, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.loops import SMALL, Loops
+from symscrew.modes import Mode
 from symscrew.program import Function, Iteration, Port, Program, lower
 from symscrew.rank_revealing import SWITCH, RankRevealing
 from symscrew.reactions import at_origin, joint_wrenches
@@ -45,17 +45,19 @@ State = list[tuple[Port, Sequence[Node]]]
 
 
 def forward_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
-    """Forward dynamics from the tree and from the independent coordinates, and projections onto the closure."""
-    functions: list[Function] = []
-    if accelerates(system, effects, loops):
-        functions += [
-            _forward_dynamics(system, effects, loops),
-            _from_independent(system, effects, loops),
-            _with_reactions(system, effects, loops),
-        ]
-    if system.cuts:
-        functions += [_close_position(system, loops), _close_velocity(system, loops)]
-    return functions
+    """Forward dynamics from the tree and from the independent coordinates."""
+    if not accelerates(system, effects, loops):
+        return []
+    return [
+        _forward_dynamics(system, effects, loops),
+        _from_independent(system, effects, loops),
+        _with_reactions(system, effects, loops),
+    ]
+
+
+def closing_functions(system: System, loops: Loops) -> list[Function]:
+    """Projections onto the closure."""
+    return [_close_position(system, loops), _close_velocity(system, loops)] if system.cuts else []
 
 
 def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
@@ -68,22 +70,50 @@ def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
     return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
 
 
-def chosen_loops(system: System, effects: Sequence[Effect], independent: Sequence[str] | None) -> Loops:
-    """The loops in the form that takes fewer operations for rates and accelerations together."""
+@dataclass(frozen=True)
+class Ways:
+    """The loops in the forms that take the fewest operations; their independent coordinates are the same.
+
+    `rates`: for rates and accelerations from the independent ones; `dynamics`: for accelerations from the drives.
+    """
+
+    rates: Loops
+    dynamics: Loops
+
+
+def fewest_operations(system: System, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
+    """The loops by their plain rows or by the velocities of their contacts."""
     plain = Loops(system, independent)
     if len(system.tree.v) > SMALL:
-        return plain
+        return Ways(plain, plain)
     contacts = Loops(system, independent, by_contacts=True)
-    if contacts.rows == plain.rows:
-        return plain
+    return _fewest([plain] if contacts.rows == plain.rows else [plain, contacts], effects)
 
-    def count(loops: Loops) -> int:
-        needed = list(loops.rates_from(loops.inputs("ydot")))
-        if accelerates(system, effects, loops):
-            needed += solved(system, effects, loops).a
-        return count_operations(needed)
 
-    return min((plain, contacts), key=count)
+def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
+    """Likewise in an operation mode; as they are where nothing follows, or where other rates would be free."""
+    loops = found.dynamics
+    if not mode.v:
+        return found
+    ways = [Loops(loops.system, independent, by_contacts=by, of_mode=(loops, mode)) for by in (False, True)]
+    ways = [way for way in ways if way.free == loops.free]
+    return _fewest(ways, effects) if ways else found
+
+
+def _fewest(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
+    def of_rates(loops: Loops) -> int:
+        gains = loops.accelerations_from(loops.inputs("yddot"), loops.bias(loops.system))
+        return loops.operations([*loops.rates_from(loops.inputs("ydot")), *gains])
+
+    def of_dynamics(loops: Loops) -> int:
+        return loops.operations(solved(loops.system, effects, loops).a)
+
+    if len(ways) == 1:
+        return Ways(ways[0], ways[0])
+    rates = min(ways, key=of_rates)
+    if not accelerates(rates.system, effects, rates):
+        return Ways(rates, rates)
+    return Ways(rates, min((way for way in ways if way.free == rates.free), key=of_dynamics))
 
 
 def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:
