@@ -27,7 +27,7 @@ STAGES = (
         "reciprocals",
         "common_factors",
         "differentiation",
-    ),  # fmt: skip
+    ),
     ("program", "rank_revealing", "jacobians"),
     ("lanes", "lane_signs", "packs"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),

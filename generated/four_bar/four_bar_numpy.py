@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: b04c6f836231d5c7
+Programs: ae75828431a8c21b
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -299,29 +299,26 @@ def forward_kinematics(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 20 (add 7, mul 8, trig 4, compare 1)
+    Operations: 17 (add 6, mul 6, trig 4, compare 1)
     """
     entries, batch = _entries("forward_kinematics", {"q": 3}, arguments)
     x0, x1, x2, = entries
     with np.errstate(all="ignore"):
         x3 = np.sin(x0)
-        x4 = 0.15 * x3
-        x5 = 0.9272952180016122 + x1
-        x6 = np.cos(x5)
-        x7 = x3 * x6
-        x8 = np.cos(x0)
-        x9 = np.sin(x5)
-        x10 = x8 * x9
-        x11 = x7 + x10
-        x12 = 0.25 * x11
-        x13 = x4 + x12
-        x14 = 0.15 * x8
-        x15 = x3 * x9
-        x16 = x8 * x6
-        x17 = x15 - x16
-        x18 = 0.25 * x17
-        x19 = x14 - x18
-        return _finish(batch, ((x13, 0.0, x19),), (), (x13, x19, x2))
+        x4 = 0.9272952180016122 + x1
+        x5 = np.cos(x4)
+        x6 = 0.25 * x5
+        x7 = 0.15 + x6
+        x8 = x3 * x7
+        x9 = np.cos(x0)
+        x10 = np.sin(x4)
+        x11 = 0.25 * x10
+        x12 = x9 * x11
+        x13 = x8 + x12
+        x14 = x9 * x7
+        x15 = x3 * x11
+        x16 = x14 - x15
+        return _finish(batch, ((x13, 0.0, x16),), (), (x13, x16, x2))
 
 
 def point_motion(*arguments):
@@ -1381,11 +1378,11 @@ def inverse_dynamics(*arguments):
         x25 = x22 - x24
         x26 = x18 * x25
         x27 = np.cos(x17)
-        x28 = 9.81 * x16
-        x29 = 0.15 * x6
+        x28 = 0.15 * x6
+        x29 = 9.81 * x16
         x30 = x28 - x29
         x31 = x27 * x30
-        x32 = x26 - x31
+        x32 = x26 + x31
         x33 = 0.3 * x32
         x34 = x20 + x33
         x35 = 2.0 * x34
@@ -1637,11 +1634,11 @@ def joint_reactions(*arguments):
         x25 = x22 - x24
         x26 = x18 * x25
         x27 = np.cos(x17)
-        x28 = 9.81 * x16
-        x29 = 0.15 * x6
+        x28 = 0.15 * x6
+        x29 = 9.81 * x16
         x30 = x28 - x29
         x31 = x27 * x30
-        x32 = x26 - x31
+        x32 = x26 + x31
         x33 = 0.3 * x32
         x34 = x20 + x33
         x35 = 2.0 * x34
@@ -1694,7 +1691,7 @@ def joint_reactions(*arguments):
         x82 = x53 + x81
         x83 = x27 * x25
         x84 = x18 * x30
-        x85 = x83 + x84
+        x85 = x83 - x84
         x86 = 1.2 * x85
         x87 = x39 + x86
         x88 = x82 - x87
@@ -2633,11 +2630,11 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         x28 = x26 - x27
         x29 = x22 * x28
         x30 = np.sin(x21)
-        x31 = 9.81 * x15
-        x32 = 0.15 * x7
+        x31 = 0.15 * x7
+        x32 = 9.81 * x15
         x33 = x31 - x32
         x34 = x30 * x33
-        x35 = x29 + x34
+        x35 = x29 - x34
         x36 = 1.2 * x35
         x37 = x25 + x36
         x38 = x37 + x10
@@ -2646,7 +2643,7 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         x41 = 0.3 * x40
         x42 = x30 * x28
         x43 = x22 * x33
-        x44 = x42 - x43
+        x44 = x42 + x43
         x45 = 1.2 * x44
         x46 = x41 + x45
         x47 = x46 - x11

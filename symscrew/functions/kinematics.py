@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.closure import Cut
+from symscrew.closure import Cut, carry, carry_point
 from symscrew.displacements import cut_displacement, tree_displacement
 from symscrew.functions.ports import (
     TWIST_LABELS,
@@ -21,7 +21,7 @@ from symscrew.functions.ports import (
 from symscrew.joints import JOINT_TYPES
 from symscrew.kinematics import BodyMotion, body_motions, displacement, joint_screws
 from symscrew.mechanism import Joint
-from symscrew.program import Function, Port
+from symscrew.program import Function, Port, lower
 from symscrew.screws import (
     Twist,
     Vector,
@@ -35,6 +35,7 @@ from symscrew.screws import (
 )
 from symscrew.system import System
 from symscrew.tape import Node
+from symscrew.tree import GROUND
 
 
 class Motion:
@@ -115,36 +116,57 @@ def _points(system: System, motion: Motion) -> list[Function]:
     points = system.mechanism.points
     if not points:
         return []
+    places = []
+    for point in points.values():
+        link = system.tree.link_of_body[point.body]
+        places.append((link, system.local_point(link, system.geometry.vector(point.at))))
+    names = list(points)
+    ports = (
+        columns_port("positions", names, "xyz", ("m",) * 3, "absolute positions of the named points"),
+        columns_port("velocities", names, "xyz", ("m/s",) * 3, "their velocities"),
+        columns_port("accelerations", names, "xyz", ("m/s^2",) * 3, "their accelerations"),
+    )
+    ways = [
+        list(zip(ports, way, strict=True)) for way in (_by_bodies(system, motion, places), _carried(system, places))
+    ]
+    positions = "Positions of the named points in absolute axes."
+    motions = "Positions, velocities and accelerations of the named points in absolute axes."
+    q = [(q_port(system), system.inputs.q)]
+    return [
+        _fewest([function(system, "forward_kinematics", positions, q, way[:1]) for way in ways]),
+        _fewest([function(system, "point_motion", motions, _full_state(system), way) for way in ways]),
+    ]
+
+
+def _fewest(ways: Sequence[Function]) -> Function:
+    """Of equal functions the one with the fewest operations."""
+    return min(ways, key=lambda way: lower(way).operations["total"])
+
+
+def _by_bodies(system: System, motion: Motion, points: Sequence[tuple[int, Vector]]) -> list[list[Node]]:
+    """Positions, velocities, accelerations of points of links, by the links' poses, twists at O and their rates."""
     positions: list[object] = []
     velocities: list[object] = []
     accelerations: list[object] = []
-    for point in points.values():
-        link = system.tree.link_of_body[point.body]
-        local = system.local_point(link, system.geometry.vector(point.at))
+    for link, local in points:
         at = system.pose[link].point(local)
         positions += at
         velocities += motion.links[link].twist.velocity_at(at)
         accelerations += acceleration_at(motion.links[link], at)
-    names = list(points)
-    position = columns_port("positions", names, "xyz", ("m",) * 3, "absolute positions of the named points")
-    velocity = columns_port("velocities", names, "xyz", ("m/s",) * 3, "their velocities")
-    acceleration = columns_port("accelerations", names, "xyz", ("m/s^2",) * 3, "their accelerations")
-    return [
-        function(
-            system,
-            "forward_kinematics",
-            "Positions of the named points in absolute axes.",
-            [(q_port(system), system.inputs.q)],
-            [(position, positions)],
-        ),
-        function(
-            system,
-            "point_motion",
-            "Positions, velocities and accelerations of the named points in absolute axes.",
-            _full_state(system),
-            [(position, positions), (velocity, velocities), (acceleration, accelerations)],
-        ),
-    ]
+    return [[system.tape.node(entry) for entry in part] for part in (positions, velocities, accelerations)]
+
+
+def _carried(system: System, points: Sequence[tuple[int, Vector]]) -> list[list[Node]]:
+    """The same, from the links' own axes to the ground link by link."""
+    tree, placed, rates = system.tree, system.placed, system.rates(system.inputs.a)
+    positions: list[object] = []
+    velocities: list[object] = []
+    accelerations: list[object] = []
+    for link, local in points:
+        positions += carry_point(tree, placed, link, GROUND, local)
+        velocities += carry(tree, placed, link, GROUND, system.twist[link].velocity_at(local))
+        accelerations += carry(tree, placed, link, GROUND, rates[link].at(local))
+    return [[system.tape.node(entry) for entry in part] for part in (positions, velocities, accelerations)]
 
 
 def acceleration_at(motion: BodyMotion, at: Vector) -> Vector:
