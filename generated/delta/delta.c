@@ -88,11 +88,20 @@ typedef long long delta_vector4_mask __attribute__((vector_size(32)));
 #endif
 
 /* Batch functions take 8 states at once; DELTA_STATE_BY_STATE or DELTA_SCALAR: one by one. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define DELTA_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
+#define DELTA_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
+#elif defined(__GNUC__)
 #define DELTA_VECTORISE _Pragma("GCC ivdep")
-#define DELTA_INLINE __attribute__((always_inline))
+#define DELTA_IN_PLACE 1
 #else
 #define DELTA_VECTORISE
+#define DELTA_IN_PLACE 1
+#endif
+#if defined(__GNUC__)
+#define DELTA_INLINE __attribute__((always_inline))
+#else
 #define DELTA_INLINE
 #endif
 
@@ -125,6 +134,12 @@ static inline void delta_gather(
         }
         return;
     }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(block + k * 8, array + k * stride + first, 8 * sizeof(double));
+        }
+        return;
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -143,6 +158,12 @@ static inline void delta_scatter(
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
             }
+        }
+        return;
+    }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(array + k * stride + first, block + k * 8, 8 * sizeof(double));
         }
         return;
     }
@@ -1212,8 +1233,7 @@ static void delta_body_poses_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -1251,7 +1271,7 @@ static int delta_body_poses_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(120, stride, poses + first + 8);
@@ -1880,9 +1900,8 @@ static void delta_body_twists_block(
     delta_sincos_block(72, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane, cosine
+        total[lane] = delta_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane, cosine
             + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1926,7 +1945,7 @@ static int delta_body_twists_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -2882,9 +2901,8 @@ static void delta_body_twist_rates_block(
     delta_sincos_block(72, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates + lane,
+        total[lane] = delta_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -2935,7 +2953,7 @@ static int delta_body_twist_rates_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -3103,8 +3121,7 @@ static void delta_forward_kinematics_block(
 {
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
-        total[lane] = sum;
+        total[lane] = delta_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
     }
 }
 #endif
@@ -3142,7 +3159,7 @@ static int delta_forward_kinematics_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(3, stride, positions + first + 8);
@@ -3482,9 +3499,8 @@ static void delta_point_motion_block(
 {
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
+        total[lane] = delta_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
             velocities + lane, accelerations + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -3548,7 +3564,7 @@ static int delta_point_motion_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -4761,8 +4777,7 @@ static void delta_joint_screws_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -4800,7 +4815,7 @@ static int delta_joint_screws_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(198, stride, screws + first + 8);
@@ -5237,8 +5252,7 @@ static void delta_joint_points_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -5276,7 +5290,7 @@ static int delta_joint_points_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(45, stride, points + first + 8);
@@ -5522,8 +5536,7 @@ static void delta_platform_jacobian_block(
     }
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
-        total[lane] = sum;
+        total[lane] = delta_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
     }
 }
 #endif
@@ -5561,7 +5574,7 @@ static int delta_platform_jacobian_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(126, stride, jacobian + first + 8);
@@ -7592,9 +7605,8 @@ static void delta_joint_rates_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane, sine + lane, cosine +
-            lane);
-        total[lane] = sum;
+        total[lane] = delta_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane, sine + lane, cosine
+            + lane);
     }
 }
 #endif
@@ -7638,7 +7650,7 @@ static int delta_joint_rates_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -7844,8 +7856,7 @@ static void delta_drive_rates_block(
 {
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = delta_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -7889,7 +7900,7 @@ static int delta_drive_rates_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -8528,8 +8539,7 @@ static void delta_closure_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -8567,7 +8577,7 @@ static int delta_closure_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(18, stride, residual_ + first + 8);
@@ -9882,9 +9892,8 @@ static void delta_closure_jacobian_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine +
+        total[lane] = delta_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -9922,7 +9931,7 @@ static int delta_closure_jacobian_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(378, stride, jacobian + first + 8);
@@ -10566,9 +10575,8 @@ static void delta_closure_bias_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
-            lane);
-        total[lane] = sum;
+        total[lane] = delta_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine
+            + lane);
     }
 }
 #endif
@@ -10612,7 +10620,7 @@ static int delta_closure_bias_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -12287,8 +12295,12 @@ static void delta_velocity_block(
     double pivot[96];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane, cosine +
+        total[lane] = delta_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane, cosine +
             lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.173e-10 ? (double)NAN : sum;
@@ -12345,7 +12357,7 @@ static int delta_velocity_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(3, stride, y_dot + first + 8);
@@ -13704,8 +13716,12 @@ static void delta_null_space_block(
     double pivot[96];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine + lane,
-            pivot + lane);
+        total[lane] = delta_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine +
+            lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.173e-10 ? (double)NAN : sum;
@@ -13756,7 +13772,7 @@ static int delta_null_space_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(63, stride, null_space + first + 8);
@@ -16294,8 +16310,12 @@ static void delta_acceleration_block(
     double pivot[96];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane, sine +
+        total[lane] = delta_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.173e-10 ? (double)NAN : sum;
@@ -16358,7 +16378,7 @@ static int delta_acceleration_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -18526,9 +18546,8 @@ static void delta_momentum_screws_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ + lane,
+        total[lane] = delta_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -18579,7 +18598,7 @@ static int delta_momentum_screws_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -21748,9 +21767,8 @@ static void delta_momentum_rates_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates + lane,
-            sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates +
+            lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -21801,7 +21819,7 @@ static int delta_momentum_rates_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -22284,9 +22302,8 @@ static void delta_energy_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
+        total[lane] = delta_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -22330,7 +22347,7 @@ static int delta_energy_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -22881,9 +22898,8 @@ static void delta_mass_matrix_block(
     delta_sincos_block(96, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
+        total[lane] = delta_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -22921,7 +22937,7 @@ static int delta_mass_matrix_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(441, stride, mass_matrix + first + 8);
@@ -23437,8 +23453,7 @@ static void delta_bias_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -23482,7 +23497,7 @@ static int delta_bias_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -24790,8 +24805,12 @@ static void delta_inverse_dynamics_block(
     double pivot[120];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
+        total[lane] = delta_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 2.4060000000000003e-10 ? (double)NAN : sum;
@@ -24857,7 +24876,7 @@ static int delta_inverse_dynamics_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -27428,8 +27447,12 @@ static void delta_inverse_dynamics_independent_block(
     double pivot[144];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot + lane,
-            u + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = delta_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot +
+            lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
@@ -27499,7 +27522,7 @@ static int delta_inverse_dynamics_independent_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(3, stride, y_dot + first + 8);
@@ -29961,8 +29984,12 @@ static void delta_joint_reactions_block(
     double pivot[120];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, reactions +
-            lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = delta_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, reactions
+            + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 7.000000000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 2.4060000000000003e-10 ? (double)NAN : sum;
@@ -30035,7 +30062,7 @@ static int delta_joint_reactions_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -34920,8 +34947,12 @@ static void delta_forward_dynamics_block(
     double pivot[120];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
+        total[lane] = delta_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.1730000000000005e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.1730000000000005e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.1730000000000005e-06 ? (double)NAN : sum;
@@ -34987,7 +35018,7 @@ static int delta_forward_dynamics_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -37868,8 +37899,12 @@ static void delta_forward_dynamics_independent_block(
     double pivot[120];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
+        total[lane] = delta_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
             y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.173e-10 ? (double)NAN : sum;
@@ -37936,7 +37971,7 @@ static int delta_forward_dynamics_independent_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(3, stride, y_dot + first + 8);
@@ -46245,8 +46280,12 @@ static void delta_forward_dynamics_reactions_block(
     double pivot[144];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
+        total[lane] = delta_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
             reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 7.000000000000001e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 7.000000000000001e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 7.000000000000001e-06 ? (double)NAN : sum;
@@ -46322,7 +46361,7 @@ static int delta_forward_dynamics_reactions_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -48571,8 +48610,12 @@ static void delta_close_position_block(
     double pivot[120];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane, sine +
+        total[lane] = delta_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.173e-10 ? (double)NAN : sum;
@@ -48632,7 +48675,7 @@ static int delta_close_position_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(22, stride, q_next + first + 8);
@@ -50356,8 +50399,12 @@ static void delta_close_velocity_block(
     double pivot[120];
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine + lane,
+        total[lane] = delta_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine + lane,
             cosine + lane, pivot + lane);
+    }
+    DELTA_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.173e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.173e-10 ? (double)NAN : sum;
@@ -50417,7 +50464,7 @@ static int delta_close_velocity_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(21, stride, v + first + 8);
@@ -52363,8 +52410,8 @@ static void delta_limb_margins_block(
     delta_sincos_block(72, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = delta_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
+            lane);
     }
 }
 #endif
@@ -52402,7 +52449,7 @@ static int delta_limb_margins_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(7, stride, margins + first + 8);
@@ -53401,9 +53448,8 @@ static void delta_constraint_margin_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
+        total[lane] = delta_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -53441,7 +53487,7 @@ static int delta_constraint_margin_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(1, stride, margins + first + 8);
@@ -54185,9 +54231,8 @@ static void delta_actuation_margins_block(
     delta_sincos_block(120, angle, sine, cosine);
     DELTA_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = delta_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
+        total[lane] = delta_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -54225,7 +54270,7 @@ static int delta_actuation_margins_some(
 #if !defined(DELTA_SCALAR) && !defined(DELTA_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && DELTA_IN_PLACE) {
             if (first + 16 <= stride) {
                 delta_prefetch(22, stride, q + first + 8);
                 delta_prefetch(1, stride, margins + first + 8);

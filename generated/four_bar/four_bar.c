@@ -84,11 +84,20 @@ static inline void four_bar_sincos(int count, const double *angle, double *sine,
 #endif
 
 /* Batch functions take 8 states at once; FOUR_BAR_STATE_BY_STATE or FOUR_BAR_SCALAR: one by one. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define FOUR_BAR_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
+#define FOUR_BAR_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
+#elif defined(__GNUC__)
 #define FOUR_BAR_VECTORISE _Pragma("GCC ivdep")
-#define FOUR_BAR_INLINE __attribute__((always_inline))
+#define FOUR_BAR_IN_PLACE 1
 #else
 #define FOUR_BAR_VECTORISE
+#define FOUR_BAR_IN_PLACE 1
+#endif
+#if defined(__GNUC__)
+#define FOUR_BAR_INLINE __attribute__((always_inline))
+#else
 #define FOUR_BAR_INLINE
 #endif
 
@@ -121,6 +130,12 @@ static inline void four_bar_gather(
         }
         return;
     }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(block + k * 8, array + k * stride + first, 8 * sizeof(double));
+        }
+        return;
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -139,6 +154,12 @@ static inline void four_bar_scatter(
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
             }
+        }
+        return;
+    }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(array + k * stride + first, block + k * 8, 8 * sizeof(double));
         }
         return;
     }
@@ -521,8 +542,7 @@ static void four_bar_body_poses_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = four_bar_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -560,7 +580,7 @@ static int four_bar_body_poses_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(36, stride, poses + first + 8);
@@ -737,9 +757,8 @@ static void four_bar_body_twists_block(
     four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane,
+        total[lane] = four_bar_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -783,7 +802,7 @@ static int four_bar_body_twists_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -980,9 +999,8 @@ static void four_bar_body_twist_rates_block(
     four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates +
+        total[lane] = four_bar_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates +
             lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1033,7 +1051,7 @@ static int four_bar_body_twist_rates_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -1203,9 +1221,8 @@ static void four_bar_forward_kinematics_block(
     four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane,
+        total[lane] = four_bar_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1243,7 +1260,7 @@ static int four_bar_forward_kinematics_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, positions + first + 8);
@@ -1462,9 +1479,8 @@ static void four_bar_point_motion_block(
     four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
+        total[lane] = four_bar_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
             velocities + lane, accelerations + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1528,7 +1544,7 @@ static int four_bar_point_motion_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -1740,9 +1756,8 @@ static void four_bar_joint_screws_block(
     four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine +
+        total[lane] = four_bar_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1780,7 +1795,7 @@ static int four_bar_joint_screws_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(24, stride, screws + first + 8);
@@ -1948,9 +1963,8 @@ static void four_bar_joint_points_block(
     four_bar_sincos_block(16, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine +
+        total[lane] = four_bar_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1988,7 +2002,7 @@ static int four_bar_joint_points_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(12, stride, points + first + 8);
@@ -2115,8 +2129,7 @@ static void four_bar_platform_jacobian_block(
     }
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
-        total[lane] = sum;
+        total[lane] = four_bar_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
     }
 }
 #endif
@@ -2154,7 +2167,7 @@ static int four_bar_platform_jacobian_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(18, stride, jacobian + first + 8);
@@ -2447,8 +2460,7 @@ static void four_bar_joint_rates_block(
 {
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = four_bar_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -2492,7 +2504,7 @@ static int four_bar_joint_rates_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -2622,8 +2634,7 @@ static void four_bar_drive_rates_block(
 {
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = four_bar_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -2667,7 +2678,7 @@ static int four_bar_drive_rates_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -2849,8 +2860,8 @@ static void four_bar_closure_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = four_bar_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine +
+            lane);
     }
 }
 #endif
@@ -2888,7 +2899,7 @@ static int four_bar_closure_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(5, stride, residual_ + first + 8);
@@ -3069,9 +3080,8 @@ static void four_bar_closure_jacobian_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine
+        total[lane] = four_bar_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine
             + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -3109,7 +3119,7 @@ static int four_bar_closure_jacobian_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(15, stride, jacobian + first + 8);
@@ -3296,9 +3306,8 @@ static void four_bar_closure_bias_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
+        total[lane] = four_bar_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -3342,7 +3351,7 @@ static int four_bar_closure_bias_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -3532,8 +3541,12 @@ static void four_bar_velocity_block(
     double pivot[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane, cosine +
-            lane, pivot + lane);
+        total[lane] = four_bar_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane, cosine
+            + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         total[lane] = sum;
     }
@@ -3579,7 +3592,7 @@ static int four_bar_velocity_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, y_dot + first + 8);
@@ -3761,8 +3774,12 @@ static void four_bar_null_space_block(
     double pivot[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine +
+        total[lane] = four_bar_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine +
             lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         total[lane] = sum;
     }
@@ -3802,7 +3819,7 @@ static int four_bar_null_space_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, null_space + first + 8);
@@ -4027,8 +4044,12 @@ static void four_bar_acceleration_block(
     double pivot[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane, sine +
-            lane, cosine + lane, pivot + lane);
+        total[lane] = four_bar_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane, sine
+            + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         total[lane] = sum;
     }
@@ -4080,7 +4101,7 @@ static int four_bar_acceleration_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -4369,9 +4390,8 @@ static void four_bar_momentum_screws_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ +
+        total[lane] = four_bar_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ +
             lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -4422,7 +4442,7 @@ static int four_bar_momentum_screws_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -4747,9 +4767,8 @@ static void four_bar_momentum_rates_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates +
+        total[lane] = four_bar_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates +
             lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -4800,7 +4819,7 @@ static int four_bar_momentum_rates_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -4997,9 +5016,8 @@ static void four_bar_energy_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
+        total[lane] = four_bar_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5043,7 +5061,7 @@ static int four_bar_energy_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -5210,9 +5228,8 @@ static void four_bar_mass_matrix_block(
     four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
+        total[lane] = four_bar_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5250,7 +5267,7 @@ static int four_bar_mass_matrix_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(9, stride, mass_matrix + first + 8);
@@ -5426,9 +5443,8 @@ static void four_bar_bias_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
+        total[lane] = four_bar_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5472,7 +5488,7 @@ static int four_bar_bias_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -5714,8 +5730,12 @@ static void four_bar_inverse_dynamics_block(
     double pivot[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
+        total[lane] = four_bar_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
         total[lane] = sum;
@@ -5768,7 +5788,7 @@ static int four_bar_inverse_dynamics_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -6068,8 +6088,12 @@ static void four_bar_inverse_dynamics_independent_block(
     double pivot[24];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot +
+        total[lane] = four_bar_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot +
             lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
@@ -6124,7 +6148,7 @@ static int four_bar_inverse_dynamics_independent_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, y_dot + first + 8);
@@ -6590,8 +6614,12 @@ static void four_bar_joint_reactions_block(
     double pivot[40];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
+        total[lane] = four_bar_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
             reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.3789999999999998e-08 ? (double)NAN : sum;
@@ -6654,7 +6682,7 @@ static int four_bar_joint_reactions_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -7174,8 +7202,12 @@ static void four_bar_forward_dynamics_block(
     double pivot[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
+        total[lane] = four_bar_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 3.264600000000001e-07 ? (double)NAN : sum;
         total[lane] = sum;
@@ -7228,7 +7260,7 @@ static int four_bar_forward_dynamics_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -7511,8 +7543,12 @@ static void four_bar_forward_dynamics_independent_block(
     double pivot[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
+        total[lane] = four_bar_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
             y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 3.2646e-11 ? (double)NAN : sum;
         total[lane] = sum;
@@ -7566,7 +7602,7 @@ static int four_bar_forward_dynamics_independent_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, y_dot + first + 8);
@@ -8698,8 +8734,12 @@ static void four_bar_forward_dynamics_reactions_block(
     double pivot[48];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a +
+        total[lane] = four_bar_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a +
             lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 3.264600000000001e-07 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.2634000000000003e-06 ? (double)NAN : sum;
@@ -8763,7 +8803,7 @@ static int four_bar_forward_dynamics_reactions_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -9016,8 +9056,12 @@ static void four_bar_close_position_block(
     double pivot[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane, sine +
-            lane, cosine + lane, pivot + lane);
+        total[lane] = four_bar_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane, sine
+            + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 2.4194e-09 ? (double)NAN : sum;
         total[lane] = sum;
@@ -9064,7 +9108,7 @@ static int four_bar_close_position_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, q_next + first + 8);
@@ -9270,8 +9314,12 @@ static void four_bar_close_velocity_block(
     double pivot[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine + lane,
+        total[lane] = four_bar_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine + lane,
             cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 2.4194e-09 ? (double)NAN : sum;
         total[lane] = sum;
@@ -9318,7 +9366,7 @@ static int four_bar_close_velocity_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -9692,8 +9740,12 @@ static void four_bar_inverse_velocity_block(
     double pivot[8];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane, sine +
+        total[lane] = four_bar_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         total[lane] = sum;
     }
@@ -9739,7 +9791,7 @@ static int four_bar_inverse_velocity_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(1, stride, pose + first + 8);
                 four_bar_prefetch(1, stride, rate + first + 8);
@@ -10048,8 +10100,12 @@ static void four_bar_inverse_dynamics_platform_block(
     double pivot[16];
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain + lane,
-            u + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = four_bar_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain +
+            lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    FOUR_BAR_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
         total[lane] = sum;
@@ -10103,7 +10159,7 @@ static int four_bar_inverse_dynamics_platform_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(1, stride, pose + first + 8);
                 four_bar_prefetch(1, stride, rate + first + 8);
@@ -10572,9 +10628,8 @@ static void four_bar_limb_margins_block(
     four_bar_sincos_block(8, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
+        total[lane] = four_bar_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -10612,7 +10667,7 @@ static int four_bar_limb_margins_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, margins + first + 8);
@@ -10789,9 +10844,8 @@ static void four_bar_constraint_margin_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
+        total[lane] = four_bar_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
             + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -10829,7 +10883,7 @@ static int four_bar_constraint_margin_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, margins + first + 8);
@@ -10989,9 +11043,8 @@ static void four_bar_actuation_margins_block(
     four_bar_sincos_block(24, angle, sine, cosine);
     FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = four_bar_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
+        total[lane] = four_bar_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
             + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -11029,7 +11082,7 @@ static int four_bar_actuation_margins_some(
 #if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, margins + first + 8);

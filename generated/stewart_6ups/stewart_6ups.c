@@ -94,11 +94,20 @@ static inline stewart_6ups_vector4 stewart_6ups_vector4_sqrt(stewart_6ups_vector
 #endif
 
 /* Batch functions take 8 states at once; STEWART_6UPS_STATE_BY_STATE or STEWART_6UPS_SCALAR: one by one. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define STEWART_6UPS_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
+#define STEWART_6UPS_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
+#elif defined(__GNUC__)
 #define STEWART_6UPS_VECTORISE _Pragma("GCC ivdep")
-#define STEWART_6UPS_INLINE __attribute__((always_inline))
+#define STEWART_6UPS_IN_PLACE 1
 #else
 #define STEWART_6UPS_VECTORISE
+#define STEWART_6UPS_IN_PLACE 1
+#endif
+#if defined(__GNUC__)
+#define STEWART_6UPS_INLINE __attribute__((always_inline))
+#else
 #define STEWART_6UPS_INLINE
 #endif
 
@@ -131,6 +140,12 @@ static inline void stewart_6ups_gather(
         }
         return;
     }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(block + k * 8, array + k * stride + first, 8 * sizeof(double));
+        }
+        return;
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -149,6 +164,12 @@ static inline void stewart_6ups_scatter(
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
             }
+        }
+        return;
+    }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(array + k * stride + first, block + k * 8, 8 * sizeof(double));
         }
         return;
     }
@@ -1289,9 +1310,8 @@ static void stewart_6ups_body_poses_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine +
+        total[lane] = stewart_6ups_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1329,7 +1349,7 @@ static int stewart_6ups_body_poses_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(156, stride, poses + first + 8);
@@ -1949,9 +1969,8 @@ static void stewart_6ups_body_twists_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane,
+        total[lane] = stewart_6ups_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1995,7 +2014,7 @@ static int stewart_6ups_body_twists_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -2966,9 +2985,8 @@ static void stewart_6ups_body_twist_rates_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates +
-            lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates
+            + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -3019,7 +3037,7 @@ static int stewart_6ups_body_twist_rates_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -3316,8 +3334,7 @@ static void stewart_6ups_forward_kinematics_block(
 {
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
     }
 }
 #endif
@@ -3355,7 +3372,7 @@ static int stewart_6ups_forward_kinematics_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(39, stride, positions + first + 8);
@@ -4107,9 +4124,8 @@ static void stewart_6ups_point_motion_block(
     }
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
-            velocities + lane, accelerations + lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions +
+            lane, velocities + lane, accelerations + lane);
     }
 }
 #endif
@@ -4173,7 +4189,7 @@ static int stewart_6ups_point_motion_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -5326,9 +5342,8 @@ static void stewart_6ups_joint_screws_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine +
+        total[lane] = stewart_6ups_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5366,7 +5381,7 @@ static int stewart_6ups_joint_screws_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(216, stride, screws + first + 8);
@@ -5783,9 +5798,8 @@ static void stewart_6ups_joint_points_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine +
+        total[lane] = stewart_6ups_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5823,7 +5837,7 @@ static int stewart_6ups_joint_points_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(54, stride, points + first + 8);
@@ -6075,8 +6089,7 @@ static void stewart_6ups_platform_jacobian_block(
     }
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
     }
 }
 #endif
@@ -6114,7 +6127,7 @@ static int stewart_6ups_platform_jacobian_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(144, stride, jacobian + first + 8);
@@ -8328,9 +8341,8 @@ static void stewart_6ups_joint_rates_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane, sine + lane,
+        total[lane] = stewart_6ups_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -8374,7 +8386,7 @@ static int stewart_6ups_joint_rates_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -8595,8 +8607,7 @@ static void stewart_6ups_drive_rates_block(
 {
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -8640,7 +8651,7 @@ static int stewart_6ups_drive_rates_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -9200,9 +9211,8 @@ static void stewart_6ups_closure_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine +
+        total[lane] = stewart_6ups_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -9240,7 +9250,7 @@ static int stewart_6ups_closure_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(18, stride, residual_ + first + 8);
@@ -10453,9 +10463,8 @@ static void stewart_6ups_closure_jacobian_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane,
+        total[lane] = stewart_6ups_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -10493,7 +10502,7 @@ static int stewart_6ups_closure_jacobian_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(432, stride, jacobian + first + 8);
@@ -11093,9 +11102,8 @@ static void stewart_6ups_closure_bias_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
+        total[lane] = stewart_6ups_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -11139,7 +11147,7 @@ static int stewart_6ups_closure_bias_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -12114,8 +12122,12 @@ static void stewart_6ups_velocity_block(
     double pivot[120];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane,
+        total[lane] = stewart_6ups_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane,
             cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -12175,7 +12187,7 @@ static int stewart_6ups_velocity_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(6, stride, y_dot + first + 8);
@@ -13558,8 +13570,12 @@ static void stewart_6ups_null_space_block(
     double pivot[120];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine
+        total[lane] = stewart_6ups_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine
             + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -13613,7 +13629,7 @@ static int stewart_6ups_null_space_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(144, stride, null_space + first + 8);
@@ -15260,8 +15276,12 @@ static void stewart_6ups_acceleration_block(
     double pivot[120];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane,
+        total[lane] = stewart_6ups_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane,
             sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -15327,7 +15347,7 @@ static int stewart_6ups_acceleration_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -18384,9 +18404,8 @@ static void stewart_6ups_momentum_screws_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ +
-            lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_
+            + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -18437,7 +18456,7 @@ static int stewart_6ups_momentum_screws_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -22836,9 +22855,8 @@ static void stewart_6ups_momentum_rates_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates
+        total[lane] = stewart_6ups_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates
             + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -22889,7 +22907,7 @@ static int stewart_6ups_momentum_rates_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -23377,9 +23395,8 @@ static void stewart_6ups_energy_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane,
+        total[lane] = stewart_6ups_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -23423,7 +23440,7 @@ static int stewart_6ups_energy_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -23862,9 +23879,8 @@ static void stewart_6ups_mass_matrix_block(
     stewart_6ups_sincos_block(48, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane,
+        total[lane] = stewart_6ups_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -23902,7 +23918,7 @@ static int stewart_6ups_mass_matrix_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(576, stride, mass_matrix + first + 8);
@@ -24486,9 +24502,8 @@ static void stewart_6ups_bias_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
+        total[lane] = stewart_6ups_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -24532,7 +24547,7 @@ static int stewart_6ups_bias_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -26587,8 +26602,12 @@ static void stewart_6ups_inverse_dynamics_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
+        total[lane] = stewart_6ups_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
             sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.2267000000000001e-09 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 1.2257e-09 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.2288e-09 ? (double)NAN : sum;
@@ -26657,7 +26676,7 @@ static int stewart_6ups_inverse_dynamics_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -29855,8 +29874,12 @@ static void stewart_6ups_inverse_dynamics_independent_block(
     double pivot[168];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot
+        total[lane] = stewart_6ups_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot
             + lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.246e-09 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 1.2449e-09 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.2948000000000001e-09 ? (double)NAN : sum;
@@ -29929,7 +29952,7 @@ static int stewart_6ups_inverse_dynamics_independent_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(6, stride, y_dot + first + 8);
@@ -33755,8 +33778,12 @@ static void stewart_6ups_joint_reactions_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
+        total[lane] = stewart_6ups_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
             reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.2267000000000001e-09 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 1.2257e-09 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.2288e-09 ? (double)NAN : sum;
@@ -33832,7 +33859,7 @@ static int stewart_6ups_joint_reactions_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -38097,8 +38124,12 @@ static void stewart_6ups_forward_dynamics_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
+        total[lane] = stewart_6ups_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
             sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-06 ? (double)NAN : sum;
@@ -38167,7 +38198,7 @@ static int stewart_6ups_forward_dynamics_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -40628,8 +40659,12 @@ static void stewart_6ups_forward_dynamics_independent_block(
     double pivot[168];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u +
+        total[lane] = stewart_6ups_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u +
             lane, y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -40702,7 +40737,7 @@ static int stewart_6ups_forward_dynamics_independent_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(6, stride, y_dot + first + 8);
@@ -47980,8 +48015,12 @@ static void stewart_6ups_forward_dynamics_reactions_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a +
-            lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = stewart_6ups_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a
+            + lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.2460000000000001e-05 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 1.2448999999999999e-05 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.2948e-05 ? (double)NAN : sum;
@@ -48057,7 +48096,7 @@ static int stewart_6ups_forward_dynamics_reactions_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -50526,8 +50565,12 @@ static void stewart_6ups_close_position_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane,
+        total[lane] = stewart_6ups_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane,
             sine + lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -50590,7 +50633,7 @@ static int stewart_6ups_close_position_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(25, stride, q_next + first + 8);
@@ -52803,8 +52846,12 @@ static void stewart_6ups_close_velocity_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine +
+        total[lane] = stewart_6ups_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -52867,7 +52914,7 @@ static int stewart_6ups_close_velocity_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(24, stride, v + first + 8);
@@ -54537,8 +54584,12 @@ static void stewart_6ups_inverse_velocity_block(
     double pivot[96];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane, pivot +
-            lane);
+        total[lane] = stewart_6ups_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane, pivot
+            + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 9.154730000000001e-10 ? (double)NAN : sum;
@@ -54595,7 +54646,7 @@ static int stewart_6ups_inverse_velocity_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(7, stride, pose + first + 8);
                 stewart_6ups_prefetch(6, stride, rate + first + 8);
@@ -57441,8 +57492,12 @@ static void stewart_6ups_inverse_dynamics_platform_block(
     double pivot[144];
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain +
+        total[lane] = stewart_6ups_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain +
             lane, u + lane, pivot + lane);
+    }
+    STEWART_6UPS_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.246e-09 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 1.2449e-09 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 1.2948000000000001e-09 ? (double)NAN : sum;
@@ -57512,7 +57567,7 @@ static int stewart_6ups_inverse_dynamics_platform_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(7, stride, pose + first + 8);
                 stewart_6ups_prefetch(6, stride, rate + first + 8);
@@ -59231,9 +59286,8 @@ static void stewart_6ups_limb_margins_block(
     stewart_6ups_sincos_block(48, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
-            lane);
-        total[lane] = sum;
+        total[lane] = stewart_6ups_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
+            + lane);
     }
 }
 #endif
@@ -59271,7 +59325,7 @@ static int stewart_6ups_limb_margins_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(6, stride, margins + first + 8);
@@ -59989,9 +60043,8 @@ static void stewart_6ups_actuation_margins_block(
     stewart_6ups_sincos_block(96, angle, sine, cosine);
     STEWART_6UPS_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = stewart_6ups_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane,
+        total[lane] = stewart_6ups_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -60029,7 +60082,7 @@ static int stewart_6ups_actuation_margins_some(
 #if !defined(STEWART_6UPS_SCALAR) && !defined(STEWART_6UPS_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && STEWART_6UPS_IN_PLACE) {
             if (first + 16 <= stride) {
                 stewart_6ups_prefetch(25, stride, q + first + 8);
                 stewart_6ups_prefetch(1, stride, margins + first + 8);

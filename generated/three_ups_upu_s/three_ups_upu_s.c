@@ -115,11 +115,20 @@ static inline three_ups_upu_s_vector4 three_ups_upu_s_vector4_sqrt(three_ups_upu
 #endif
 
 /* Batch functions take 8 states at once; THREE_UPS_UPU_S_STATE_BY_STATE or THREE_UPS_UPU_S_SCALAR: one by one. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define THREE_UPS_UPU_S_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
+#define THREE_UPS_UPU_S_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
+#elif defined(__GNUC__)
 #define THREE_UPS_UPU_S_VECTORISE _Pragma("GCC ivdep")
-#define THREE_UPS_UPU_S_INLINE __attribute__((always_inline))
+#define THREE_UPS_UPU_S_IN_PLACE 1
 #else
 #define THREE_UPS_UPU_S_VECTORISE
+#define THREE_UPS_UPU_S_IN_PLACE 1
+#endif
+#if defined(__GNUC__)
+#define THREE_UPS_UPU_S_INLINE __attribute__((always_inline))
+#else
 #define THREE_UPS_UPU_S_INLINE
 #endif
 
@@ -152,6 +161,12 @@ static inline void three_ups_upu_s_gather(
         }
         return;
     }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(block + k * 8, array + k * stride + first, 8 * sizeof(double));
+        }
+        return;
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -170,6 +185,12 @@ static inline void three_ups_upu_s_scatter(
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
             }
+        }
+        return;
+    }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(array + k * stride + first, block + k * 8, 8 * sizeof(double));
         }
         return;
     }
@@ -886,9 +907,8 @@ static void three_ups_upu_s_body_poses_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine +
+        total[lane] = three_ups_upu_s_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -926,7 +946,7 @@ static int three_ups_upu_s_body_poses_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(108, stride, poses + first + 8);
@@ -1311,9 +1331,8 @@ static void three_ups_upu_s_body_twists_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine +
+        total[lane] = three_ups_upu_s_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1357,7 +1376,7 @@ static int three_ups_upu_s_body_twists_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -1887,9 +1906,8 @@ static void three_ups_upu_s_body_twist_rates_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane,
+        total[lane] = three_ups_upu_s_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane,
             twist_rates + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1940,7 +1958,7 @@ static int three_ups_upu_s_body_twist_rates_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -2178,8 +2196,7 @@ static void three_ups_upu_s_forward_kinematics_block(
 {
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
     }
 }
 #endif
@@ -2217,7 +2234,7 @@ static int three_ups_upu_s_forward_kinematics_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(30, stride, positions + first + 8);
@@ -2761,9 +2778,8 @@ static void three_ups_upu_s_point_motion_block(
     }
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions +
+        total[lane] = three_ups_upu_s_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions +
             lane, velocities + lane, accelerations + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -2827,7 +2843,7 @@ static int three_ups_upu_s_point_motion_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -3486,9 +3502,8 @@ static void three_ups_upu_s_joint_screws_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine
-            + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane,
+            cosine + lane);
     }
 }
 #endif
@@ -3526,7 +3541,7 @@ static int three_ups_upu_s_joint_screws_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(156, stride, screws + first + 8);
@@ -3826,9 +3841,8 @@ static void three_ups_upu_s_joint_points_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine
-            + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane,
+            cosine + lane);
     }
 }
 #endif
@@ -3866,7 +3880,7 @@ static int three_ups_upu_s_joint_points_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(39, stride, points + first + 8);
@@ -4062,8 +4076,7 @@ static void three_ups_upu_s_platform_jacobian_block(
     }
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
     }
 }
 #endif
@@ -4101,7 +4114,7 @@ static int three_ups_upu_s_platform_jacobian_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(90, stride, jacobian + first + 8);
@@ -5161,9 +5174,8 @@ static void three_ups_upu_s_joint_rates_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane, sine +
+        total[lane] = three_ups_upu_s_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5207,7 +5219,7 @@ static int three_ups_upu_s_joint_rates_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -5391,8 +5403,7 @@ static void three_ups_upu_s_drive_rates_block(
 {
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -5436,7 +5447,7 @@ static int three_ups_upu_s_drive_rates_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -5796,9 +5807,8 @@ static void three_ups_upu_s_closure_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine +
-            lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine
+            + lane);
     }
 }
 #endif
@@ -5836,7 +5846,7 @@ static int three_ups_upu_s_closure_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(13, stride, residual_ + first + 8);
@@ -6475,9 +6485,8 @@ static void three_ups_upu_s_closure_jacobian_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane,
+        total[lane] = three_ups_upu_s_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -6515,7 +6524,7 @@ static int three_ups_upu_s_closure_jacobian_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(195, stride, jacobian + first + 8);
@@ -7016,9 +7025,8 @@ static void three_ups_upu_s_closure_bias_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine +
+        total[lane] = three_ups_upu_s_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -7062,7 +7070,7 @@ static int three_ups_upu_s_closure_bias_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -7476,8 +7484,12 @@ static void three_ups_upu_s_velocity_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane,
+        total[lane] = three_ups_upu_s_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane,
             cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -7533,7 +7545,7 @@ static int three_ups_upu_s_velocity_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(2, stride, y_dot + first + 8);
@@ -8040,8 +8052,12 @@ static void three_ups_upu_s_null_space_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane,
+        total[lane] = three_ups_upu_s_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane,
             cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -8091,7 +8107,7 @@ static int three_ups_upu_s_null_space_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(30, stride, null_space + first + 8);
@@ -8803,8 +8819,12 @@ static void three_ups_upu_s_acceleration_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane,
-            sine + lane, cosine + lane, pivot + lane);
+        total[lane] = three_ups_upu_s_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a +
+            lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -8867,7 +8887,7 @@ static int three_ups_upu_s_acceleration_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -10178,9 +10198,8 @@ static void three_ups_upu_s_momentum_screws_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane,
+        total[lane] = three_ups_upu_s_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane,
             total_ + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -10231,7 +10250,7 @@ static int three_ups_upu_s_momentum_screws_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -12283,9 +12302,8 @@ static void three_ups_upu_s_momentum_rates_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane,
+        total[lane] = three_ups_upu_s_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane,
             momentum_rates + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -12336,7 +12354,7 @@ static int three_ups_upu_s_momentum_rates_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -12751,9 +12769,8 @@ static void three_ups_upu_s_energy_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane,
+        total[lane] = three_ups_upu_s_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -12797,7 +12814,7 @@ static int three_ups_upu_s_energy_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -13140,9 +13157,8 @@ static void three_ups_upu_s_mass_matrix_block(
     three_ups_upu_s_sincos_block(32, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane,
+        total[lane] = three_ups_upu_s_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -13180,7 +13196,7 @@ static int three_ups_upu_s_mass_matrix_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(225, stride, mass_matrix + first + 8);
@@ -13637,9 +13653,8 @@ static void three_ups_upu_s_bias_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine
-            + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
+            cosine + lane);
     }
 }
 #endif
@@ -13683,7 +13698,7 @@ static int three_ups_upu_s_bias_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -14874,8 +14889,12 @@ static void three_ups_upu_s_inverse_dynamics_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
+        total[lane] = three_ups_upu_s_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
             sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.3211e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 5.4232e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.4044e-10 ? (double)NAN : sum;
@@ -14938,7 +14957,7 @@ static int three_ups_upu_s_inverse_dynamics_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -16923,8 +16942,12 @@ static void three_ups_upu_s_inverse_dynamics_independent_block(
     double pivot[112];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane,
+        total[lane] = three_ups_upu_s_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane,
             y_ddot + lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -16990,7 +17013,7 @@ static int three_ups_upu_s_inverse_dynamics_independent_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(2, stride, y_dot + first + 8);
@@ -17834,8 +17857,12 @@ static void three_ups_upu_s_inverse_dynamics_preload_block(
     double pivot[120];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_inverse_dynamics_preload_lane(stride, 8, q + lane, v + lane, a + lane,
+        total[lane] = three_ups_upu_s_inverse_dynamics_preload_lane(stride, 8, q + lane, v + lane, a + lane,
             weights + lane, preload + lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.3211e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 5.4232e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.4044e-10 ? (double)NAN : sum;
@@ -17915,7 +17942,7 @@ static int three_ups_upu_s_inverse_dynamics_preload_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -20377,8 +20404,12 @@ static void three_ups_upu_s_joint_reactions_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
+        total[lane] = three_ups_upu_s_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
             reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.3211e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 5.4232e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.4044e-10 ? (double)NAN : sum;
@@ -20447,7 +20478,7 @@ static int three_ups_upu_s_joint_reactions_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -23235,8 +23266,12 @@ static void three_ups_upu_s_forward_dynamics_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
+        total[lane] = three_ups_upu_s_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
             sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
@@ -23299,7 +23334,7 @@ static int three_ups_upu_s_forward_dynamics_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -25003,8 +25038,12 @@ static void three_ups_upu_s_forward_dynamics_independent_block(
     double pivot[104];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u +
+        total[lane] = three_ups_upu_s_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u +
             lane, y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -25069,7 +25108,7 @@ static int three_ups_upu_s_forward_dynamics_independent_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(2, stride, y_dot + first + 8);
@@ -29560,8 +29599,12 @@ static void three_ups_upu_s_forward_dynamics_reactions_block(
     double pivot[96];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane,
+        total[lane] = three_ups_upu_s_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane,
             a + lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
@@ -29631,7 +29674,7 @@ static int three_ups_upu_s_forward_dynamics_reactions_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -30423,8 +30466,12 @@ static void three_ups_upu_s_close_position_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane,
-            sine + lane, cosine + lane, pivot + lane);
+        total[lane] = three_ups_upu_s_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ +
+            lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -30480,7 +30527,7 @@ static int three_ups_upu_s_close_position_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(16, stride, q_next + first + 8);
@@ -31037,8 +31084,12 @@ static void three_ups_upu_s_close_velocity_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine +
+        total[lane] = three_ups_upu_s_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -31094,7 +31145,7 @@ static int three_ups_upu_s_close_velocity_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(15, stride, v + first + 8);
@@ -32078,8 +32129,12 @@ static void three_ups_upu_s_inverse_velocity_block(
     double pivot[64];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane,
+        total[lane] = three_ups_upu_s_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane,
             pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -32132,7 +32187,7 @@ static int three_ups_upu_s_inverse_velocity_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(4, stride, pose + first + 8);
                 three_ups_upu_s_prefetch(3, stride, rate + first + 8);
@@ -33782,8 +33837,12 @@ static void three_ups_upu_s_inverse_dynamics_platform_block(
     double pivot[88];
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain
+        total[lane] = three_ups_upu_s_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain
             + lane, u + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -33846,7 +33905,7 @@ static int three_ups_upu_s_inverse_dynamics_platform_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(4, stride, pose + first + 8);
                 three_ups_upu_s_prefetch(3, stride, rate + first + 8);
@@ -35066,9 +35125,8 @@ static void three_ups_upu_s_limb_margins_block(
     three_ups_upu_s_sincos_block(40, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane,
+        total[lane] = three_ups_upu_s_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -35106,7 +35164,7 @@ static int three_ups_upu_s_limb_margins_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(5, stride, margins + first + 8);
@@ -35320,9 +35378,8 @@ static void three_ups_upu_s_constraint_margin_block(
     three_ups_upu_s_sincos_block(16, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane,
+        total[lane] = three_ups_upu_s_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -35360,7 +35417,7 @@ static int three_ups_upu_s_constraint_margin_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(1, stride, margins + first + 8);
@@ -35673,9 +35730,8 @@ static void three_ups_upu_s_actuation_margins_block(
     three_ups_upu_s_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane,
+        total[lane] = three_ups_upu_s_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -35713,7 +35769,7 @@ static int three_ups_upu_s_actuation_margins_some(
 #if !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_prefetch(6, stride, margins + first + 8);

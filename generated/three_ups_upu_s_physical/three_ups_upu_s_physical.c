@@ -97,11 +97,20 @@ static inline three_ups_upu_s_physical_vector4 three_ups_upu_s_physical_vector4_
 #endif
 
 /* Batch functions take 8 states at once; THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE or THREE_UPS_UPU_S_PHYSICAL_SCALAR: one by one. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define THREE_UPS_UPU_S_PHYSICAL_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
+#define THREE_UPS_UPU_S_PHYSICAL_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
+#elif defined(__GNUC__)
 #define THREE_UPS_UPU_S_PHYSICAL_VECTORISE _Pragma("GCC ivdep")
-#define THREE_UPS_UPU_S_PHYSICAL_INLINE __attribute__((always_inline))
+#define THREE_UPS_UPU_S_PHYSICAL_IN_PLACE 1
 #else
 #define THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+#define THREE_UPS_UPU_S_PHYSICAL_IN_PLACE 1
+#endif
+#if defined(__GNUC__)
+#define THREE_UPS_UPU_S_PHYSICAL_INLINE __attribute__((always_inline))
+#else
 #define THREE_UPS_UPU_S_PHYSICAL_INLINE
 #endif
 
@@ -134,6 +143,12 @@ static inline void three_ups_upu_s_physical_gather(
         }
         return;
     }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(block + k * 8, array + k * stride + first, 8 * sizeof(double));
+        }
+        return;
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -152,6 +167,12 @@ static inline void three_ups_upu_s_physical_scatter(
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
             }
+        }
+        return;
+    }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(array + k * stride + first, block + k * 8, 8 * sizeof(double));
         }
         return;
     }
@@ -868,9 +889,8 @@ static void three_ups_upu_s_physical_body_poses_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane,
+        total[lane] = three_ups_upu_s_physical_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane,
             cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -908,7 +928,7 @@ static int three_ups_upu_s_physical_body_poses_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(108, stride, poses + first + 8);
@@ -1294,9 +1314,8 @@ static void three_ups_upu_s_physical_body_twists_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane,
+        total[lane] = three_ups_upu_s_physical_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1340,7 +1359,7 @@ static int three_ups_upu_s_physical_body_twists_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -1873,9 +1892,8 @@ static void three_ups_upu_s_physical_body_twist_rates_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane,
+        total[lane] = three_ups_upu_s_physical_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane,
             twist_rates + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1926,7 +1944,7 @@ static int three_ups_upu_s_physical_body_twist_rates_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -2167,8 +2185,7 @@ static void three_ups_upu_s_physical_forward_kinematics_block(
 {
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_forward_kinematics_lane(stride, 8, q + lane, positions + lane);
     }
 }
 #endif
@@ -2206,7 +2223,7 @@ static int three_ups_upu_s_physical_forward_kinematics_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(30, stride, positions + first + 8);
@@ -2751,9 +2768,8 @@ static void three_ups_upu_s_physical_point_motion_block(
     }
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_point_motion_lane(stride, 8, q + lane, v + lane, a + lane,
+        total[lane] = three_ups_upu_s_physical_point_motion_lane(stride, 8, q + lane, v + lane, a + lane,
             positions + lane, velocities + lane, accelerations + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -2817,7 +2833,7 @@ static int three_ups_upu_s_physical_point_motion_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -3476,9 +3492,8 @@ static void three_ups_upu_s_physical_joint_screws_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_joint_screws_lane(stride, 8, q + lane, screws + lane, sine +
+        total[lane] = three_ups_upu_s_physical_joint_screws_lane(stride, 8, q + lane, screws + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -3516,7 +3531,7 @@ static int three_ups_upu_s_physical_joint_screws_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(156, stride, screws + first + 8);
@@ -3817,9 +3832,8 @@ static void three_ups_upu_s_physical_joint_points_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_joint_points_lane(stride, 8, q + lane, points + lane, sine +
+        total[lane] = three_ups_upu_s_physical_joint_points_lane(stride, 8, q + lane, points + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -3857,7 +3871,7 @@ static int three_ups_upu_s_physical_joint_points_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(39, stride, points + first + 8);
@@ -4054,8 +4068,7 @@ static void three_ups_upu_s_physical_platform_jacobian_block(
     }
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
     }
 }
 #endif
@@ -4093,7 +4106,7 @@ static int three_ups_upu_s_physical_platform_jacobian_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(90, stride, jacobian + first + 8);
@@ -5156,9 +5169,8 @@ static void three_ups_upu_s_physical_joint_rates_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane,
+        total[lane] = three_ups_upu_s_physical_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5202,7 +5214,7 @@ static int three_ups_upu_s_physical_joint_rates_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -5387,8 +5399,7 @@ static void three_ups_upu_s_physical_drive_rates_block(
 {
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -5432,7 +5443,7 @@ static int three_ups_upu_s_physical_drive_rates_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -5793,9 +5804,8 @@ static void three_ups_upu_s_physical_closure_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane,
-            cosine + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_closure_lane(stride, 8, q + lane, residual_ + lane, sine +
+            lane, cosine + lane);
     }
 }
 #endif
@@ -5833,7 +5843,7 @@ static int three_ups_upu_s_physical_closure_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(13, stride, residual_ + first + 8);
@@ -6473,9 +6483,8 @@ static void three_ups_upu_s_physical_closure_jacobian_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine
-            + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane,
+            sine + lane, cosine + lane);
     }
 }
 #endif
@@ -6513,7 +6522,7 @@ static int three_ups_upu_s_physical_closure_jacobian_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(195, stride, jacobian + first + 8);
@@ -7015,9 +7024,8 @@ static void three_ups_upu_s_physical_closure_bias_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane,
+        total[lane] = three_ups_upu_s_physical_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -7061,7 +7069,7 @@ static int three_ups_upu_s_physical_closure_bias_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -7476,8 +7484,12 @@ static void three_ups_upu_s_physical_velocity_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine
+        total[lane] = three_ups_upu_s_physical_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine
             + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -7533,7 +7545,7 @@ static int three_ups_upu_s_physical_velocity_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(2, stride, y_dot + first + 8);
@@ -8041,8 +8053,12 @@ static void three_ups_upu_s_physical_null_space_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_null_space_lane(stride, 8, q + lane, null_space + lane, sine +
+        total[lane] = three_ups_upu_s_physical_null_space_lane(stride, 8, q + lane, null_space + lane, sine +
             lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -8092,7 +8108,7 @@ static int three_ups_upu_s_physical_null_space_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(30, stride, null_space + first + 8);
@@ -8807,8 +8823,12 @@ static void three_ups_upu_s_physical_acceleration_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane,
+        total[lane] = three_ups_upu_s_physical_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane,
             a + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -8871,7 +8891,7 @@ static int three_ups_upu_s_physical_acceleration_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -10184,9 +10204,8 @@ static void three_ups_upu_s_physical_momentum_screws_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta +
+        total[lane] = three_ups_upu_s_physical_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta +
             lane, total_ + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -10237,7 +10256,7 @@ static int three_ups_upu_s_physical_momentum_screws_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -12293,9 +12312,8 @@ static void three_ups_upu_s_physical_momentum_rates_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane,
+        total[lane] = three_ups_upu_s_physical_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane,
             momentum_rates + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -12346,7 +12364,7 @@ static int three_ups_upu_s_physical_momentum_rates_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -12764,9 +12782,8 @@ static void three_ups_upu_s_physical_energy_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine +
-            lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine
+            + lane, cosine + lane);
     }
 }
 #endif
@@ -12810,7 +12827,7 @@ static int three_ups_upu_s_physical_energy_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -13154,9 +13171,8 @@ static void three_ups_upu_s_physical_mass_matrix_block(
     three_ups_upu_s_physical_sincos_block(32, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine +
-            lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine
+            + lane, cosine + lane);
     }
 }
 #endif
@@ -13194,7 +13210,7 @@ static int three_ups_upu_s_physical_mass_matrix_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(225, stride, mass_matrix + first + 8);
@@ -13653,9 +13669,8 @@ static void three_ups_upu_s_physical_bias_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine +
+        total[lane] = three_ups_upu_s_physical_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -13699,7 +13714,7 @@ static int three_ups_upu_s_physical_bias_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -14914,8 +14929,12 @@ static void three_ups_upu_s_physical_inverse_dynamics_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u
-            + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = three_ups_upu_s_physical_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane,
+            u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.3211e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 5.4232e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.4044e-10 ? (double)NAN : sum;
@@ -14978,7 +14997,7 @@ static int three_ups_upu_s_physical_inverse_dynamics_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -16981,8 +17000,12 @@ static void three_ups_upu_s_physical_inverse_dynamics_independent_block(
     double pivot[112];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot +
+        total[lane] = three_ups_upu_s_physical_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot +
             lane, y_ddot + lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -17049,7 +17072,7 @@ static int three_ups_upu_s_physical_inverse_dynamics_independent_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(2, stride, y_dot + first + 8);
@@ -17894,8 +17917,12 @@ static void three_ups_upu_s_physical_inverse_dynamics_preload_block(
     double pivot[120];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_inverse_dynamics_preload_lane(stride, 8, q + lane, v + lane, a +
-            lane, weights + lane, preload + lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = three_ups_upu_s_physical_inverse_dynamics_preload_lane(stride, 8, q + lane, v + lane, a
+            + lane, weights + lane, preload + lane, u + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.3211e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 5.4232e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.4044e-10 ? (double)NAN : sum;
@@ -17975,7 +18002,7 @@ static int three_ups_upu_s_physical_inverse_dynamics_preload_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -20462,8 +20489,12 @@ static void three_ups_upu_s_physical_joint_reactions_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u
+        total[lane] = three_ups_upu_s_physical_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u
             + lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.3211e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 5.4232e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.4044e-10 ? (double)NAN : sum;
@@ -20532,7 +20563,7 @@ static int three_ups_upu_s_physical_joint_reactions_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -23334,8 +23365,12 @@ static void three_ups_upu_s_physical_forward_dynamics_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a
-            + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = three_ups_upu_s_physical_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane,
+            a + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
@@ -23398,7 +23433,7 @@ static int three_ups_upu_s_physical_forward_dynamics_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -25121,8 +25156,12 @@ static void three_ups_upu_s_physical_forward_dynamics_independent_block(
     double pivot[104];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot +
+        total[lane] = three_ups_upu_s_physical_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot +
             lane, u + lane, y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -25188,7 +25227,7 @@ static int three_ups_upu_s_physical_forward_dynamics_independent_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(2, stride, y_dot + first + 8);
@@ -29680,8 +29719,12 @@ static void three_ups_upu_s_physical_forward_dynamics_reactions_block(
     double pivot[96];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u
-            + lane, a + lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = three_ups_upu_s_physical_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane,
+            u + lane, a + lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-06 ? (double)NAN : sum;
@@ -29752,7 +29795,7 @@ static int three_ups_upu_s_physical_forward_dynamics_reactions_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -30546,8 +30589,12 @@ static void three_ups_upu_s_physical_close_position_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_close_position_lane(stride, 8, q + lane, q_next + lane,
+        total[lane] = three_ups_upu_s_physical_close_position_lane(stride, 8, q + lane, q_next + lane,
             residual_ + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -30604,7 +30651,7 @@ static int three_ups_upu_s_physical_close_position_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(16, stride, q_next + first + 8);
@@ -31165,8 +31212,12 @@ static void three_ups_upu_s_physical_close_velocity_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_close_velocity_lane(stride, 8, q + lane, v + lane, v_next +
+        total[lane] = three_ups_upu_s_physical_close_velocity_lane(stride, 8, q + lane, v + lane, v_next +
             lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -31222,7 +31273,7 @@ static int three_ups_upu_s_physical_close_velocity_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(15, stride, v + first + 8);
@@ -32218,8 +32269,12 @@ static void three_ups_upu_s_physical_inverse_velocity_block(
     double pivot[64];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v +
+        total[lane] = three_ups_upu_s_physical_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v +
             lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -32272,7 +32327,7 @@ static int three_ups_upu_s_physical_inverse_velocity_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(4, stride, pose + first + 8);
                 three_ups_upu_s_physical_prefetch(3, stride, rate + first + 8);
@@ -33944,8 +33999,12 @@ static void three_ups_upu_s_physical_inverse_dynamics_platform_block(
     double pivot[88];
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate +
+        total[lane] = three_ups_upu_s_physical_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate +
             lane, gain + lane, u + lane, pivot + lane);
+    }
+    THREE_UPS_UPU_S_PHYSICAL_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 6.62327e-10 ? (double)NAN : sum;
@@ -34009,7 +34068,7 @@ static int three_ups_upu_s_physical_inverse_dynamics_platform_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(4, stride, pose + first + 8);
                 three_ups_upu_s_physical_prefetch(3, stride, rate + first + 8);
@@ -35230,9 +35289,8 @@ static void three_ups_upu_s_physical_limb_margins_block(
     three_ups_upu_s_physical_sincos_block(40, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_limb_margins_lane(stride, 8, q + lane, margins + lane, sine +
+        total[lane] = three_ups_upu_s_physical_limb_margins_lane(stride, 8, q + lane, margins + lane, sine +
             lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -35270,7 +35328,7 @@ static int three_ups_upu_s_physical_limb_margins_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(5, stride, margins + first + 8);
@@ -35485,9 +35543,8 @@ static void three_ups_upu_s_physical_constraint_margin_block(
     three_ups_upu_s_physical_sincos_block(16, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine
-            + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_constraint_margin_lane(stride, 8, q + lane, margins + lane,
+            sine + lane, cosine + lane);
     }
 }
 #endif
@@ -35525,7 +35582,7 @@ static int three_ups_upu_s_physical_constraint_margin_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(1, stride, margins + first + 8);
@@ -35839,9 +35896,8 @@ static void three_ups_upu_s_physical_actuation_margins_block(
     three_ups_upu_s_physical_sincos_block(64, angle, sine, cosine);
     THREE_UPS_UPU_S_PHYSICAL_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = three_ups_upu_s_physical_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine
-            + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = three_ups_upu_s_physical_actuation_margins_lane(stride, 8, q + lane, margins + lane,
+            sine + lane, cosine + lane);
     }
 }
 #endif
@@ -35879,7 +35935,7 @@ static int three_ups_upu_s_physical_actuation_margins_some(
 #if !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && THREE_UPS_UPU_S_PHYSICAL_IN_PLACE) {
             if (first + 16 <= stride) {
                 three_ups_upu_s_physical_prefetch(16, stride, q + first + 8);
                 three_ups_upu_s_physical_prefetch(6, stride, margins + first + 8);

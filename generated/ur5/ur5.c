@@ -81,11 +81,20 @@ static inline void ur5_sincos(int count, const double *angle, double *sine, doub
 #endif
 
 /* Batch functions take 8 states at once; UR5_STATE_BY_STATE or UR5_SCALAR: one by one. */
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define UR5_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
+#define UR5_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
+#elif defined(__GNUC__)
 #define UR5_VECTORISE _Pragma("GCC ivdep")
-#define UR5_INLINE __attribute__((always_inline))
+#define UR5_IN_PLACE 1
 #else
 #define UR5_VECTORISE
+#define UR5_IN_PLACE 1
+#endif
+#if defined(__GNUC__)
+#define UR5_INLINE __attribute__((always_inline))
+#else
 #define UR5_INLINE
 #endif
 
@@ -118,6 +127,12 @@ static inline void ur5_gather(
         }
         return;
     }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(block + k * 8, array + k * stride + first, 8 * sizeof(double));
+        }
+        return;
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -136,6 +151,12 @@ static inline void ur5_scatter(
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
             }
+        }
+        return;
+    }
+    if (some == 8) {
+        for (size_t k = 0; k < size; ++k) {
+            memcpy(array + k * stride + first, block + k * 8, 8 * sizeof(double));
         }
         return;
     }
@@ -513,8 +534,7 @@ static void ur5_body_poses_block(
     ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -552,7 +572,7 @@ static int ur5_body_poses_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(72, stride, poses + first + 8);
@@ -913,9 +933,8 @@ static void ur5_body_twists_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane, cosine +
+        total[lane] = ur5_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -959,7 +978,7 @@ static int ur5_body_twists_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -1528,9 +1547,8 @@ static void ur5_body_twist_rates_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates + lane,
+        total[lane] = ur5_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1580,7 +1598,7 @@ static int ur5_body_twist_rates_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -1785,9 +1803,8 @@ static void ur5_forward_kinematics_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane, cosine +
+        total[lane] = ur5_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -1825,7 +1842,7 @@ static int ur5_forward_kinematics_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(3, stride, positions + first + 8);
@@ -2339,9 +2356,8 @@ static void ur5_point_motion_block(
     ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
+        total[lane] = ur5_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
             velocities + lane, accelerations + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -2405,7 +2421,7 @@ static int ur5_point_motion_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -2747,8 +2763,7 @@ static void ur5_joint_screws_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -2786,7 +2801,7 @@ static int ur5_joint_screws_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(36, stride, screws + first + 8);
@@ -3019,8 +3034,7 @@ static void ur5_joint_points_block(
     ur5_sincos_block(32, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -3058,7 +3072,7 @@ static int ur5_joint_points_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(18, stride, points + first + 8);
@@ -3370,9 +3384,8 @@ static void ur5_platform_jacobian_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine +
+        total[lane] = ur5_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -3410,7 +3423,7 @@ static int ur5_platform_jacobian_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(36, stride, jacobian + first + 8);
@@ -3536,8 +3549,7 @@ static void ur5_joint_displacements_block(
 {
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_joint_displacements_lane(stride, 8, q + lane, displacements + lane);
-        total[lane] = sum;
+        total[lane] = ur5_joint_displacements_lane(stride, 8, q + lane, displacements + lane);
     }
 }
 #endif
@@ -3575,7 +3587,7 @@ static int ur5_joint_displacements_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, displacements + first + 8);
@@ -3717,8 +3729,7 @@ static void ur5_joint_rates_block(
 {
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = ur5_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -3762,7 +3773,7 @@ static int ur5_joint_rates_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -3909,8 +3920,7 @@ static void ur5_drive_rates_block(
 {
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
-        total[lane] = sum;
+        total[lane] = ur5_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
     }
 }
 #endif
@@ -3954,7 +3964,7 @@ static int ur5_drive_rates_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -4101,8 +4111,7 @@ static void ur5_velocity_block(
 {
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane);
-        total[lane] = sum;
+        total[lane] = ur5_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane);
     }
 }
 #endif
@@ -4146,7 +4155,7 @@ static int ur5_velocity_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, y_dot + first + 8);
@@ -4308,8 +4317,7 @@ static void ur5_null_space_block(
 {
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_null_space_lane(stride, 8, q + lane, null_space + lane);
-        total[lane] = sum;
+        total[lane] = ur5_null_space_lane(stride, 8, q + lane, null_space + lane);
     }
 }
 #endif
@@ -4347,7 +4355,7 @@ static int ur5_null_space_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(36, stride, null_space + first + 8);
@@ -4503,8 +4511,7 @@ static void ur5_acceleration_block(
 {
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane);
-        total[lane] = sum;
+        total[lane] = ur5_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane);
     }
 }
 #endif
@@ -4554,7 +4561,7 @@ static int ur5_acceleration_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -5584,9 +5591,8 @@ static void ur5_momentum_screws_block(
     ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ + lane,
+        total[lane] = ur5_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -5636,7 +5642,7 @@ static int ur5_momentum_screws_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -7248,9 +7254,8 @@ static void ur5_momentum_rates_block(
     ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates + lane,
+        total[lane] = ur5_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates + lane,
             sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -7300,7 +7305,7 @@ static int ur5_momentum_rates_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -7698,9 +7703,8 @@ static void ur5_energy_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
+        total[lane] = ur5_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -7744,7 +7748,7 @@ static int ur5_energy_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -8104,9 +8108,8 @@ static void ur5_mass_matrix_block(
     ur5_sincos_block(32, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
+        total[lane] = ur5_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
             lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -8144,7 +8147,7 @@ static int ur5_mass_matrix_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(36, stride, mass_matrix + first + 8);
@@ -8595,8 +8598,7 @@ static void ur5_bias_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -8640,7 +8642,7 @@ static int ur5_bias_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -9132,9 +9134,8 @@ static void ur5_inverse_dynamics_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine + lane,
-            cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
+            lane, cosine + lane);
     }
 }
 #endif
@@ -9184,7 +9185,7 @@ static int ur5_inverse_dynamics_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -9683,9 +9684,8 @@ static void ur5_inverse_dynamics_independent_block(
     ur5_sincos_block(40, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot + lane, u
-            + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot + lane,
+            u + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -9736,7 +9736,7 @@ static int ur5_inverse_dynamics_independent_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, y_dot + first + 8);
@@ -10865,9 +10865,8 @@ static void ur5_joint_reactions_block(
     ur5_sincos_block(48, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, reactions +
+        total[lane] = ur5_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, reactions +
             lane, sine + lane, cosine + lane);
-        total[lane] = sum;
     }
 }
 #endif
@@ -10924,7 +10923,7 @@ static int ur5_joint_reactions_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -11704,8 +11703,12 @@ static void ur5_forward_dynamics_block(
     double pivot[32];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine + lane,
-            cosine + lane, pivot + lane);
+        total[lane] = ur5_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
+            lane, cosine + lane, pivot + lane);
+    }
+    UR5_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.6686e-11 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.031900000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 3.3841000000000003e-09 ? (double)NAN : sum;
@@ -11760,7 +11763,7 @@ static int ur5_forward_dynamics_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -12527,8 +12530,12 @@ static void ur5_forward_dynamics_independent_block(
     double pivot[32];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane, y_ddot
-            + lane, sine + lane, cosine + lane, pivot + lane);
+        total[lane] = ur5_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
+            y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    UR5_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.6686e-11 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.031900000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 3.3841000000000003e-09 ? (double)NAN : sum;
@@ -12584,7 +12591,7 @@ static int ur5_forward_dynamics_independent_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, y_dot + first + 8);
@@ -14069,8 +14076,12 @@ static void ur5_forward_dynamics_reactions_block(
     double pivot[32];
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
+        total[lane] = ur5_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a + lane,
             reactions + lane, sine + lane, cosine + lane, pivot + lane);
+    }
+    UR5_VECTORISE
+    for (size_t lane = 0; lane < 8; ++lane) {
+        double sum = total[lane];
         sum = fabs(pivot[0 + lane]) <= 1.6686e-11 ? (double)NAN : sum;
         sum = fabs(pivot[8 + lane]) <= 6.031900000000001e-10 ? (double)NAN : sum;
         sum = fabs(pivot[16 + lane]) <= 3.3841000000000003e-09 ? (double)NAN : sum;
@@ -14132,7 +14143,7 @@ static int ur5_forward_dynamics_reactions_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(6, stride, v + first + 8);
@@ -14358,8 +14369,7 @@ static void ur5_limb_margins_block(
     ur5_sincos_block(32, angle, sine, cosine);
     UR5_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = ur5_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine + lane);
-        total[lane] = sum;
+        total[lane] = ur5_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine + lane);
     }
 }
 #endif
@@ -14397,7 +14407,7 @@ static int ur5_limb_margins_some(
 #if !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0) {
+        if (some == 8 && stride != 0 && UR5_IN_PLACE) {
             if (first + 16 <= stride) {
                 ur5_prefetch(6, stride, q + first + 8);
                 ur5_prefetch(1, stride, margins + first + 8);

@@ -7,8 +7,9 @@
 and less than eight, are copied into arrays [entry][8] and the results out of them. A state whose check fails is given
 to the function of one state, which takes the second path, or writes NaN and says why: statuses and results are those
 of single calls. Vectors are as wide as the machine has them: 512 bits need to be asked for, which GCC hesitates to use.
-With OpenMP, blocks are shared among threads. Functions that repeat a step, those with functions of computed angles,
-and long ones (see `c_parts`) run state by state.
+GCC reads and writes full blocks in place; clang has vectors for copies only, whose distances it knows. With OpenMP,
+blocks are shared among threads. Functions that repeat a step, those with functions of computed angles, and long ones
+(see `c_parts`) run state by state.
 """
 
 from __future__ import annotations
@@ -44,11 +45,20 @@ def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
     upper, real = model.upper(), precision.real
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
-        "#if defined(__GNUC__) && !defined(__clang__)",
+        "#if defined(__clang__)",
+        '#pragma clang diagnostic ignored "-Wpass-failed"',
+        f'#define {upper}_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")',
+        f"#define {upper}_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */",
+        "#elif defined(__GNUC__)",
         f'#define {upper}_VECTORISE _Pragma("GCC ivdep")',
-        f"#define {upper}_INLINE __attribute__((always_inline))",
+        f"#define {upper}_IN_PLACE 1",
         "#else",
         f"#define {upper}_VECTORISE",
+        f"#define {upper}_IN_PLACE 1",
+        "#endif",
+        "#if defined(__GNUC__)",
+        f"#define {upper}_INLINE __attribute__((always_inline))",
+        "#else",
         f"#define {upper}_INLINE",
         "#endif",
         "",
@@ -81,6 +91,12 @@ def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
         "        }",
         "        return;",
         "    }",
+        f"    if (some == {LANES}) {{",
+        "        for (size_t k = 0; k < size; ++k) {",
+        f"            memcpy(block + k * {LANES}, array + k * stride + first, {LANES} * sizeof({real}));",
+        "        }",
+        "        return;",
+        "    }",
         "    for (size_t k = 0; k < size; ++k) {",
         f"        const {real} *entry = array + k * stride + first;",
         f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
@@ -99,6 +115,12 @@ def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
         "            for (size_t k = 0; k < size; ++k) {",
         f"                state[k] = block[k * {LANES} + lane];",
         "            }",
+        "        }",
+        "        return;",
+        "    }",
+        f"    if (some == {LANES}) {{",
+        "        for (size_t k = 0; k < size; ++k) {",
+        f"            memcpy(array + k * stride + first, block + k * {LANES}, {LANES} * sizeof({real}));",
         "        }",
         "        return;",
         "    }",
@@ -197,7 +219,10 @@ def block(printed: Printed) -> list[str]:
         extra += ["pivot + lane"]
     outputs = [f"{name} + lane" for name in printed.handed()[len(program.inputs) :]]
     call = f"{symbol}_lane({', '.join(['stride', str(LANES), *inputs, *outputs, *extra])});"
-    lines += [*loop, *wrapped_code(f"{real} sum = {call}", "        ")]
+    lines += [*loop, *wrapped_code(f"total[lane] = {call}", "        "), "    }"]
+    if not program.guards:
+        return [*lines, "}"]
+    lines += [*loop, f"        {real} sum = total[lane];"]
     for k, (_, threshold) in enumerate(program.guards):
         small = f"{precision.function('fabs')}(pivot[{k * LANES} + lane]) <= {precision.threshold(threshold)}"
         lines.append(f"        sum = {small} ? ({real})NAN : sum;")
@@ -318,7 +343,7 @@ def _blocked(model: str, symbol: str, program: Program | Iteration, precision: P
     return [
         f"    if (some > {FEW}) {{",
         f"        {precision.real} total[{LANES}];",
-        f"        if (some == {LANES} && stride != 0) {{",
+        f"        if (some == {LANES} && stride != 0 && {model.upper()}_IN_PLACE) {{",
         f"            if (first + {2 * LANES} <= stride) {{",
         *(f"                {model}_prefetch({p.size}, stride, {n} + first + {LANES});" for n, p, _ in sized),
         "            }",
