@@ -1,8 +1,10 @@
 """An order of instructions that suits registers and pipelines: few values alive, long operations started early.
 
 Two passes over a straight-line program; results do not depend on it. The first takes what ends most lives of operands
-among all that can be done, so that limb after limb is worked off. The second looks a few instructions ahead and starts
-what the longest chain of dependent operations waits for: roots and quotients of one limb run beside sums of another.
+among all that can be done, so that limb after limb is worked off; of equals the next one in a walk from the results
+down to what they are made of: of several walks the one that leaves the fewest values alive. The second looks a few
+instructions ahead and starts what the longest chain of dependent operations waits for: roots and quotients of one limb
+run beside sums of another.
 Measured on blocks of eight states in vectors of 512 bits: a fifth of the time of the seed's drives; further ahead, more
 values than registers are alive, which costs functions with many results, and long ones, more than it gains: these take
 the first pass alone (derivatives: 3 to 11 % of the time, in blocks of eight states up to 8 %).
@@ -19,6 +21,9 @@ from symscrew.program import Instruction
 AHEAD = 90  # instructions
 LATENCY = {"reciprocal": 24.0, "div": 24.0, "sqrt": 31.0}  # cycles in vectors of 512 bits, beside 4
 ISSUED = 0.55  # cycles from one to the next
+WALKS = ("number", "chain", "late")
+WALKED = 5000  # instructions of functions that are walked through
+SHORT = 600  # and of those that are walked through from the last result too
 
 
 def ordered(instructions: Sequence[Instruction]) -> list[Instruction]:
@@ -49,6 +54,51 @@ class _Open:
 
 
 def short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
+    """What ends most lives first; of several such orders the one with the fewest values alive."""
+    count = len(instructions)
+    walks = [(key, last) for key in WALKS for last in (False, True) if count <= (SHORT if last else WALKED)]
+    ways = [instructions, *(_walk(instructions, key, last=last) for key, last in walks)]
+    return min((_ending_lives(way) for way in ways), key=_alive)
+
+
+def _walk(instructions: Sequence[Instruction], key: str, *, last: bool) -> list[Instruction]:
+    """Everything in front of one result, then the next; `last`: from the last one.
+
+    Of two operands first the one with more behind it, by `key`: in number, in the longest chain, or computed later.
+    """
+    by = {i.target: i for i in instructions}
+    behind: dict[int, int] = {}
+    read: set[int] = set()
+    for k, i in enumerate(instructions):
+        own = {a for a in i.args if a in by and isinstance(a, int)}
+        read |= own
+        found = [behind[a] for a in own]
+        behind[i.target] = {"number": 1 + sum(found), "chain": 1 + max(found, default=0), "late": k}[key]
+    done: set[int] = set()
+    order: list[Instruction] = []
+    for root in [target for target in by if target not in read][:: -1 if last else 1]:
+        stack = [root]
+        while stack:
+            target = stack[-1]
+            left = [a for a in by[target].args if isinstance(a, int) and a in by and a not in done]
+            if target not in done and left:
+                stack.append(max(left, key=behind.__getitem__))
+                continue
+            stack.pop()
+            if target not in done:
+                done.add(target)
+                order.append(by[target])
+    return order
+
+
+def _alive(instructions: Sequence[Instruction]) -> int:
+    """The sum over all instructions of how many computed values are read later."""
+    computed = {i.target: k for k, i in enumerate(instructions)}
+    end = {a: k for k, i in enumerate(instructions) for a in i.args if isinstance(a, int) and a in computed}
+    return sum(k - computed[a] for a, k in end.items())
+
+
+def _ending_lives(instructions: Sequence[Instruction]) -> list[Instruction]:
     """What ends most lives first, of equals the one that came first."""
     left = _Open(instructions)
     waiting = {slot: set(users) for slot, users in left.users.items()}
