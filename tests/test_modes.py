@@ -144,6 +144,25 @@ def test_off_the_mode_functions_fail_or_take_the_second_path() -> None:
     assert np.allclose(found, expected, rtol=1e-9, atol=1e-9)
 
 
+def test_the_mode_goes_on_where_it_meets_another_one() -> None:
+    """In one line the parallelogram could cross its rods: a singularity, but not of either mode."""
+    general, alone = models("parallelogram")
+    q, _, _ = alone.system.states(2, 5)
+    slope = np.round((q[1] - q[0]) / (q[1, 0] - q[0, 0]))  # +1 or -1
+    flat = (alone.system.reference + slope * np.arctan2(0.3, 0.1))[None, :]
+    assert np.abs(np.asarray(general("closure", flat)[0][0])).max() < 1e-12
+    y_dot = np.array([[0.7]])
+    assert general("velocity", flat, y_dot)[1][0] == 1
+    (rates,), status = alone("velocity", flat, y_dot)
+    assert status[0] == 0 and np.allclose(rates, 0.7 * slope, rtol=0, atol=1e-12)
+    u = np.array([[0.3]])
+    near = [flat + slope * h for h in (-1e-3, 1e-3)]
+    (found,), status = alone("forward_dynamics", flat, rates, u)
+    sides = [general("forward_dynamics", beside, rates, u) for beside in near]
+    assert status[0] == 0 and all(s[0] == 0 for _, s in sides)
+    assert np.allclose(found, (sides[0][0][0] + sides[1][0][0]) / 2, rtol=1e-5, atol=1e-5)
+
+
 def test_rates_off_the_mode_are_noticed() -> None:
     """At a configuration of the mode rates may still lead away from it."""
     _, alone = models("delta")

@@ -93,7 +93,7 @@ def fewest_operations(system: System, effects: Sequence[Effect], independent: Se
 def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
     """Likewise in an operation mode; as they are where nothing follows, or where other rates would be free."""
     loops = found.dynamics
-    if not mode.v:
+    if not mode.q or not mode.rows:
         return found
     ways = [Loops(loops.system, independent, by_contacts=by, of_mode=(loops, mode)) for by in (False, True)]
     ways = [way for way in ways if way.free == loops.free]
