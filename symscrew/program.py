@@ -243,7 +243,7 @@ class _Lowering:
             f.outputs,
             tuple(self.instructions),
             results,
-            tuple(guards.items()),
+            tuple(_strongest(guards, self.instructions).items()),
             f.notes,
             next(self.next),
         )
@@ -303,6 +303,19 @@ class _Lowering:
             self.made[key] = target = next(self.next)
             self.instructions.append(Instruction(target, op, args))
         return target
+
+
+def _strongest(guards: Mapping[int, float], instructions: Sequence[Instruction]) -> dict[int, float]:
+    """Guards without those that follow from others: |c g| > t with a cosine or sine c says that |g| > t."""
+    turns = {i.target for i in instructions if i.op in ("sin", "cos")}
+    found = dict(guards)
+    for instruction in reversed(instructions):
+        if instruction.op != "mul" or instruction.target not in found:
+            continue
+        for factor, pivot in (instruction.args, instruction.args[::-1]):
+            if factor in turns and pivot in found:
+                found[instruction.target] = max(found[instruction.target], found.pop(pivot))  # type: ignore[arg-type]
+    return found
 
 
 def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:

@@ -16,7 +16,7 @@ from itertools import groupby
 
 from symscrew.export import c_lanes
 from symscrew.export.c_angles import Angles, calls, gather
-from symscrew.export.c_order import ordered, short_lived
+from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
 from symscrew.packs import Packing, packed
@@ -32,8 +32,6 @@ NAMES_OF_LOCALS += " every sum sum0 sum1 sum2 sum3 waiting at constant"
 ALONE = ("1", "1")  # stride and pitch of one state
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
-PER_RESULT = 30  # instructions for every result: with less of them, few values alive matter more than an early start
-LONG = 2000  # and so with more instructions than this
 SUMS = 4  # of what must be finite: one alone is a long chain of additions that wait for each other
 RUN = 8  # zeros in a row that are written by a loop
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
@@ -191,9 +189,7 @@ def _streamed(printed: Printed) -> Iterator[str]:
             yield f"{name} = {name} + {operand(slot)};" if terms >= SUMS else f"{real} {name} = {operand(slot)};"
             terms += 1
 
-    count = len(printed.angles.rest)
-    crowded = count > LONG or len(printed.stored) * PER_RESULT > count
-    instructions = (short_lived if crowded else ordered)(printed.angles.rest)
+    instructions = short_lived(printed.angles.rest)
     texts = expressions(instructions, printed.precision.table, operand)
     for instruction, (target, text) in zip(instructions, texts, strict=True):
         for arg in instruction.args:
