@@ -128,11 +128,15 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         '#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"',
         "#endif",
         "",
-        "/* Vectors that GCC makes of scalar code here cost more than they save. */",
+        "/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */",
         "#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)",
-        '#pragma GCC optimize("no-tree-slp-vectorize")',
+        '#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")',
         "#endif",
-        *(c_batch.VECTORS if batches else []),
+        "#if defined(__GNUC__)",
+        f"#define {model.name.upper()}_INLINE __attribute__((always_inline))",
+        "#else",
+        f"#define {model.name.upper()}_INLINE",
+        "#endif",
         "",
         f"const char *{model.name}_status_text(int status)",
         "{",
@@ -154,34 +158,34 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         name: Printed(model.name, f"{model.name}_{name}", straight_line(p), precision, lanes and name in IN_LANES)
         for name, p in programs
     }
+    straight = [name for name, program in programs if not isinstance(program, Iteration)]
+    blocks = [name for name in straight if batches and c_batch.by_lanes(printed[name])]
     if any(p.angles.gathered for p in printed.values()):
         lines += ["", *c_angles.prologue(model.name, precision)]
     lines += c_parts.prologue(model.name, _straight_lines(model.name, model.programs, precision))
     lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
     if batches:
         angles = any(p.angles.gathered for p in printed.values())
-        lines += ["", *c_batch.prologue(model.name, precision, angles=angles)]
+        lines += ["", *c_batch.prologue(model.name, precision, [printed[n] for n in blocks], angles=angles)]
     seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]
     if seconds:
         lines += ["", *routines(model.name, precision, internal=any(p.wrenches for p in seconds))]
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
-        side_by_side = batches and not isinstance(program, Iteration) and c_batch.by_lanes(printed[name])
         if isinstance(program, Iteration):
             lines += ["", *iteration_functions(model.name, symbol, program, precision)]
         else:
-            lines += ["", *_lane(printed[name], inline=f"{model.name.upper()}_INLINE " if side_by_side else "")]
-            lines += ["", *_one_state(printed[name], program)]
-        if side_by_side:
+            lines += ["", *_lane(printed[name]), "", *_one_state(printed[name], program)]
+        if name in blocks:
             lines += ["", f"#if {c_batch.guard(model.name)}", *c_batch.block(printed[name]), "#endif"]
         if batches:
-            lines += ["", *c_batch.batch(model.name, symbol, program, precision, lanes=side_by_side)]
+            lines += ["", *c_batch.batch(model.name, symbol, program, precision, lanes=name in blocks)]
     return "\n".join([*lines, ""])
 
 
-def _lane(printed: Printed, *, inline: str = "") -> list[str]:
+def _lane(printed: Printed) -> list[str]:
     """The lane of a function, in parts if it is long."""
-    return c_parts.lane_in_parts(printed) if c_parts.long(printed) else lane(printed, inline=inline)
+    return c_parts.lane_in_parts(printed) if c_parts.long(printed) else lane(printed)
 
 
 def _one_state(printed: Printed, program: Program) -> list[str]:

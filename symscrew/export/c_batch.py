@@ -1,22 +1,38 @@
-"""Functions of many states in C: blocks of eight states side by side, which the compiler's vectors take at once.
+"""Functions of many states in C: blocks of eight states side by side, in vectors of the machine.
 
     int <symbol>_batch(count, inputs ..., outputs ..., status)               one state after the other
     int <symbol>_batch_soa(count, stride, inputs ..., outputs ..., status)   entry k of state i at k * stride + i
 
-`<symbol>_lane` (see `c_function`) runs over eight states that lie side by side, at once; states one after the other,
-and less than eight, are copied into arrays [entry][8] and the results out of them. A state whose check fails is given
-to the function of one state, which takes the second path, or writes NaN and says why: statuses and results are those
-of single calls. Vectors are as wide as the machine has them: 512 bits need to be asked for, which GCC hesitates to use.
-GCC reads and writes full blocks in place; clang has vectors for copies only, whose distances it knows. With OpenMP,
-blocks are shared among threads. Functions that repeat a step, those with functions of computed angles, and long ones
-(see `c_parts`) run state by state.
+`<symbol>_wide` has the statements of a function on vector types of GCC and clang, as many states as the widest vector
+of the machine holds; `<symbol>_block` takes eight states that lie side by side with it. Full blocks are read and
+written where they are; states one after the other, and less than eight, are copied into arrays [entry][8] and the
+results out of them. A state whose check fails is given to the function of one state, which takes the second path, or
+writes NaN and says why: statuses and results are those of single calls. With OpenMP, blocks are shared among threads.
+Functions that repeat a step, those with functions of computed angles, and long ones (see `c_parts`) run state by state.
+
+Vectors that a compiler makes of a loop over states are no substitute: GCC computes the places of all entries in front
+of the loop, more than there are registers (a fifth of the time of all reactions of the seed), and clang gives up.
+No vector type crosses a function's boundary but those of small functions that are inlined.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence, Set
+
 from symscrew.export import c_parts
-from symscrew.export.c_function import Printed, argument_names, arguments, declare, wrapped_code
+from symscrew.export.c_function import (
+    Form,
+    Printed,
+    argument_names,
+    arguments,
+    declare,
+    sines,
+    statements,
+    unread,
+    wrapped_code,
+)
 from symscrew.export.c_precision import Precision
+from symscrew.export.listing import checked_slots
 from symscrew.program import COUNTED, Iteration, Port, Program
 
 LANES = 8
@@ -27,40 +43,15 @@ THREADED = 1024  # states from which on threads are worth their start
 BY_LANES = frozenset(op for op, kind in COUNTED.items() if kind != "trig")
 
 
-VECTORS = [
-    "",
-    "/* Where comparisons might trap, GCC has no vectors for blocks that check something. */",
-    "#if defined(__GNUC__) && !defined(__clang__)",
-    '#pragma GCC optimize("no-trapping-math")',
-    "#endif",
-    "/* Of itself GCC takes half of a vector of 512 bits. */",
-    "#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)",
-    '#pragma GCC target("prefer-vector-width=512")',
-    "#endif",
-]
+def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool) -> list[str]:
+    """The types and routines that all batch functions of a model share.
 
-
-def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
-    """The macros and routines that all batch functions of a model share; `angles`: some take sines of angles."""
+    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles.
+    """
     upper, real = model.upper(), precision.real
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
-        "#if defined(__clang__)",
-        '#pragma clang diagnostic ignored "-Wpass-failed"',
-        f'#define {upper}_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")',
-        f"#define {upper}_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */",
-        "#elif defined(__GNUC__)",
-        f'#define {upper}_VECTORISE _Pragma("GCC ivdep")',
-        f"#define {upper}_IN_PLACE 1",
-        "#else",
-        f"#define {upper}_VECTORISE",
-        f"#define {upper}_IN_PLACE 1",
-        "#endif",
-        "#if defined(__GNUC__)",
-        f"#define {upper}_INLINE __attribute__((always_inline))",
-        "#else",
-        f"#define {upper}_INLINE",
-        "#endif",
+        *(_vectors(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
         "",
         "/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */",
         f"static inline void {model}_prefetch(size_t size, size_t stride, const {real} *array)",
@@ -91,15 +82,6 @@ def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
         "        }",
         "        return;",
         "    }",
-        f"    if (some == {LANES}) {{",
-        "        for (size_t k = 0; k < size; ++k) {",
-        f"            const {real} *entry = array + k * stride + first;",
-        f"            for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-        f"                block[k * {LANES} + lane] = entry[lane];",
-        "            }",
-        "        }",
-        "        return;",
-        "    }",
         "    for (size_t k = 0; k < size; ++k) {",
         f"        const {real} *entry = array + k * stride + first;",
         f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
@@ -121,15 +103,6 @@ def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
         "        }",
         "        return;",
         "    }",
-        f"    if (some == {LANES}) {{",
-        "        for (size_t k = 0; k < size; ++k) {",
-        f"            {real} *entry = array + k * stride + first;",
-        f"            for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-        f"                entry[lane] = block[k * {LANES} + lane];",
-        "            }",
-        "        }",
-        "        return;",
-        "    }",
         "    for (size_t k = 0; k < size; ++k) {",
         f"        {real} *entry = array + k * stride + first;",
         "        for (size_t lane = 0; lane < some; ++lane) {",
@@ -139,6 +112,56 @@ def prologue(model: str, precision: Precision, *, angles: bool) -> list[str]:
         "}",
         *(_sincos_block(model, precision) if angles else []),
     ]
+
+
+def _vectors(model: str, precision: Precision, operations: Set[str]) -> list[str]:
+    """Vectors of states, how they are read and written where they are, and what has no sign in C."""
+    upper, real, size = model.upper(), precision.real, _size(precision)
+    wide, mask, zero = f"{model}_wide", f"({model}_wide_mask)", f"{upper}_ZERO"
+    integer = "int" if precision.suffix else "long long"
+
+    def inline(name: str, given: Sequence[str], body: Sequence[str]) -> list[str]:
+        return [f"static inline {wide} {wide}_{name}({', '.join(f'{wide} {x}' for x in given)})", "{", *body, "}"]
+
+    bits = f"return ({wide})"
+    routines = {
+        "sqrt": inline("sqrt", "x", [
+            f"    {wide} root = x;",
+            f"    for (int k = 0; k < {upper}_WIDE; ++k) {{",
+            f"        root[k] = {precision.function('sqrt')}(x[k]);",
+            "    }",
+            "    return root;",
+        ]),
+        "abs": inline("abs", "x", [f"    {bits}({mask}x & ~{mask}(-{zero}));"]),
+        "less": inline("less", "ab", [f"    {bits}({mask}(a < b) & {mask}({zero} + {precision.number(1.0)}));"]),
+        "select": inline("select", "cab", [
+            f"    const {model}_wide_mask other = {mask}(c == {zero});",
+            f"    {bits}(({mask}a & ~other) | ({mask}b & other));",
+        ]),
+    }  # fmt: skip
+    return [
+        f"#if {guard(model)}",
+        "#if defined(__AVX512F__)",
+        f"#define {upper}_WIDE {min(LANES, 64 // size)}",
+        "#elif defined(__AVX__)",
+        f"#define {upper}_WIDE {min(LANES, 32 // size)}",
+        "#else",
+        f"#define {upper}_WIDE {16 // size}",
+        "#endif",
+        f"typedef {real} {wide} __attribute__((vector_size({upper}_WIDE * {size})));",
+        f"typedef {integer} {wide}_mask __attribute__((vector_size({upper}_WIDE * {size})));",
+        f"typedef {real} {wide}_there",
+        f"    __attribute__((vector_size({upper}_WIDE * {size}), aligned({size}), may_alias));",
+        f"#define {upper}_READ(place) (*(const {wide}_there *)&(place))",
+        f"#define {upper}_WRITTEN(place) (*({wide}_there *)&(place))",
+        f"#define {zero} (({wide}){{{precision.number(0.0)}}})",
+        *(line for op, lines in routines.items() if op in operations for line in lines),
+        "#endif",
+    ]
+
+
+def _size(precision: Precision) -> int:
+    return 32 // precision.group
 
 
 def _sincos_block(model: str, precision: Precision) -> list[str]:
@@ -180,8 +203,9 @@ def _sincos_block(model: str, precision: Precision) -> list[str]:
 
 
 def guard(model: str) -> str:
-    """The condition of the preprocessor for blocks."""
-    return f"!defined({model.upper()}_SCALAR) && !defined({model.upper()}_STATE_BY_STATE)"
+    """The condition of the preprocessor for blocks: vectors of GCC and clang, on machines that have them."""
+    machine = "defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))"
+    return f"{machine} && !defined({model.upper()}_SCALAR) && !defined({model.upper()}_STATE_BY_STATE)"
 
 
 def by_lanes(printed: Printed) -> bool:
@@ -191,10 +215,54 @@ def by_lanes(printed: Printed) -> bool:
     return small and not c_parts.long(printed) and all(i.op in BY_LANES for i in printed.angles.rest)
 
 
+def _form(printed: Printed) -> Form:
+    """How several states are written in vectors."""
+    upper, wide = printed.model.upper(), f"{printed.model}_wide"
+    vector = f"{{}} - {upper}_ZERO"  # of a number, too; the difference is folded
+    table = dict(printed.precision.table)
+    table["sqrt"] = f"{wide}_sqrt({{0}})"
+    for op, count in (("abs", 1), ("less", 2), ("select", 3)):
+        table[op] = f"{wide}_{op}({', '.join(vector.format(f'{{{k}}}') for k in range(count))})"
+    read, written = f"{upper}_READ({{}})", f"{upper}_WRITTEN({{}})"
+    return Form(wide, table, "stride", str(LANES), read, written, vector)
+
+
 def block(printed: Printed) -> list[str]:
-    """`<symbol>_block`: eight states side by side, and of each the sum of what must be finite, NaN at a small pivot."""
+    """`<symbol>_wide` and `<symbol>_block`: results of states side by side, and of each the sum of what must be finite.
+
+    That sum is NaN at a small pivot.
+    """
+    return [*_wide(printed), "", *_eight(printed)]
+
+
+def _wide(printed: Printed) -> list[str]:
+    program, precision, form = printed.program, printed.precision, _form(printed)
+    mask = f"({printed.model}_wide_mask)"
+    given = ["size_t stride", *arguments(program, precision), *sines(printed), f"{precision.real} *restrict total"]
+    found, total = statements(printed, form, printed.stored)
+    if not checked_slots(program):
+        total = form.constant.format(total)
+    small = []
+    for slot, threshold in program.guards:
+        pivot, limit = printed.operand(slot), precision.threshold(threshold)
+        small.append(f"({mask}({pivot} <= {limit}) & {mask}({pivot} >= -{limit}))")
+    if small:  # all bits set are a NaN
+        total = f"({form.real})({mask}({total}) | {' | '.join(small)})"
+    return [
+        "__attribute__((noinline))",
+        declare(f"{printed.symbol}_wide", given, VOID),
+        "{",
+        "    (void)stride;",
+        *unread(printed),
+        *(line for statement in found for line in wrapped_code(statement)),
+        *wrapped_code(f"{form.written.format('total[0]')} = {total};"),
+        "}",
+    ]
+
+
+def _eight(printed: Printed) -> list[str]:
     program, precision = printed.program, printed.precision
-    real, symbol, upper = precision.real, printed.symbol, printed.model.upper()
+    real, symbol = precision.real, printed.symbol
     lines = [
         declare(f"{symbol}_block", ["size_t stride", *arguments(program, precision), f"{real} *restrict total"], VOID),
         "{",
@@ -207,32 +275,26 @@ def block(printed: Printed) -> list[str]:
             "        }",
             "    }",
         ]
-    count, extra = len(printed.angles.gathered), []
-    loop = [f"    {upper}_VECTORISE", f"    for (size_t lane = 0; lane < {LANES}; ++lane) {{"]
-    inputs = [f"{name} + lane" for name in printed.handed(outputs=False)]
+    count, own = len(printed.angles.gathered), []
     if count:
-        size, handed = count * LANES, ", ".join(["stride", str(LANES), *inputs, "angle + lane"])
+        size, inputs = count * LANES, [f"{name} + lane" for name in printed.handed(outputs=False)]
+        handed = ", ".join(["stride", str(LANES), *inputs, "angle + lane"])
         lines += [
             f"    {real} angle[{size}], sine[{size}], cosine[{size}];",
-            *loop,
+            f"    for (size_t lane = 0; lane < {LANES}; ++lane) {{",
             *wrapped_code(f"{symbol}_angles({handed});", "        "),
             "    }",
             f"    {printed.model}_sincos_block({size}, angle, sine, cosine);",
         ]
-        extra += ["sine + lane", "cosine + lane"]
-    if program.guards:
-        lines += [f"    {real} pivot[{len(program.guards) * LANES}];"]
-        extra += ["pivot + lane"]
-    outputs = [f"{name} + lane" for name in printed.handed()[len(program.inputs) :]]
-    call = f"{symbol}_lane({', '.join(['stride', str(LANES), *inputs, *outputs, *extra])});"
-    lines += [*loop, *wrapped_code(f"total[lane] = {call}", "        "), "    }"]
-    if not program.guards:
-        return [*lines, "}"]
-    lines += [*loop, f"        {real} sum = total[lane];"]
-    for k, (_, threshold) in enumerate(program.guards):
-        small = f"{precision.function('fabs')}(pivot[{k * LANES} + lane]) <= {precision.threshold(threshold)}"
-        lines.append(f"        sum = {small} ? ({real})NAN : sum;")
-    return [*lines, "        total[lane] = sum;", "    }", "}"]
+        own = ["sine", "cosine"]
+    handed = ", ".join(["stride", *(f"{name} + lane" for name in [*printed.handed(), *own, "total"])])
+    return [
+        *lines,
+        f"    for (size_t lane = 0; lane < {LANES}; lane += {printed.model.upper()}_WIDE) {{",
+        *wrapped_code(f"{symbol}_wide({handed});", "        "),
+        "    }",
+        "}",
+    ]
 
 
 def signatures(symbol: str, program: Program | Iteration, precision: Precision, restrict: str) -> list[str]:
@@ -349,7 +411,7 @@ def _blocked(model: str, symbol: str, program: Program | Iteration, precision: P
     return [
         f"    if (some > {FEW}) {{",
         f"        {precision.real} total[{LANES}];",
-        f"        if (some == {LANES} && stride != 0 && {model.upper()}_IN_PLACE) {{",
+        f"        if (some == {LANES} && stride != 0) {{",
         f"            if (first + {2 * LANES} <= stride) {{",
         *(f"                {model}_prefetch({p.size}, stride, {n} + first + {LANES});" for n, p, _ in sized),
         "            }",

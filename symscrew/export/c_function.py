@@ -1,15 +1,14 @@
 """Straight-line functions in C.
 
-The operations of a function are printed once, as `<symbol>_lane`, in which entry k of an argument lies at
-k * stride and entry k of our own arrays at k * pitch: both are 1 for one state, and the pitch is 8 for one of eight
-states that lie side by side (see `c_batch`). Sines and cosines of input angles come ready, from `<symbol>_angles` and
-`c_angles`. Where equal limbs make it pay, one state has a second form with limbs side by side (see `c_lanes`).
+`<symbol>_lane` has the operations of one state. Sines and cosines of input angles come ready, from `<symbol>_angles`
+and `c_angles`. Where equal limbs make it pay, one state has a second form with limbs side by side (see `c_lanes`);
+several states side by side are another one (see `c_batch`): a `Form` says what is different in the text.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
@@ -29,7 +28,6 @@ NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn wo
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
 NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
 NAMES_OF_LOCALS += " every sum sum0 sum1 sum2 sum3 waiting at constant"
-ALONE = ("1", "1")  # stride and pitch of one state
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
 SUMS = 4  # of what must be finite: one alone is a long chain of additions that wait for each other
@@ -58,6 +56,30 @@ def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
 def wrapped_code(statement: str, indent: str = "    ") -> list[str]:
     """A long statement over several lines, broken at blanks."""
     return wrapped(statement, first=indent, later=indent + "    ", width=110)
+
+
+@dataclass(frozen=True)
+class Form:
+    """How the statements of a function are written: for one state, or for several in vectors.
+
+    Entry k of an argument lies at k * `stride`, of our own arrays at k * `pitch`; `read` and `written` are formats of
+    a place that is read or written, `constant` of a number that is written; `table` is of operations.
+    """
+
+    real: str
+    table: Mapping[str, str]
+    stride: str = "1"
+    pitch: str = "1"
+    read: str = "{}"
+    written: str = "{}"
+    constant: str = "{}"
+
+
+def place(array: str, entry: int, step: str = "1") -> str:
+    """Entry k of an array whose entries are `step` apart."""
+    if entry < 2:
+        return f"{array}[{('0', step)[entry]}]"
+    return f"{array}[{entry}]" if step == "1" else f"{array}[{entry} * {step}]"
 
 
 @dataclass(frozen=True)
@@ -107,23 +129,32 @@ class Printed:
         ports = (*self.program.inputs, *self.program.outputs) if outputs else self.program.inputs
         return [self.names[p.name] for p in ports]
 
-    def at(self, entry: int, step: str = "stride") -> str:
-        """The place of an entry in an array of a lane: `stride` apart in arguments, `pitch` in arrays of our own."""
-        return ("0", step)[entry] if entry < 2 else f"{entry} * {step}"
+    @cached_property
+    def alone(self) -> Form:
+        """How one state is written."""
+        return Form(self.precision.real, self.precision.table)
 
     @cached_property
-    def entered(self) -> dict[int, str]:
-        """Where slots are that are there from the start: entries of inputs, sines and cosines."""
-        entries = enumerate(input_entries(self.program))
-        found = {slot: f"{self.names[port.name]}[{self.at(k)}]" for slot, (port, k) in entries}
+    def entries(self) -> dict[int, tuple[str, int]]:
+        """The array and entry of slots that are there from the start: entries of inputs, sines and cosines."""
+        found = {slot: (self.names[port.name], k) for slot, (port, k) in enumerate(input_entries(self.program))}
         for k, (_, *pair) in enumerate(self.angles.gathered):
             pairs = zip(("sine", "cosine"), pair, strict=True)
-            found |= {slot: f"{array}[{self.at(k, 'pitch')}]" for array, slot in pairs if slot is not None}
+            found |= {slot: (array, k) for array, slot in pairs if slot is not None}
         return found
 
-    def loads(self, slots: Iterable[int]) -> list[str]:
+    def entered(self, form: Form) -> dict[int, str]:
+        """What reads slots that are there from the start."""
+        own = ("sine", "cosine")
+        return {
+            slot: form.read.format(place(array, k, form.pitch if array in own else form.stride))
+            for slot, (array, k) in self.entries.items()
+        }
+
+    def loads(self, slots: Iterable[int], form: Form) -> list[str]:
         """Statements that read slots that are there from the start."""
-        return [f"    const {self.precision.real} {self.prefix}{s} = {self.entered[s]};" for s in slots]
+        entered = self.entered(form)
+        return [f"    const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
 
     @cached_property
     def cleared(self) -> list[tuple[str, range]]:
@@ -138,14 +169,12 @@ class Printed:
         return found
 
     @cached_property
-    def stored(self) -> list[tuple[str, int | float]]:
-        """The entries of outputs and pivots, and what goes there, but for zeros that are there already."""
+    def stored(self) -> list[tuple[str, int, int | float]]:
+        """The entries of outputs, and what goes there, but for zeros that are there already."""
         outputs = zip(self.program.outputs, self.program.results, strict=True)
         cleared = {(name, k) for name, run in self.cleared for k in run}
         named = [(self.names[port.name], slots) for port, slots in outputs]
-        entries = [(name, k, s) for name, slots in named for k, s in enumerate(slots) if (name, k) not in cleared]
-        found = [(f"{name}[{self.at(k)}]", slot) for name, k, slot in entries]
-        return found + [(f"pivot[{self.at(k, 'pitch')}]", slot) for k, (slot, _) in enumerate(self.program.guards)]
+        return [(name, k, s) for name, slots in named for k, s in enumerate(slots) if (name, k) not in cleared]
 
     def unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
         """Nothing is said of ports of which nothing is read."""
@@ -154,74 +183,88 @@ class Printed:
         return [f"    (void){self.names[port.name]};" for port in ports if port.name not in used]
 
 
-def lane(printed: Printed, *, inline: str = "") -> list[str]:
-    """`<symbol>_angles` and `<symbol>_lane`: everything but the decision about the status.
+def inlined(printed: Printed) -> str:
+    """The storage of a function that is called once: on its own, derivatives of the seed take a sixth more time."""
+    return f"static inline {printed.model.upper()}_INLINE"
 
-    The lane returns the sum of all that must be finite and leaves its pivots in `pivot`. What it reads is read
-    where it is first needed, and results are written and summed where they are known, so that few values live at once.
+
+def lane(printed: Printed) -> list[str]:
+    """`<symbol>_angles` and `<symbol>_lane`: everything of one state but the decision about the status.
+
+    The lane returns the sum of all that must be finite and leaves its pivots in `pivot`.
     """
-    head = f"static inline {inline}{printed.precision.real} "
-    body = [f"    {statement}" for statement in _streamed(printed)]
-    return [*angles_function(printed, inline=inline), *_lane(printed, f"{printed.symbol}_lane", head, body)]
+    pivots = [("pivot", k, slot) for k, (slot, _) in enumerate(printed.program.guards)]
+    found, total = statements(printed, printed.alone, [*printed.stored, *pivots])
+    body = [*(f"    {statement}" for statement in found), f"    return {total};"]
+    head = f"{inlined(printed)} {printed.precision.real} "
+    return [*angles_function(printed), *_lane(printed, f"{printed.symbol}_lane", head, body)]
 
 
-def _streamed(printed: Printed) -> Iterator[str]:
-    """The statements of a lane."""
-    real, prefix, operand = printed.precision.real, printed.prefix, printed.operand
+def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, int | float]]) -> tuple[list[str], str]:
+    """The statements of a function in a form, and the sum of all that must be finite.
+
+    What is read is read where it is first needed, results are written and summed where they are known, so that few
+    values live at once.
+    """
+    prefix, operand, entered = printed.prefix, printed.operand, printed.entered(form)
+    lines: list[str] = []
     known: set[int] = set()
     places: dict[str, list[str]] = {}  # by the text of what goes there: as keys the constant 1.0 and slot 1 are one
-    for place, slot in printed.stored:
-        places.setdefault(operand(slot), []).append(place)
+    slots: dict[str, int | float] = {}
+    for array, k, slot in stored:
+        at = place(array, k, form.pitch if array == "pivot" else form.stride)
+        places.setdefault(operand(slot), []).append(form.written.format(at))
+        slots[operand(slot)] = slot
     waiting = dict.fromkeys(checked_slots(printed.program))
     terms = 0
 
-    def first_read(slot: int | float) -> Iterator[str]:
+    def first_read(slot: int | float) -> None:
         if isinstance(slot, int) and slot not in known:
             known.add(slot)
-            yield f"const {real} {prefix}{slot} = {printed.entered[slot]};"
+            lines.append(f"const {form.real} {prefix}{slot} = {entered[slot]};")
 
-    def ready(slot: int | float) -> Iterator[str]:
+    def ready(slot: int | float) -> None:
         nonlocal terms
-        yield from (f"{place} = {operand(slot)};" for place in places.pop(operand(slot), ()))
+        text = operand(slot) if isinstance(slot, int) else form.constant.format(operand(slot))
+        lines.extend(f"{at} = {text};" for at in places.pop(operand(slot), ()))
         if isinstance(slot, int) and slot in waiting:
             del waiting[slot]
             name = f"sum{terms % SUMS}"
-            yield f"{name} = {name} + {operand(slot)};" if terms >= SUMS else f"{real} {name} = {operand(slot)};"
+            lines.append(f"{name} = {name} + {text};" if terms >= SUMS else f"{form.real} {name} = {text};")
             terms += 1
 
     instructions = short_lived(printed.angles.rest)
-    texts = expressions(instructions, printed.precision.table, operand)
+    texts = expressions(instructions, form.table, operand)
     for instruction, (target, text) in zip(instructions, texts, strict=True):
         for arg in instruction.args:
-            yield from first_read(arg)
+            first_read(arg)
         known.add(target)
-        yield f"const {real} {prefix}{target} = {text};"
-        yield from ready(target)
-    left = {operand(slot): slot for _, slot in printed.stored}
-    for slot in (*(left[text] for text in places), *waiting):
-        yield from first_read(slot)
-        yield from ready(slot)
-    sums = [f"sum{k}" for k in range(min(terms, SUMS))]
-    yield f"return {balanced_sum(sums or [printed.precision.number(0.0)])};"
+        lines.append(f"const {form.real} {prefix}{target} = {text};")
+        ready(target)
+    for slot in [*(slots[text] for text in places), *waiting]:
+        first_read(slot)
+        ready(slot)
+    return lines, balanced_sum([f"sum{k}" for k in range(min(terms, SUMS))] or [printed.precision.number(0.0)])
 
 
-def angles_function(printed: Printed, *, inline: str = "") -> list[str]:
+def angles_function(printed: Printed) -> list[str]:
     """`<symbol>_angles`, if the function has any: the angles whose sines and cosines come first."""
     program, real, angles = printed.program, printed.precision.real, printed.angles
     if not angles.gathered:
         return []
+    form = Form(real, printed.precision.table, "stride", "pitch")
     strides = ["size_t stride", "size_t pitch"]
     given = [*strides, *arguments(program, printed.precision)[: len(program.inputs)], f"{real} *restrict angle"]
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
     return [
-        declare(f"{printed.symbol}_angles", given, f"static inline {inline}void "),
+        declare(f"{printed.symbol}_angles", given, f"{inlined(printed)} void "),
         "{",
         "    (void)stride;",
         "    (void)pitch;",
         *printed.unused(program.inputs, read),
-        *printed.loads(sorted(read & set(printed.entered) - {i.target for i in angles.first})),
+        *printed.loads(sorted(read & set(printed.entries) - {i.target for i in angles.first}), form),
         *_statements(printed, angles.first),
-        *(f"    angle[{printed.at(k, 'pitch')}] = {printed.operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
+        *(f"    {place('angle', k, 'pitch')} = {printed.operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
         "}",
         "",
     ]
@@ -234,37 +277,47 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     """
     program = printed.program
     read = _read(printed)
-    entered = [slot for slot in printed.entered if slot in read]
+    entered = [slot for slot in printed.entries if slot in read]
     body = c_lanes.Body(printed.model, packing, printed.precision, printed.prefix, set(entered))
-    stored = printed.stored[: len(printed.stored) - len(program.guards)]
+    stored = [(place(name, k), slot) for name, k, slot in printed.stored]
     c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
     c_lanes.total(body, checked_slots(program), program.guards)
-    lines = [*printed.loads(entered), *(line for text in body.lines for line in wrapped_code(text))]
-    lines = _lane(
-        printed, f"{printed.symbol}_packed_lane", f"static inline {printed.precision.real} ", lines, pivots=False
-    )
+    lines = [*printed.loads(entered, printed.alone), *(line for text in body.lines for line in wrapped_code(text))]
+    head = f"{inlined(printed)} {printed.precision.real} "
+    lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]
 
 
 def _read(printed: Printed) -> set[int]:
     """The slots that a lane reads."""
     read = {a for i in printed.angles.rest for a in i.args if isinstance(a, int)}
-    return read | {slot for _, slot in printed.stored if isinstance(slot, int)} | set(checked_slots(printed.program))
+    read |= {slot for *_, slot in printed.stored if isinstance(slot, int)} | {s for s, _ in printed.program.guards}
+    return read | set(checked_slots(printed.program))
 
 
 def _lane(printed: Printed, symbol: str, head: str, body: Sequence[str], *, pivots: bool = True) -> list[str]:
-    """A function around the statements of a lane."""
-    program, real, gathered = printed.program, printed.precision.real, printed.angles.gathered
-    given = ["size_t stride", "size_t pitch", *arguments(program, printed.precision)]
-    given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if gathered else []
-    given += [f"{real} *restrict pivot"] if program.guards and pivots else []
-    lines = [declare(symbol, given, head), "{"]
-    lines += printed.unused(program.inputs, _read(printed))
-    lines += [f"    (void){printed.names[port.name]};" for port in program.outputs if not port.size]
+    """A function around the statements of one state."""
+    real = printed.precision.real
+    given = [*arguments(printed.program, printed.precision), *sines(printed)]
+    given += [f"{real} *restrict pivot"] if printed.program.guards and pivots else []
+    return [declare(symbol, given, head), "{", *unread(printed), *body, "}"]
+
+
+def sines(printed: Printed) -> list[str]:
+    """The declared arguments for sines and cosines of angles, if there are any."""
+    real = printed.precision.real
+    return [f"const {real} *restrict {name}" for name in ("sine", "cosine")] if printed.angles.gathered else []
+
+
+def unread(printed: Printed) -> list[str]:
+    """Nothing is said of arguments that are not read or written."""
+    gathered = printed.angles.gathered
+    lines = printed.unused(printed.program.inputs, _read(printed))
+    lines += [f"    (void){printed.names[port.name]};" for port in printed.program.outputs if not port.size]
     for name, which in (("sine", 1), ("cosine", 2)) if gathered else ():
         if all(entry[which] is None for entry in gathered):
             lines.append(f"    (void){name};")
-    return [*lines, "    (void)stride;", "    (void)pitch;", *body, "}"]
+    return lines
 
 
 def _statements(printed: Printed, instructions: Iterable) -> list[str]:
@@ -273,13 +326,11 @@ def _statements(printed: Printed, instructions: Iterable) -> list[str]:
     return [f"    const {real} {printed.prefix}{target} = {text};" for target, text in found]
 
 
-def outcome(printed: Printed, total: str, step: str = "", plus: str = "") -> str:
+def outcome(printed: Printed, total: str) -> str:
     """The status of a state by its pivots and the sum of its results."""
     fabs = printed.precision.function("fabs")
-    tests = [
-        f"{fabs}(pivot[{k}{step}{plus}]) <= {printed.precision.threshold(t)}"
-        for k, (_, t) in enumerate(printed.program.guards)
-    ]
+    limits = [printed.precision.threshold(threshold) for _, threshold in printed.program.guards]
+    tests = [f"{fabs}(pivot[{k}]) <= {limit}" for k, limit in enumerate(limits)]
     if not checked_slots(printed.program):
         return "0"
     guards = f"{' || '.join(tests)} ? 1 : " if tests else ""
@@ -287,12 +338,12 @@ def outcome(printed: Printed, total: str, step: str = "", plus: str = "") -> str
 
 
 def function(printed: Printed, signature: str, second: str = "") -> list[str]:
-    """A function of one state: its lane with a stride of 1, checked; `second` is its way out of small pivots."""
+    """A function of one state: its lane, checked; `second` is its way out of small pivots."""
     if not printed.packing:
         return _one_by_one(printed, signature, second)
     condition = f"#if {c_lanes.condition(printed.model, printed.packing.width, printed.precision)}"
     apart = declare(f"{printed.symbol}_limb_by_limb", arguments(printed.program, printed.precision), "int ")
-    handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
+    handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
     return [
         *packed_lane(printed, printed.packing),
         "",
@@ -321,7 +372,7 @@ def _sines(printed: Printed) -> list[str]:
     size, zero = -(-count // group) * group, printed.precision.number(0.0)
     return [
         f"    {real} angle[{size}] = {{{zero}}}, sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
-        *wrapped_code(f"{printed.symbol}_angles({', '.join([*ALONE, *printed.handed(outputs=False), 'angle'])});"),
+        *wrapped_code(f"{printed.symbol}_angles({', '.join(['1', '1', *printed.handed(outputs=False), 'angle'])});"),
         *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
         *calls(printed.model, count, printed.precision),
     ]
@@ -345,7 +396,7 @@ def _one_by_one(printed: Printed, signature: str, second: str) -> list[str]:
     real, guards = precision.real, program.guards
     lines = [signature, "{", *_sines(printed), *_zeros(printed)]
     lines += [f"    {real} pivot[{len(guards)}] = {{{precision.number(0.0)}}};"] if guards else []
-    handed = [*ALONE, *printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
+    handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
     call = f"{printed.symbol}_lane({', '.join([*handed, *(['pivot'] if guards else [])])});"
     if not checked_slots(program):
         return [*lines, *wrapped_code(f"(void){call}"), "    return 0;", "}"]

@@ -23,7 +23,7 @@ from itertools import pairwise
 from symscrew.export.c_function import Printed, angles_function, arguments, declare, wrapped_code
 from symscrew.export.c_loops import Entry, Loop, loop_statements
 from symscrew.export.c_repeats import Run, runs
-from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries
+from symscrew.export.listing import balanced_sum, checked_slots, expressions
 from symscrew.program import Instruction
 
 LONG = 5500  # functions of more than so many instructions and entries stored are printed in parts
@@ -126,12 +126,8 @@ class Parts:
     @cached_property
     def entries(self) -> dict[int, Entry]:
         """Slots that are there from the start: entries of inputs, sines and cosines."""
-        names = self.printed.names
-        found = {s: (names[port.name], k) for s, (port, k) in enumerate(input_entries(self.printed.program))}
-        for k, (_, *pair) in enumerate(self.printed.angles.gathered):
-            found |= {s: (name, k) for name, s in zip(("sine", "cosine"), pair, strict=True) if s is not None}
         computed = {i.target for i in self.printed.angles.rest}
-        return {slot: entry for slot, entry in found.items() if slot not in computed}
+        return {slot: entry for slot, entry in self.printed.entries.items() if slot not in computed}
 
     @cached_property
     def entered(self) -> dict[int, str]:
@@ -220,7 +216,7 @@ class _Places:
 
 
 def lane_in_parts(printed: Printed) -> list[str]:
-    """`<symbol>_angles`, the parts, and `<symbol>_lane`, which has a stride of 1 only."""
+    """`<symbol>_angles`, the parts, and `<symbol>_lane`, which calls them."""
     program, precision = printed.program, printed.precision
     real, gathered = precision.real, bool(printed.angles.gathered)
     parts = Parts(printed)
@@ -237,9 +233,9 @@ def lane_in_parts(printed: Printed) -> list[str]:
     total = balanced_sum([parts.entered[s] for s in checked if s in parts.entered] or [precision.number(0.0)])
     return [
         *lines,
-        declare(f"{printed.symbol}_lane", ["size_t stride", "size_t pitch", *given], f"static inline {real} "),
+        declare(f"{printed.symbol}_lane", given, f"static inline {real} "),
         "{",
-        *_unread(["stride", "pitch", *handed]),
+        *_unread(handed),
         f"    {real} waiting[{parts.room}];",
         *_given(parts),
         *wrapped_code(f"{real} total = {total};"),
