@@ -13,6 +13,7 @@ import heapq
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 
 from symscrew.program import Instruction
 
@@ -20,7 +21,6 @@ PACKED = frozenset(("add", "mul", "div", "reciprocal", "sqrt"))  # what a vector
 MOST_LANES = 8
 MOST_INSTRUCTIONS = 5000  # the search takes seconds beyond
 MOST_CLASSES = 16
-MOST_SPLITS = 2  # ways to split a program into lanes that are followed up
 MOST_CANDIDATES = 64  # pairs of instructions that look the same and are compared
 LEAST = 0.3  # the part of the operations that packs must be able to save for a split to be followed up
 ROUNDS = 5  # how many operations far instructions are compared
@@ -65,15 +65,24 @@ def corresponding(operations: Mapping[int, Operation]) -> list[tuple[Row, ...]]:
         return []
     users = _users(operations)
     read = {slot: [a for a, _ in o.args if isinstance(a, int)] for slot, o in operations.items()}
-    splits = [(_lanes(operations, read, users, group), len(group)) for group in _classes(operations)]
-    hopes = [_shared(operations, *split) for split in splits]
-    kept: dict[int, dict[int, int]] = {}  # the best of every number of lanes
-    for k in sorted(range(len(splits)), key=lambda k: -hopes[k]):
-        lane, count = splits[k]
-        if hopes[k] >= LEAST * len(operations) and count not in kept and len(kept) < MOST_SPLITS:
-            kept[count] = lane
-    found = (_rows(_Pairing(operations, users, lane, count)) for count, lane in kept.items())
-    return [rows for rows in found if _saved(rows) >= LEAST * len(operations)]
+    found: dict[tuple[Row, ...], None] = {}
+    for group in _classes(operations):
+        lane, count = _lanes(operations, read, users, group), len(group)
+        if _shared(operations, lane, count) >= LEAST * len(operations):
+            rows = _rows(_Pairing(operations, users, lane, count))
+            if _saved(rows) >= LEAST * len(operations):
+                found[rows] = None
+    return list(found)
+
+
+def joined(rows: Sequence[Row], others: Sequence[Row]) -> tuple[Row, ...]:
+    """Rows, and what other ones of equally many lanes have besides, their lanes put where the same slots are."""
+    lanes = range(len(rows[0]))
+    place = {slot: k for row in rows for k, slot in enumerate(row) if slot is not None}
+    votes = Counter((place[slot], k) for row in others for k, slot in enumerate(row) if slot in place)
+    best = max(permutations(lanes), key=lambda order: sum(votes[k, order[k]] for k in lanes))
+    moved = (tuple(None if row[k] in place else row[k] for k in best) for row in others)
+    return (*rows, *(row for row in moved if sum(slot is not None for slot in row) > 1))
 
 
 def _saved(rows: Sequence[Row]) -> int:

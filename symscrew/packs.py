@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 from symscrew.lane_signs import Part, fewest_flips
-from symscrew.lanes import Operand, Operation, Row, corresponding, signed
+from symscrew.lanes import Operand, Operation, Row, corresponding, joined, signed
 from symscrew.program import Instruction
 
 WIDTHS = (2, 4)  # of vectors; more lanes than that take several
@@ -22,7 +22,8 @@ GATHERED = 1.0  # an entry that is put into a vector
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 ENOUGH = 0.8  # the part of the cost that is worth packing at most
 HOPELESS = 1.1  # and of what is tried to be improved
-NEAR = 1.1  # times the least cost: other ways are not tried to be improved
+FAR = 1.5  # times the least cost: other ways are not tried to be improved
+MOST_JOINED = 6  # lanes of ways that are joined
 PASSES = 2
 
 Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane
@@ -68,26 +69,37 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
     operations, negatives = signed(instructions)
     wanted = {negatives[slot][0] if slot in negatives else slot for slot in results}
     kept = {slot for slot in wanted if isinstance(slot, int)}
-    plans = [_Plan(operations, rows, kept) for rows in corresponding(operations)]
     scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
+    plans = [_Plan(operations, rows, kept) for rows in corresponding(operations)]
     least = min((plan.cost for plan in plans), default=0.0)
-    plans = [plan for plan in plans if plan.cost < min(HOPELESS * scalar, NEAR * least)]
+    plans = [plan for plan in plans if plan.cost < min(HOPELESS * scalar, FAR * least)]
     for plan in plans:
         plan.improve()
-    if not plans or min(plan.cost for plan in plans) > ENOUGH * scalar:
+    plan = _joined(sorted(plans, key=lambda p: p.cost))
+    if plan is None or plan.cost > ENOUGH * scalar:
         return None
-    plan = min(plans, key=lambda p: p.cost)
     order = plan.order()
     items = tuple(_signed_packs(plan, order, fewest_flips([_part(plan, k) for packs, k in order if packs])))
     place = {t: (p, k) for p in items if isinstance(p, Pack) for k, t in enumerate(p.targets) if t is not None}
     return Packing(operations, negatives, items, place, plan.width, plan.cost)
 
 
+def _joined(plans: Sequence[_Plan]) -> _Plan | None:
+    """The best of several plans, with rows of other ones where they cost less still."""
+    best = next(iter(plans), None)
+    for plan in plans[1:]:
+        if best is not None and len(plan.found[0]) == len(best.found[0]) <= MOST_JOINED:
+            both = _Plan(best.operations, joined(best.found, plan.found), best.wanted)
+            both.improve()
+            best = min(best, both, key=lambda p: p.cost)
+    return best
+
+
 class _Plan:
     """Which rows are packed, and what that costs."""
 
     def __init__(self, operations: Mapping[int, Operation], found: Sequence[Row], wanted: set[int]) -> None:
-        self.operations, self.wanted = operations, wanted
+        self.operations, self.found, self.wanted = operations, found, wanted
         parts = -(-len(found[0]) // WIDTHS[-1])
         lanes = -(-len(found[0]) // parts)
         self.width = next(width for width in WIDTHS if width >= lanes)

@@ -12,14 +12,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from symscrew.export.c_order import early
+from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum
 from symscrew.packs import Pack, Packing, Vector
 from symscrew.program import Instruction
 
-AHEAD = 300  # items, of which the longest chain comes first; measured on the drives and reactions of four and six limbs
-ISSUED = 1.0  # cycles from one item to the next, with what is put into vectors and taken out of them
 SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
 
@@ -146,7 +144,7 @@ def _targets(item: int | Pack) -> list[int]:
 
 
 def in_order(packing: Packing) -> list[int | Pack]:
-    """The items of a packing in an order that suits pipelines: a call takes as long as its longest chain."""
+    """The items of a packing in an order that suits registers."""
     targets = [_targets(item) for item in packing.items]
     known: dict[int | float, int] = {slot: k for k, slots in enumerate(targets) for slot in slots}
 
@@ -155,7 +153,7 @@ def in_order(packing: Packing) -> list[int | Pack]:
         return Instruction(k, packing.operations[slots[0]].op, tuple(read))
 
     proxies = [proxy(k, slots) for k, slots in enumerate(targets)]
-    return [packing.items[i.target] for i in early(proxies, ahead=AHEAD, issued=ISSUED)]
+    return [packing.items[i.target] for i in short_lived(proxies)]
 
 
 def statements(body: Body, instructions: Mapping[int, Instruction], stored: Iterable[tuple[str, int | float]]) -> None:

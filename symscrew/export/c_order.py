@@ -1,14 +1,11 @@
-"""Orders of instructions that suit registers and pipelines; results do not depend on them.
+"""An order of instructions that suits registers: few values alive. Results do not depend on it.
 
-`short_lived`, for one state and for blocks: takes what ends most lives of operands among all that can be done, so that
-limb after limb is worked off; of equals the next one in a walk from the results down to what they are made of, longest
-chains first. Few values are alive, and the processor itself finds what can run side by side.
-`early`, for equal limbs in lanes: looks a number of instructions ahead and starts what the longest chain of dependent
-operations waits for: a call in lanes has few instructions, and takes as long as that chain.
-
-Measured with sixteen vector registers (AVX2): an early start of single calls and blocks keeps more values alive than
-there are registers, and costs up to a sixth of the time of drives, reactions, accelerations and derivatives; walks by
-the number of instructions behind an operand, or in the order of the derivation, cost drives another 5 to 10 %.
+Of all that can be done comes first what ends most lives of operands, so that limb after limb is worked off; of equals
+the next one in a walk from the results down to what they are made of, longest chains first. The processor itself finds
+what can run side by side: measured with sixteen vector registers (AVX2), starting roots, quotients and long chains
+earlier keeps more values alive than there are registers, and costs up to a sixth of the time of single calls and
+blocks, nothing or less in lanes; walks by the number of instructions behind an operand, or in the order of the
+derivation, cost drives 5 to 10 %.
 """
 
 from __future__ import annotations
@@ -18,8 +15,6 @@ from collections import defaultdict
 from collections.abc import Sequence
 
 from symscrew.program import Instruction
-
-LATENCY = {"reciprocal": 24.0, "div": 24.0, "sqrt": 31.0}  # cycles in vectors of 512 bits, beside 4
 
 
 class _Open:
@@ -116,46 +111,4 @@ def _ending_lives(instructions: Sequence[Instruction]) -> list[Instruction]:
             last_reader(target)
         for ready in left.done(target):
             heapq.heappush(heap, (-gain[ready], ready))
-    return order
-
-
-def early(instructions: Sequence[Instruction], *, ahead: int, issued: float) -> list[Instruction]:
-    """The longest chain first, among the next `ahead` instructions whose operands are there at the time.
-
-    `issued`: cycles from one to the next.
-    """
-    left = _Open(instructions)
-    chain = [0.0] * len(instructions)
-    for k in reversed(range(len(instructions))):
-        after = max((chain[u] for u in left.users.get(instructions[k].target, ())), default=0.0)
-        chain[k] = LATENCY.get(instructions[k].op, 4.0) + after
-    known: dict[int, float] = {}
-    coming: list[tuple[float, int]] = []
-    ready: list[tuple[float, int]] = []
-    taken = [False] * len(instructions)
-    order: list[Instruction] = []
-    first, entered, now = 0, 0, 0.0
-
-    def arrive(k: int) -> None:
-        heapq.heappush(coming, (max((known.get(slot, 0.0) for slot in left.read[k]), default=0.0), k))
-
-    while len(order) < len(instructions):
-        while first < len(taken) and taken[first]:
-            first += 1
-        while entered < min(first + ahead, len(taken)):
-            if left.missing[entered] == 0:
-                arrive(entered)
-            entered += 1
-        now = now if ready else max(now, coming[0][0])
-        while coming and coming[0][0] <= now:
-            k = heapq.heappop(coming)[1]
-            heapq.heappush(ready, (-chain[k], k))
-        k = heapq.heappop(ready)[1]
-        taken[k] = True
-        order.append(instructions[k])
-        now += issued
-        known[instructions[k].target] = now + LATENCY.get(instructions[k].op, 4.0)
-        for following in left.done(instructions[k].target):
-            if following < entered:
-                arrive(following)
     return order
