@@ -75,8 +75,10 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
     plans = [plan for plan in plans if plan.cost < min(HOPELESS * scalar, FAR * least)]
     for plan in plans:
         plan.improve()
+    if not plans:
+        return None
     plan = _joined(sorted(plans, key=lambda p: p.cost))
-    if plan is None or plan.cost > ENOUGH * scalar:
+    if plan.cost > ENOUGH * scalar:
         return None
     order = plan.order()
     items = tuple(_signed_packs(plan, order, fewest_flips([_part(plan, k) for packs, k in order if packs])))
@@ -84,11 +86,11 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
     return Packing(operations, negatives, items, place, plan.width, plan.cost)
 
 
-def _joined(plans: Sequence[_Plan]) -> _Plan | None:
+def _joined(plans: Sequence[_Plan]) -> _Plan:
     """The best of several plans, with rows of other ones where they cost less still."""
-    best = next(iter(plans), None)
-    for plan in plans[1:]:
-        if best is not None and len(plan.found[0]) == len(best.found[0]) <= MOST_JOINED:
+    best, *others = plans
+    for plan in others:
+        if len(plan.found[0]) == len(best.found[0]) <= MOST_JOINED:
             both = _Plan(best.operations, joined(best.found, plan.found), best.wanted)
             both.improve()
             best = min(best, both, key=lambda p: p.cost)
