@@ -22,8 +22,9 @@ GATHERED = 1.0  # an entry that is put into a vector
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 ENOUGH = 0.8  # the part of the cost that is worth packing at most
 HOPELESS = 1.1  # and of what is tried to be improved
-FAR = 1.5  # times the least cost: other ways are not tried to be improved
+FAR = 1.3  # times the least cost: other ways are not tried to be improved
 MOST_JOINED = 6  # lanes of ways that are joined
+OTHERS = 2  # ways that are joined with the best one
 PASSES = 2
 
 Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane
@@ -89,7 +90,7 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int]) -> Packi
 def _joined(plans: Sequence[_Plan]) -> _Plan:
     """The best of several plans, with rows of other ones where they cost less still."""
     best, *others = plans
-    for plan in others:
+    for plan in others[:OTHERS]:
         if len(plan.found[0]) == len(best.found[0]) <= MOST_JOINED:
             both = _Plan(best.operations, joined(best.found, plan.found), best.wanted)
             both.improve()

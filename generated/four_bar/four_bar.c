@@ -18,18 +18,14 @@
 #error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"
 #endif
 
-/* Vectors that GCC makes of scalar code here cost more than they save. */
+/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#pragma GCC optimize("no-tree-slp-vectorize")
+#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")
 #endif
-
-/* Where comparisons might trap, GCC has no vectors for blocks that check something. */
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-trapping-math")
-#endif
-/* Of itself GCC takes half of a vector of 512 bits. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
-#pragma GCC target("prefer-vector-width=512")
+#if defined(__GNUC__)
+#define FOUR_BAR_INLINE __attribute__((always_inline))
+#else
+#define FOUR_BAR_INLINE
 #endif
 
 const char *four_bar_status_text(int status)
@@ -84,21 +80,34 @@ static inline void four_bar_sincos(int count, const double *angle, double *sine,
 #endif
 
 /* Batch functions take 8 states at once; FOUR_BAR_STATE_BY_STATE or FOUR_BAR_SCALAR: one by one. */
-#if defined(__clang__)
-#pragma clang diagnostic ignored "-Wpass-failed"
-#define FOUR_BAR_VECTORISE _Pragma("clang loop vectorize(assume_safety) interleave(disable)")
-#define FOUR_BAR_IN_PLACE 0 /* entries at distances that clang does not know keep it from vectors */
-#elif defined(__GNUC__)
-#define FOUR_BAR_VECTORISE _Pragma("GCC ivdep")
-#define FOUR_BAR_IN_PLACE 1
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__AVX512F__)
+#define FOUR_BAR_WIDE 8
+#elif defined(__AVX__)
+#define FOUR_BAR_WIDE 4
 #else
-#define FOUR_BAR_VECTORISE
-#define FOUR_BAR_IN_PLACE 1
+#define FOUR_BAR_WIDE 2
 #endif
-#if defined(__GNUC__)
-#define FOUR_BAR_INLINE __attribute__((always_inline))
-#else
-#define FOUR_BAR_INLINE
+typedef double four_bar_wide __attribute__((vector_size(FOUR_BAR_WIDE * 8)));
+typedef long long four_bar_wide_mask __attribute__((vector_size(FOUR_BAR_WIDE * 8)));
+typedef double four_bar_wide_there
+    __attribute__((vector_size(FOUR_BAR_WIDE * 8), aligned(8), may_alias));
+#define FOUR_BAR_READ(place) (*(const four_bar_wide_there *)&(place))
+#define FOUR_BAR_WRITTEN(place) (*(four_bar_wide_there *)&(place))
+#define FOUR_BAR_ZERO ((four_bar_wide){0.0})
+static inline four_bar_wide four_bar_wide_sqrt(four_bar_wide x)
+{
+    four_bar_wide root = x;
+    for (int k = 0; k < FOUR_BAR_WIDE; ++k) {
+        root[k] = sqrt(x[k]);
+    }
+    return root;
+}
+static inline four_bar_wide four_bar_wide_select(four_bar_wide c, four_bar_wide a, four_bar_wide b)
+{
+    const four_bar_wide_mask other = (four_bar_wide_mask)(c == FOUR_BAR_ZERO);
+    return (four_bar_wide)(((four_bar_wide_mask)a & ~other) | ((four_bar_wide_mask)b & other));
+}
 #endif
 
 /* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
@@ -130,15 +139,6 @@ static inline void four_bar_gather(
         }
         return;
     }
-    if (some == 8) {
-        for (size_t k = 0; k < size; ++k) {
-            const double *entry = array + k * stride + first;
-            for (size_t lane = 0; lane < 8; ++lane) {
-                block[k * 8 + lane] = entry[lane];
-            }
-        }
-        return;
-    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + k * stride + first;
         for (size_t lane = 0; lane < 8; ++lane) {
@@ -156,15 +156,6 @@ static inline void four_bar_scatter(
             double *state = array + (first + lane) * size;
             for (size_t k = 0; k < size; ++k) {
                 state[k] = block[k * 8 + lane];
-            }
-        }
-        return;
-    }
-    if (some == 8) {
-        for (size_t k = 0; k < size; ++k) {
-            double *entry = array + k * stride + first;
-            for (size_t lane = 0; lane < 8; ++lane) {
-                entry[lane] = block[k * 8 + lane];
             }
         }
         return;
@@ -426,46 +417,42 @@ static inline FOUR_BAR_INLINE void four_bar_body_poses_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict poses,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x4 = sine[0];
     const double x5 = -x4;
-    poses[2 * stride] = x5;
+    poses[2] = x5;
     double sum0 = x5;
-    const double x27 = sine[2 * pitch];
+    const double x27 = sine[2];
     const double x32 = 0.8823529411764706 * x27;
-    const double x29 = cosine[2 * pitch];
+    const double x29 = cosine[2];
     const double x33 = 0.47058823529411764 * x29;
     const double x34 = x32 - x33;
-    poses[26 * stride] = x34;
+    poses[26] = x34;
     const double x35 = -x34;
-    poses[30 * stride] = x35;
+    poses[30] = x35;
     double sum1 = x35;
     const double x38 = 0.64 * x34;
     const double x39 = -x38;
-    poses[35 * stride] = x39;
+    poses[35] = x39;
     double sum2 = x39;
     const double x28 = 0.47058823529411764 * x27;
     const double x30 = 0.8823529411764706 * x29;
     const double x31 = x28 + x30;
-    poses[24 * stride] = x31;
-    poses[32 * stride] = x31;
+    poses[24] = x31;
+    poses[32] = x31;
     const double x36 = 0.64 * x31;
     const double x37 = 0.64 - x36;
-    poses[33 * stride] = x37;
+    poses[33] = x37;
     double sum3 = x37;
-    const double x7 = cosine[pitch];
+    const double x7 = cosine[1];
     const double x8 = x4 * x7;
     const double x3 = cosine[0];
-    const double x9 = sine[pitch];
+    const double x9 = sine[1];
     const double x10 = x3 * x9;
     const double x11 = x8 + x10;
     const double x12 = 0.8 * x11;
@@ -475,45 +462,45 @@ static inline FOUR_BAR_INLINE double four_bar_body_poses_lane(
     const double x15 = x13 - x14;
     const double x16 = 0.6 * x15;
     const double x17 = x12 - x16;
-    poses[12 * stride] = x17;
-    poses[20 * stride] = x17;
+    poses[12] = x17;
+    poses[20] = x17;
     const double x24 = x3 - x17;
     const double x25 = 0.15 * x24;
-    poses[23 * stride] = x25;
+    poses[23] = x25;
     sum0 = sum0 + x25;
     const double x19 = 0.8 * x15;
     const double x20 = x18 + x19;
-    poses[18 * stride] = x20;
+    poses[18] = x20;
     const double x21 = -x20;
-    poses[14 * stride] = x21;
+    poses[14] = x21;
     sum1 = sum1 + x21;
     const double x22 = x4 - x20;
     const double x23 = 0.15 * x22;
-    poses[21 * stride] = x23;
+    poses[21] = x23;
     sum2 = sum2 + x23;
     poses[0] = x3;
-    poses[8 * stride] = x3;
-    poses[stride] = 0.0;
-    poses[3 * stride] = 0.0;
-    poses[5 * stride] = 0.0;
-    poses[7 * stride] = 0.0;
-    poses[9 * stride] = 0.0;
-    poses[10 * stride] = 0.0;
-    poses[11 * stride] = 0.0;
-    poses[13 * stride] = 0.0;
-    poses[15 * stride] = 0.0;
-    poses[17 * stride] = 0.0;
-    poses[19 * stride] = 0.0;
-    poses[22 * stride] = 0.0;
-    poses[25 * stride] = 0.0;
-    poses[27 * stride] = 0.0;
-    poses[29 * stride] = 0.0;
-    poses[31 * stride] = 0.0;
-    poses[34 * stride] = 0.0;
-    poses[4 * stride] = 1.0;
-    poses[16 * stride] = 1.0;
-    poses[28 * stride] = 1.0;
-    poses[6 * stride] = x4;
+    poses[8] = x3;
+    poses[1] = 0.0;
+    poses[3] = 0.0;
+    poses[5] = 0.0;
+    poses[7] = 0.0;
+    poses[9] = 0.0;
+    poses[10] = 0.0;
+    poses[11] = 0.0;
+    poses[13] = 0.0;
+    poses[15] = 0.0;
+    poses[17] = 0.0;
+    poses[19] = 0.0;
+    poses[22] = 0.0;
+    poses[25] = 0.0;
+    poses[27] = 0.0;
+    poses[29] = 0.0;
+    poses[31] = 0.0;
+    poses[34] = 0.0;
+    poses[4] = 1.0;
+    poses[16] = 1.0;
+    poses[28] = 1.0;
+    poses[6] = x4;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -525,7 +512,7 @@ int four_bar_body_poses(
     four_bar_body_poses_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_body_poses_lane(1, 1, q, poses, sine, cosine);
+    const double total = four_bar_body_poses_lane(q, poses, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(poses, 36);
@@ -533,7 +520,99 @@ int four_bar_body_poses(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_body_poses_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict poses,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x4 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x5 = -x4;
+    FOUR_BAR_WRITTEN(poses[2 * stride]) = x5;
+    four_bar_wide sum0 = x5;
+    const four_bar_wide x27 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x32 = 0.8823529411764706 * x27;
+    const four_bar_wide x29 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x33 = 0.47058823529411764 * x29;
+    const four_bar_wide x34 = x32 - x33;
+    FOUR_BAR_WRITTEN(poses[26 * stride]) = x34;
+    const four_bar_wide x35 = -x34;
+    FOUR_BAR_WRITTEN(poses[30 * stride]) = x35;
+    four_bar_wide sum1 = x35;
+    const four_bar_wide x38 = 0.64 * x34;
+    const four_bar_wide x39 = -x38;
+    FOUR_BAR_WRITTEN(poses[35 * stride]) = x39;
+    four_bar_wide sum2 = x39;
+    const four_bar_wide x28 = 0.47058823529411764 * x27;
+    const four_bar_wide x30 = 0.8823529411764706 * x29;
+    const four_bar_wide x31 = x28 + x30;
+    FOUR_BAR_WRITTEN(poses[24 * stride]) = x31;
+    FOUR_BAR_WRITTEN(poses[32 * stride]) = x31;
+    const four_bar_wide x36 = 0.64 * x31;
+    const four_bar_wide x37 = 0.64 - x36;
+    FOUR_BAR_WRITTEN(poses[33 * stride]) = x37;
+    four_bar_wide sum3 = x37;
+    const four_bar_wide x7 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x8 = x4 * x7;
+    const four_bar_wide x3 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x9 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x10 = x3 * x9;
+    const four_bar_wide x11 = x8 + x10;
+    const four_bar_wide x12 = 0.8 * x11;
+    const four_bar_wide x18 = 0.6 * x11;
+    const four_bar_wide x13 = x4 * x9;
+    const four_bar_wide x14 = x3 * x7;
+    const four_bar_wide x15 = x13 - x14;
+    const four_bar_wide x16 = 0.6 * x15;
+    const four_bar_wide x17 = x12 - x16;
+    FOUR_BAR_WRITTEN(poses[12 * stride]) = x17;
+    FOUR_BAR_WRITTEN(poses[20 * stride]) = x17;
+    const four_bar_wide x24 = x3 - x17;
+    const four_bar_wide x25 = 0.15 * x24;
+    FOUR_BAR_WRITTEN(poses[23 * stride]) = x25;
+    sum0 = sum0 + x25;
+    const four_bar_wide x19 = 0.8 * x15;
+    const four_bar_wide x20 = x18 + x19;
+    FOUR_BAR_WRITTEN(poses[18 * stride]) = x20;
+    const four_bar_wide x21 = -x20;
+    FOUR_BAR_WRITTEN(poses[14 * stride]) = x21;
+    sum1 = sum1 + x21;
+    const four_bar_wide x22 = x4 - x20;
+    const four_bar_wide x23 = 0.15 * x22;
+    FOUR_BAR_WRITTEN(poses[21 * stride]) = x23;
+    sum2 = sum2 + x23;
+    FOUR_BAR_WRITTEN(poses[0]) = x3;
+    FOUR_BAR_WRITTEN(poses[8 * stride]) = x3;
+    FOUR_BAR_WRITTEN(poses[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[9 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[10 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[11 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[13 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[17 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[19 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[22 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[25 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[27 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[29 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[31 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[34 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[4 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[16 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[28 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(poses[6 * stride]) = x4;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_body_poses_block(
     size_t stride,
     const double *restrict q,
@@ -541,14 +620,12 @@ static void four_bar_body_poses_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_body_poses_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_body_poses_lane(stride, 8, q + lane, poses + lane, sine + lane, cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_body_poses_wide(stride, q + lane, poses + lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -583,10 +660,10 @@ static int four_bar_body_poses_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(36, stride, poses + first + 8);
@@ -677,53 +754,49 @@ static inline FOUR_BAR_INLINE void four_bar_body_twists_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_body_twists_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict twists,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
     const double x3 = v[0];
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x6 = x3 + x4;
-    twists[7 * stride] = x6;
+    twists[7] = x6;
     double sum0 = x6;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x14 = 0.64 * x5;
-    twists[17 * stride] = x14;
+    twists[17] = x14;
     double sum1 = x14;
     const double x7 = cosine[0];
     const double x8 = 0.15 * x7;
     const double x9 = x4 * x8;
     const double x10 = -x9;
-    twists[9 * stride] = x10;
+    twists[9] = x10;
     double sum2 = x10;
     const double x11 = sine[0];
     const double x12 = 0.15 * x11;
     const double x13 = x4 * x12;
-    twists[11 * stride] = x13;
+    twists[11] = x13;
     double sum3 = x13;
     twists[0] = 0.0;
-    twists[2 * stride] = 0.0;
-    twists[3 * stride] = 0.0;
-    twists[4 * stride] = 0.0;
-    twists[5 * stride] = 0.0;
-    twists[6 * stride] = 0.0;
-    twists[8 * stride] = 0.0;
-    twists[10 * stride] = 0.0;
-    twists[12 * stride] = 0.0;
-    twists[14 * stride] = 0.0;
-    twists[15 * stride] = 0.0;
-    twists[16 * stride] = 0.0;
-    twists[stride] = x3;
-    twists[13 * stride] = x5;
-    const double x1 = q[stride];
+    twists[2] = 0.0;
+    twists[3] = 0.0;
+    twists[4] = 0.0;
+    twists[5] = 0.0;
+    twists[6] = 0.0;
+    twists[8] = 0.0;
+    twists[10] = 0.0;
+    twists[12] = 0.0;
+    twists[14] = 0.0;
+    twists[15] = 0.0;
+    twists[16] = 0.0;
+    twists[1] = x3;
+    twists[13] = x5;
+    const double x1 = q[1];
     sum0 = sum0 + x1;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     sum1 = sum1 + x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -739,7 +812,7 @@ int four_bar_body_twists(
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_body_twists_lane(1, 1, q, v, twists, sine, cosine);
+    const double total = four_bar_body_twists_lane(q, v, twists, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(twists, 18);
@@ -747,7 +820,59 @@ int four_bar_body_twists(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_body_twists_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict twists,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x6 = x3 + x4;
+    FOUR_BAR_WRITTEN(twists[7 * stride]) = x6;
+    four_bar_wide sum0 = x6;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x14 = 0.64 * x5;
+    FOUR_BAR_WRITTEN(twists[17 * stride]) = x14;
+    four_bar_wide sum1 = x14;
+    const four_bar_wide x7 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x8 = 0.15 * x7;
+    const four_bar_wide x9 = x4 * x8;
+    const four_bar_wide x10 = -x9;
+    FOUR_BAR_WRITTEN(twists[9 * stride]) = x10;
+    four_bar_wide sum2 = x10;
+    const four_bar_wide x11 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x12 = 0.15 * x11;
+    const four_bar_wide x13 = x4 * x12;
+    FOUR_BAR_WRITTEN(twists[11 * stride]) = x13;
+    four_bar_wide sum3 = x13;
+    FOUR_BAR_WRITTEN(twists[0]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[6 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[8 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[10 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[12 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[14 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[16 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twists[stride]) = x3;
+    FOUR_BAR_WRITTEN(twists[13 * stride]) = x5;
+    const four_bar_wide x1 = FOUR_BAR_READ(q[stride]);
+    sum0 = sum0 + x1;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    sum1 = sum1 + x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_body_twists_block(
     size_t stride,
     const double *restrict q,
@@ -756,15 +881,13 @@ static void four_bar_body_twists_block(
     double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_body_twists_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
     four_bar_sincos_block(8, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_body_twists_lane(stride, 8, q + lane, v + lane, twists + lane, sine + lane,
-            cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_body_twists_wide(stride, q + lane, v + lane, twists + lane, sine + lane, cosine + lane, total
+            + lane);
     }
 }
 #endif
@@ -805,10 +928,10 @@ static int four_bar_body_twists_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -907,8 +1030,6 @@ static inline FOUR_BAR_INLINE void four_bar_body_twist_rates_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_body_twist_rates_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -916,54 +1037,52 @@ static inline FOUR_BAR_INLINE double four_bar_body_twist_rates_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
     const double x6 = a[0];
-    const double x7 = a[stride];
+    const double x7 = a[1];
     const double x9 = x6 + x7;
-    twist_rates[7 * stride] = x9;
+    twist_rates[7] = x9;
     double sum0 = x9;
-    const double x8 = a[2 * stride];
+    const double x8 = a[2];
     const double x22 = 0.64 * x8;
-    twist_rates[17 * stride] = x22;
+    twist_rates[17] = x22;
     double sum1 = x22;
     const double x10 = sine[0];
     const double x11 = 0.15 * x10;
     const double x3 = v[0];
     const double x12 = x3 * x11;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x13 = x4 * x12;
     const double x18 = x7 * x11;
     const double x14 = cosine[0];
     const double x15 = 0.15 * x14;
     const double x16 = x7 * x15;
     const double x17 = x13 - x16;
-    twist_rates[9 * stride] = x17;
+    twist_rates[9] = x17;
     double sum2 = x17;
     const double x19 = x3 * x15;
     const double x20 = x4 * x19;
     const double x21 = x18 + x20;
-    twist_rates[11 * stride] = x21;
+    twist_rates[11] = x21;
     double sum3 = x21;
     twist_rates[0] = 0.0;
-    twist_rates[2 * stride] = 0.0;
-    twist_rates[3 * stride] = 0.0;
-    twist_rates[4 * stride] = 0.0;
-    twist_rates[5 * stride] = 0.0;
-    twist_rates[6 * stride] = 0.0;
-    twist_rates[8 * stride] = 0.0;
-    twist_rates[10 * stride] = 0.0;
-    twist_rates[12 * stride] = 0.0;
-    twist_rates[14 * stride] = 0.0;
-    twist_rates[15 * stride] = 0.0;
-    twist_rates[16 * stride] = 0.0;
-    twist_rates[stride] = x6;
-    twist_rates[13 * stride] = x8;
-    const double x1 = q[stride];
+    twist_rates[2] = 0.0;
+    twist_rates[3] = 0.0;
+    twist_rates[4] = 0.0;
+    twist_rates[5] = 0.0;
+    twist_rates[6] = 0.0;
+    twist_rates[8] = 0.0;
+    twist_rates[10] = 0.0;
+    twist_rates[12] = 0.0;
+    twist_rates[14] = 0.0;
+    twist_rates[15] = 0.0;
+    twist_rates[16] = 0.0;
+    twist_rates[1] = x6;
+    twist_rates[13] = x8;
+    const double x1 = q[1];
     sum0 = sum0 + x1;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     sum1 = sum1 + x2;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -980,7 +1099,7 @@ int four_bar_body_twist_rates(
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_body_twist_rates_lane(1, 1, q, v, a, twist_rates, sine, cosine);
+    const double total = four_bar_body_twist_rates_lane(q, v, a, twist_rates, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(twist_rates, 18);
@@ -988,7 +1107,69 @@ int four_bar_body_twist_rates(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_body_twist_rates_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict a,
+    double *restrict twist_rates,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x6 = FOUR_BAR_READ(a[0]);
+    const four_bar_wide x7 = FOUR_BAR_READ(a[stride]);
+    const four_bar_wide x9 = x6 + x7;
+    FOUR_BAR_WRITTEN(twist_rates[7 * stride]) = x9;
+    four_bar_wide sum0 = x9;
+    const four_bar_wide x8 = FOUR_BAR_READ(a[2 * stride]);
+    const four_bar_wide x22 = 0.64 * x8;
+    FOUR_BAR_WRITTEN(twist_rates[17 * stride]) = x22;
+    four_bar_wide sum1 = x22;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x11 = 0.15 * x10;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x12 = x3 * x11;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x13 = x4 * x12;
+    const four_bar_wide x18 = x7 * x11;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x15 = 0.15 * x14;
+    const four_bar_wide x16 = x7 * x15;
+    const four_bar_wide x17 = x13 - x16;
+    FOUR_BAR_WRITTEN(twist_rates[9 * stride]) = x17;
+    four_bar_wide sum2 = x17;
+    const four_bar_wide x19 = x3 * x15;
+    const four_bar_wide x20 = x4 * x19;
+    const four_bar_wide x21 = x18 + x20;
+    FOUR_BAR_WRITTEN(twist_rates[11 * stride]) = x21;
+    four_bar_wide sum3 = x21;
+    FOUR_BAR_WRITTEN(twist_rates[0]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[6 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[8 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[10 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[12 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[14 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[16 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(twist_rates[stride]) = x6;
+    FOUR_BAR_WRITTEN(twist_rates[13 * stride]) = x8;
+    const four_bar_wide x1 = FOUR_BAR_READ(q[stride]);
+    sum0 = sum0 + x1;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    sum1 = sum1 + x2;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    sum2 = sum2 + x5;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_body_twist_rates_block(
     size_t stride,
     const double *restrict q,
@@ -998,15 +1179,13 @@ static void four_bar_body_twist_rates_block(
     double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_body_twist_rates_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
     four_bar_sincos_block(8, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_body_twist_rates_lane(stride, 8, q + lane, v + lane, a + lane, twist_rates +
-            lane, sine + lane, cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_body_twist_rates_wide(stride, q + lane, v + lane, a + lane, twist_rates + lane, sine + lane,
+            cosine + lane, total + lane);
     }
 }
 #endif
@@ -1054,10 +1233,10 @@ static int four_bar_body_twist_rates_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -1163,23 +1342,19 @@ static inline FOUR_BAR_INLINE void four_bar_forward_kinematics_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_kinematics_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict positions,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
-    const double x5 = cosine[pitch];
+    const double x5 = cosine[1];
     const double x6 = 0.25 * x5;
     const double x7 = 0.15 + x6;
     const double x3 = sine[0];
     const double x8 = x3 * x7;
     const double x9 = cosine[0];
     const double x14 = x9 * x7;
-    const double x10 = sine[pitch];
+    const double x10 = sine[1];
     const double x11 = 0.25 * x10;
     const double x12 = x9 * x11;
     const double x13 = x8 + x12;
@@ -1187,10 +1362,10 @@ static inline FOUR_BAR_INLINE double four_bar_forward_kinematics_lane(
     double sum0 = x13;
     const double x15 = x3 * x11;
     const double x16 = x14 - x15;
-    positions[2 * stride] = x16;
+    positions[2] = x16;
     double sum1 = x16;
-    positions[stride] = 0.0;
-    const double x2 = q[2 * stride];
+    positions[1] = 0.0;
+    const double x2 = q[2];
     double sum2 = x2;
     return (sum0 + sum1) + sum2;
 }
@@ -1204,7 +1379,7 @@ int four_bar_forward_kinematics(
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_forward_kinematics_lane(1, 1, q, positions, sine, cosine);
+    const double total = four_bar_forward_kinematics_lane(q, positions, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(positions, 3);
@@ -1212,7 +1387,40 @@ int four_bar_forward_kinematics(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_forward_kinematics_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict positions,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x5 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x6 = 0.25 * x5;
+    const four_bar_wide x7 = 0.15 + x6;
+    const four_bar_wide x3 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x8 = x3 * x7;
+    const four_bar_wide x9 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x14 = x9 * x7;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x11 = 0.25 * x10;
+    const four_bar_wide x12 = x9 * x11;
+    const four_bar_wide x13 = x8 + x12;
+    FOUR_BAR_WRITTEN(positions[0]) = x13;
+    four_bar_wide sum0 = x13;
+    const four_bar_wide x15 = x3 * x11;
+    const four_bar_wide x16 = x14 - x15;
+    FOUR_BAR_WRITTEN(positions[2 * stride]) = x16;
+    four_bar_wide sum1 = x16;
+    FOUR_BAR_WRITTEN(positions[stride]) = 0.0 - FOUR_BAR_ZERO;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum2 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
+}
+
 static void four_bar_forward_kinematics_block(
     size_t stride,
     const double *restrict q,
@@ -1220,15 +1428,13 @@ static void four_bar_forward_kinematics_block(
     double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_forward_kinematics_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(16, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_kinematics_lane(stride, 8, q + lane, positions + lane, sine + lane,
-            cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_kinematics_wide(stride, q + lane, positions + lane, sine + lane, cosine + lane, total
+            + lane);
     }
 }
 #endif
@@ -1263,10 +1469,10 @@ static int four_bar_forward_kinematics_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, positions + first + 8);
@@ -1363,8 +1569,6 @@ static inline FOUR_BAR_INLINE void four_bar_point_motion_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -1374,21 +1578,19 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
     const double x9 = sine[0];
-    const double x15 = sine[pitch];
+    const double x15 = sine[1];
     const double x21 = x9 * x15;
     const double x14 = cosine[0];
-    const double x12 = cosine[pitch];
+    const double x12 = cosine[1];
     const double x22 = x14 * x12;
     const double x23 = x21 - x22;
     const double x24 = 0.25 * x23;
     const double x20 = 0.15 * x14;
     const double x25 = x20 - x24;
-    positions[2 * stride] = x25;
+    positions[2] = x25;
     const double x3 = v[0];
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x27 = x3 + x4;
     const double x28 = x27 * x25;
     const double x26 = x4 * x20;
@@ -1407,10 +1609,10 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x32 = x27 * x19;
     const double x31 = x4 * x10;
     const double x33 = x31 - x32;
-    velocities[2 * stride] = x33;
+    velocities[2] = x33;
     const double x34 = x27 * x33;
     const double x6 = a[0];
-    const double x7 = a[stride];
+    const double x7 = a[1];
     const double x39 = x6 + x7;
     const double x40 = x39 * x25;
     const double x47 = x39 * x19;
@@ -1428,16 +1630,16 @@ static inline FOUR_BAR_INLINE double four_bar_point_motion_lane(
     const double x46 = x43 + x45;
     const double x48 = x46 - x47;
     const double x50 = x48 + x49;
-    accelerations[2 * stride] = x50;
+    accelerations[2] = x50;
     double sum2 = x50;
-    positions[stride] = 0.0;
-    velocities[stride] = 0.0;
-    accelerations[stride] = 0.0;
-    const double x2 = q[2 * stride];
+    positions[1] = 0.0;
+    velocities[1] = 0.0;
+    accelerations[1] = 0.0;
+    const double x2 = q[2];
     double sum3 = x2;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     sum0 = sum0 + x5;
-    const double x8 = a[2 * stride];
+    const double x8 = a[2];
     sum1 = sum1 + x8;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -1455,7 +1657,7 @@ int four_bar_point_motion(
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_point_motion_lane(1, 1, q, v, a, positions, velocities, accelerations, sine,
+    const double total = four_bar_point_motion_lane(q, v, a, positions, velocities, accelerations, sine,
         cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -1466,7 +1668,87 @@ int four_bar_point_motion(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_point_motion_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict a,
+    double *restrict positions,
+    double *restrict velocities,
+    double *restrict accelerations,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x9 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x15 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x21 = x9 * x15;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x22 = x14 * x12;
+    const four_bar_wide x23 = x21 - x22;
+    const four_bar_wide x24 = 0.25 * x23;
+    const four_bar_wide x20 = 0.15 * x14;
+    const four_bar_wide x25 = x20 - x24;
+    FOUR_BAR_WRITTEN(positions[2 * stride]) = x25;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x27 = x3 + x4;
+    const four_bar_wide x28 = x27 * x25;
+    const four_bar_wide x26 = x4 * x20;
+    const four_bar_wide x29 = x26 - x28;
+    const four_bar_wide x30 = -x29;
+    FOUR_BAR_WRITTEN(velocities[0]) = x30;
+    four_bar_wide sum0 = x30;
+    const four_bar_wide x49 = x27 * x29;
+    const four_bar_wide x13 = x9 * x12;
+    const four_bar_wide x16 = x14 * x15;
+    const four_bar_wide x17 = x13 + x16;
+    const four_bar_wide x18 = 0.25 * x17;
+    const four_bar_wide x10 = 0.15 * x9;
+    const four_bar_wide x19 = x10 + x18;
+    FOUR_BAR_WRITTEN(positions[0]) = x19;
+    const four_bar_wide x32 = x27 * x19;
+    const four_bar_wide x31 = x4 * x10;
+    const four_bar_wide x33 = x31 - x32;
+    FOUR_BAR_WRITTEN(velocities[2 * stride]) = x33;
+    const four_bar_wide x34 = x27 * x33;
+    const four_bar_wide x6 = FOUR_BAR_READ(a[0]);
+    const four_bar_wide x7 = FOUR_BAR_READ(a[stride]);
+    const four_bar_wide x39 = x6 + x7;
+    const four_bar_wide x40 = x39 * x25;
+    const four_bar_wide x47 = x39 * x19;
+    const four_bar_wide x36 = x3 * x10;
+    const four_bar_wide x37 = x4 * x36;
+    const four_bar_wide x43 = x7 * x10;
+    const four_bar_wide x35 = x7 * x20;
+    const four_bar_wide x38 = x35 - x37;
+    const four_bar_wide x41 = x38 - x40;
+    const four_bar_wide x42 = x34 - x41;
+    FOUR_BAR_WRITTEN(accelerations[0]) = x42;
+    four_bar_wide sum1 = x42;
+    const four_bar_wide x44 = x3 * x20;
+    const four_bar_wide x45 = x4 * x44;
+    const four_bar_wide x46 = x43 + x45;
+    const four_bar_wide x48 = x46 - x47;
+    const four_bar_wide x50 = x48 + x49;
+    FOUR_BAR_WRITTEN(accelerations[2 * stride]) = x50;
+    four_bar_wide sum2 = x50;
+    FOUR_BAR_WRITTEN(positions[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(velocities[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(accelerations[stride]) = 0.0 - FOUR_BAR_ZERO;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum3 = x2;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    sum0 = sum0 + x5;
+    const four_bar_wide x8 = FOUR_BAR_READ(a[2 * stride]);
+    sum1 = sum1 + x8;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_point_motion_block(
     size_t stride,
     const double *restrict q,
@@ -1478,15 +1760,13 @@ static void four_bar_point_motion_block(
     double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_point_motion_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
     four_bar_sincos_block(16, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_point_motion_lane(stride, 8, q + lane, v + lane, a + lane, positions + lane,
-            velocities + lane, accelerations + lane, sine + lane, cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_point_motion_wide(stride, q + lane, v + lane, a + lane, positions + lane, velocities + lane,
+            accelerations + lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -1547,10 +1827,10 @@ static int four_bar_point_motion_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -1672,27 +1952,23 @@ static inline FOUR_BAR_INLINE void four_bar_joint_screws_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_screws_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict screws,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
     const double x6 = sine[0];
-    const double x11 = cosine[pitch];
+    const double x11 = cosine[1];
     const double x16 = x6 * x11;
     const double x3 = cosine[0];
-    const double x9 = sine[pitch];
+    const double x9 = sine[1];
     const double x17 = x3 * x9;
     const double x18 = x16 + x17;
     const double x19 = 0.5 * x18;
     const double x7 = 0.15 * x6;
-    screws[11 * stride] = x7;
+    screws[11] = x7;
     const double x20 = x7 + x19;
-    screws[17 * stride] = x20;
+    screws[17] = x20;
     double sum0 = x20;
     const double x10 = x6 * x9;
     const double x12 = x3 * x11;
@@ -1700,32 +1976,32 @@ static inline FOUR_BAR_INLINE double four_bar_joint_screws_lane(
     const double x14 = 0.5 * x13;
     const double x4 = 0.15 * x3;
     const double x15 = x14 - x4;
-    screws[15 * stride] = x15;
+    screws[15] = x15;
     double sum1 = x15;
     const double x5 = -x4;
-    screws[9 * stride] = x5;
+    screws[9] = x5;
     double sum2 = x5;
     screws[0] = 0.0;
-    screws[2 * stride] = 0.0;
-    screws[3 * stride] = 0.0;
-    screws[4 * stride] = 0.0;
-    screws[5 * stride] = 0.0;
-    screws[6 * stride] = 0.0;
-    screws[8 * stride] = 0.0;
-    screws[10 * stride] = 0.0;
-    screws[12 * stride] = 0.0;
-    screws[14 * stride] = 0.0;
-    screws[16 * stride] = 0.0;
-    screws[18 * stride] = 0.0;
-    screws[20 * stride] = 0.0;
-    screws[21 * stride] = 0.0;
-    screws[22 * stride] = 0.0;
-    screws[stride] = 1.0;
-    screws[7 * stride] = 1.0;
-    screws[13 * stride] = 1.0;
-    screws[19 * stride] = 1.0;
-    screws[23 * stride] = 0.64;
-    const double x2 = q[2 * stride];
+    screws[2] = 0.0;
+    screws[3] = 0.0;
+    screws[4] = 0.0;
+    screws[5] = 0.0;
+    screws[6] = 0.0;
+    screws[8] = 0.0;
+    screws[10] = 0.0;
+    screws[12] = 0.0;
+    screws[14] = 0.0;
+    screws[16] = 0.0;
+    screws[18] = 0.0;
+    screws[20] = 0.0;
+    screws[21] = 0.0;
+    screws[22] = 0.0;
+    screws[1] = 1.0;
+    screws[7] = 1.0;
+    screws[13] = 1.0;
+    screws[19] = 1.0;
+    screws[23] = 0.64;
+    const double x2 = q[2];
     double sum3 = x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -1739,7 +2015,7 @@ int four_bar_joint_screws(
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_joint_screws_lane(1, 1, q, screws, sine, cosine);
+    const double total = four_bar_joint_screws_lane(q, screws, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(screws, 24);
@@ -1747,7 +2023,66 @@ int four_bar_joint_screws(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_joint_screws_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict screws,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x6 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x11 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x16 = x6 * x11;
+    const four_bar_wide x3 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x9 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x17 = x3 * x9;
+    const four_bar_wide x18 = x16 + x17;
+    const four_bar_wide x19 = 0.5 * x18;
+    const four_bar_wide x7 = 0.15 * x6;
+    FOUR_BAR_WRITTEN(screws[11 * stride]) = x7;
+    const four_bar_wide x20 = x7 + x19;
+    FOUR_BAR_WRITTEN(screws[17 * stride]) = x20;
+    four_bar_wide sum0 = x20;
+    const four_bar_wide x10 = x6 * x9;
+    const four_bar_wide x12 = x3 * x11;
+    const four_bar_wide x13 = x10 - x12;
+    const four_bar_wide x14 = 0.5 * x13;
+    const four_bar_wide x4 = 0.15 * x3;
+    const four_bar_wide x15 = x14 - x4;
+    FOUR_BAR_WRITTEN(screws[15 * stride]) = x15;
+    four_bar_wide sum1 = x15;
+    const four_bar_wide x5 = -x4;
+    FOUR_BAR_WRITTEN(screws[9 * stride]) = x5;
+    four_bar_wide sum2 = x5;
+    FOUR_BAR_WRITTEN(screws[0]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[6 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[8 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[10 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[12 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[14 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[16 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[18 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[20 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[21 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[22 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[7 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[13 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[19 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(screws[23 * stride]) = 0.64 - FOUR_BAR_ZERO;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum3 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_joint_screws_block(
     size_t stride,
     const double *restrict q,
@@ -1755,15 +2090,12 @@ static void four_bar_joint_screws_block(
     double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_joint_screws_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(16, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_screws_lane(stride, 8, q + lane, screws + lane, sine + lane, cosine +
-            lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_screws_wide(stride, q + lane, screws + lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -1798,10 +2130,10 @@ static int four_bar_joint_screws_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(24, stride, screws + first + 8);
@@ -1893,46 +2225,42 @@ static inline FOUR_BAR_INLINE void four_bar_joint_points_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_points_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict points,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
     const double x3 = sine[0];
-    const double x8 = cosine[pitch];
+    const double x8 = cosine[1];
     const double x9 = x3 * x8;
     const double x5 = cosine[0];
-    const double x10 = sine[pitch];
+    const double x10 = sine[1];
     const double x11 = x5 * x10;
     const double x12 = x9 + x11;
     const double x13 = 0.5 * x12;
     const double x4 = 0.15 * x3;
-    points[3 * stride] = x4;
+    points[3] = x4;
     const double x14 = x4 + x13;
-    points[6 * stride] = x14;
+    points[6] = x14;
     double sum0 = x14;
     const double x15 = x3 * x10;
     const double x16 = x5 * x8;
     const double x17 = x15 - x16;
     const double x18 = 0.5 * x17;
     const double x6 = 0.15 * x5;
-    points[5 * stride] = x6;
+    points[5] = x6;
     const double x19 = x6 - x18;
-    points[8 * stride] = x19;
+    points[8] = x19;
     double sum1 = x19;
     points[0] = 0.0;
-    points[stride] = 0.0;
-    points[2 * stride] = 0.0;
-    points[4 * stride] = 0.0;
-    points[7 * stride] = 0.0;
-    points[10 * stride] = 0.0;
-    points[11 * stride] = 0.0;
-    points[9 * stride] = 0.64;
-    const double x2 = q[2 * stride];
+    points[1] = 0.0;
+    points[2] = 0.0;
+    points[4] = 0.0;
+    points[7] = 0.0;
+    points[10] = 0.0;
+    points[11] = 0.0;
+    points[9] = 0.64;
+    const double x2 = q[2];
     double sum2 = x2;
     return (sum0 + sum1) + sum2;
 }
@@ -1946,7 +2274,7 @@ int four_bar_joint_points(
     angle[2] = angle[1];
     angle[3] = angle[1];
     four_bar_sincos(2, angle, sine, cosine);
-    const double total = four_bar_joint_points_lane(1, 1, q, points, sine, cosine);
+    const double total = four_bar_joint_points_lane(q, points, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(points, 12);
@@ -1954,7 +2282,52 @@ int four_bar_joint_points(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_joint_points_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict points,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x3 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x8 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x9 = x3 * x8;
+    const four_bar_wide x5 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x11 = x5 * x10;
+    const four_bar_wide x12 = x9 + x11;
+    const four_bar_wide x13 = 0.5 * x12;
+    const four_bar_wide x4 = 0.15 * x3;
+    FOUR_BAR_WRITTEN(points[3 * stride]) = x4;
+    const four_bar_wide x14 = x4 + x13;
+    FOUR_BAR_WRITTEN(points[6 * stride]) = x14;
+    four_bar_wide sum0 = x14;
+    const four_bar_wide x15 = x3 * x10;
+    const four_bar_wide x16 = x5 * x8;
+    const four_bar_wide x17 = x15 - x16;
+    const four_bar_wide x18 = 0.5 * x17;
+    const four_bar_wide x6 = 0.15 * x5;
+    FOUR_BAR_WRITTEN(points[5 * stride]) = x6;
+    const four_bar_wide x19 = x6 - x18;
+    FOUR_BAR_WRITTEN(points[8 * stride]) = x19;
+    four_bar_wide sum1 = x19;
+    FOUR_BAR_WRITTEN(points[0]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[10 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[11 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(points[9 * stride]) = 0.64 - FOUR_BAR_ZERO;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum2 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
+}
+
 static void four_bar_joint_points_block(
     size_t stride,
     const double *restrict q,
@@ -1962,15 +2335,12 @@ static void four_bar_joint_points_block(
     double *restrict total)
 {
     double angle[16], sine[16], cosine[16];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_joint_points_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(16, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_points_lane(stride, 8, q + lane, points + lane, sine + lane, cosine +
-            lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_points_wide(stride, q + lane, points + lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -2005,10 +2375,10 @@ static int four_bar_joint_points_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(12, stride, points + first + 8);
@@ -2085,23 +2455,19 @@ int four_bar_joint_points_batch_soa(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_platform_jacobian_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict jacobian)
 {
-    (void)stride;
-    (void)pitch;
-    jacobian[13 * stride] = 1.0;
-    jacobian[14 * stride] = 0.0;
-    jacobian[15 * stride] = 0.0;
-    jacobian[16 * stride] = 0.0;
-    jacobian[17 * stride] = 0.64;
+    jacobian[13] = 1.0;
+    jacobian[14] = 0.0;
+    jacobian[15] = 0.0;
+    jacobian[16] = 0.0;
+    jacobian[17] = 0.64;
     const double x0 = q[0];
     double sum0 = x0;
-    const double x1 = q[stride];
+    const double x1 = q[1];
     double sum1 = x1;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     double sum2 = x2;
     return (sum0 + sum1) + sum2;
 }
@@ -2113,7 +2479,7 @@ int four_bar_platform_jacobian(
     for (size_t k = 0; k < 13; ++k) {
         jacobian[k] = 0.0;
     }
-    const double total = four_bar_platform_jacobian_lane(1, 1, q, jacobian);
+    const double total = four_bar_platform_jacobian_lane(q, jacobian);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(jacobian, 18);
@@ -2121,7 +2487,29 @@ int four_bar_platform_jacobian(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_platform_jacobian_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict jacobian,
+    double *restrict total)
+{
+    (void)stride;
+    FOUR_BAR_WRITTEN(jacobian[13 * stride]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[14 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[16 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[17 * stride]) = 0.64 - FOUR_BAR_ZERO;
+    const four_bar_wide x0 = FOUR_BAR_READ(q[0]);
+    four_bar_wide sum0 = x0;
+    const four_bar_wide x1 = FOUR_BAR_READ(q[stride]);
+    four_bar_wide sum1 = x1;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum2 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
+}
+
 static void four_bar_platform_jacobian_block(
     size_t stride,
     const double *restrict q,
@@ -2133,9 +2521,8 @@ static void four_bar_platform_jacobian_block(
             jacobian[k * stride + lane] = 0.0;
         }
     }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_platform_jacobian_lane(stride, 8, q + lane, jacobian + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_platform_jacobian_wide(stride, q + lane, jacobian + lane, total + lane);
     }
 }
 #endif
@@ -2170,10 +2557,10 @@ static int four_bar_platform_jacobian_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(18, stride, jacobian + first + 8);
@@ -2250,7 +2637,7 @@ int four_bar_platform_jacobian_batch_soa(
         status);
 }
 
-static inline void four_bar_joint_displacements_angles(
+static inline FOUR_BAR_INLINE void four_bar_joint_displacements_angles(
     size_t stride,
     size_t pitch,
     const double *restrict q,
@@ -2268,52 +2655,48 @@ static inline void four_bar_joint_displacements_angles(
     angle[2 * pitch] = x0;
 }
 
-static inline double four_bar_joint_displacements_lane(
-    size_t stride,
-    size_t pitch,
+static inline FOUR_BAR_INLINE double four_bar_joint_displacements_lane(
     const double *restrict q,
     double *restrict displacements,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
-    const double x7 = cosine[pitch];
-    const double x15 = 0.9882352941176471 * x7;
-    const double x9 = sine[pitch];
-    const double x14 = 0.15294117647058825 * x9;
-    const double x16 = x14 - x15;
-    const double x5 = cosine[2 * pitch];
-    const double x22 = x5 * x16;
-    const double x13 = sine[2 * pitch];
-    const double x17 = x13 * x16;
-    const double x10 = 0.9882352941176471 * x9;
+    const double x7 = cosine[1];
     const double x8 = 0.15294117647058825 * x7;
+    const double x9 = sine[1];
+    const double x10 = 0.9882352941176471 * x9;
     const double x11 = x8 + x10;
-    const double x21 = x13 * x11;
-    const double x23 = x21 + x22;
+    const double x5 = cosine[2];
     const double x12 = x5 * x11;
+    const double x13 = sine[2];
+    const double x21 = x13 * x11;
+    const double x14 = 0.15294117647058825 * x9;
+    const double x15 = 0.9882352941176471 * x7;
+    const double x16 = x14 - x15;
+    const double x17 = x13 * x16;
     const double x18 = x12 - x17;
+    const double x22 = x5 * x16;
+    const double x23 = x21 + x22;
     const double x4 = sine[0];
-    const double x28 = x4 * x23;
-    const double x20 = cosine[0];
-    const double x24 = x20 * x23;
-    const double x27 = x20 * x18;
-    const double x29 = x27 - x28;
     const double x19 = x4 * x18;
+    const double x20 = cosine[0];
+    const double x27 = x20 * x18;
+    const double x24 = x20 * x23;
     const double x25 = x19 + x24;
     const double x26 = -x25;
+    const double x28 = x4 * x23;
+    const double x29 = x27 - x28;
     const double x30 = atan2(x26, x29);
-    displacements[2 * stride] = x30;
+    displacements[2] = x30;
     double sum0 = x30;
     const double x0 = q[0];
     displacements[0] = x0;
     double sum1 = x0;
-    const double x1 = q[stride];
-    displacements[stride] = x1;
+    const double x1 = q[1];
+    displacements[1] = x1;
     double sum2 = x1;
-    const double x2 = q[2 * stride];
-    displacements[3 * stride] = x2;
+    const double x2 = q[2];
+    displacements[3] = x2;
     double sum3 = x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -2326,7 +2709,7 @@ int four_bar_joint_displacements(
     four_bar_joint_displacements_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_joint_displacements_lane(1, 1, q, displacements, sine, cosine);
+    const double total = four_bar_joint_displacements_lane(q, displacements, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(displacements, 4);
@@ -2416,29 +2799,25 @@ int four_bar_joint_displacements_batch_soa(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_rates_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates)
 {
-    (void)stride;
-    (void)pitch;
     const double x3 = v[0];
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x6 = x3 + x4;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x7 = x5 - x6;
-    rates[2 * stride] = x7;
+    rates[2] = x7;
     double sum0 = x7;
     rates[0] = x3;
-    rates[stride] = x4;
-    rates[3 * stride] = x5;
+    rates[1] = x4;
+    rates[3] = x5;
     const double x0 = q[0];
     double sum1 = x0;
-    const double x1 = q[stride];
+    const double x1 = q[1];
     double sum2 = x1;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     double sum3 = x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -2448,7 +2827,7 @@ int four_bar_joint_rates(
     const double *restrict v,
     double *restrict rates)
 {
-    const double total = four_bar_joint_rates_lane(1, 1, q, v, rates);
+    const double total = four_bar_joint_rates_lane(q, v, rates);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(rates, 4);
@@ -2456,7 +2835,35 @@ int four_bar_joint_rates(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_joint_rates_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict rates,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x6 = x3 + x4;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x7 = x5 - x6;
+    FOUR_BAR_WRITTEN(rates[2 * stride]) = x7;
+    four_bar_wide sum0 = x7;
+    FOUR_BAR_WRITTEN(rates[0]) = x3;
+    FOUR_BAR_WRITTEN(rates[stride]) = x4;
+    FOUR_BAR_WRITTEN(rates[3 * stride]) = x5;
+    const four_bar_wide x0 = FOUR_BAR_READ(q[0]);
+    four_bar_wide sum1 = x0;
+    const four_bar_wide x1 = FOUR_BAR_READ(q[stride]);
+    four_bar_wide sum2 = x1;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum3 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_joint_rates_block(
     size_t stride,
     const double *restrict q,
@@ -2464,9 +2871,8 @@ static void four_bar_joint_rates_block(
     double *restrict rates,
     double *restrict total)
 {
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_rates_wide(stride, q + lane, v + lane, rates + lane, total + lane);
     }
 }
 #endif
@@ -2507,10 +2913,10 @@ static int four_bar_joint_rates_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -2593,26 +2999,22 @@ int four_bar_joint_rates_batch_soa(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_drive_rates_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict rates)
 {
-    (void)stride;
-    (void)pitch;
     const double x3 = v[0];
     rates[0] = x3;
     double sum0 = x3;
     const double x0 = q[0];
     double sum1 = x0;
-    const double x1 = q[stride];
+    const double x1 = q[1];
     double sum2 = x1;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     double sum3 = x2;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     sum0 = sum0 + x4;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     sum1 = sum1 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -2622,7 +3024,7 @@ int four_bar_drive_rates(
     const double *restrict v,
     double *restrict rates)
 {
-    const double total = four_bar_drive_rates_lane(1, 1, q, v, rates);
+    const double total = four_bar_drive_rates_lane(q, v, rates);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(rates, 1);
@@ -2630,7 +3032,32 @@ int four_bar_drive_rates(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_drive_rates_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict rates,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    FOUR_BAR_WRITTEN(rates[0]) = x3;
+    four_bar_wide sum0 = x3;
+    const four_bar_wide x0 = FOUR_BAR_READ(q[0]);
+    four_bar_wide sum1 = x0;
+    const four_bar_wide x1 = FOUR_BAR_READ(q[stride]);
+    four_bar_wide sum2 = x1;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum3 = x2;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    sum0 = sum0 + x4;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    sum1 = sum1 + x5;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_drive_rates_block(
     size_t stride,
     const double *restrict q,
@@ -2638,9 +3065,8 @@ static void four_bar_drive_rates_block(
     double *restrict rates,
     double *restrict total)
 {
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_drive_rates_lane(stride, 8, q + lane, v + lane, rates + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_drive_rates_wide(stride, q + lane, v + lane, rates + lane, total + lane);
     }
 }
 #endif
@@ -2681,10 +3107,10 @@ static int four_bar_drive_rates_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -2785,27 +3211,23 @@ static inline FOUR_BAR_INLINE void four_bar_closure_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_closure_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict residual_,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x3 = sine[0];
-    const double x5 = cosine[pitch];
+    const double x5 = cosine[1];
     const double x6 = x3 * x5;
     const double x7 = cosine[0];
-    const double x8 = sine[pitch];
+    const double x8 = sine[1];
     const double x9 = x7 * x8;
     const double x10 = x6 + x9;
-    const double x11 = 0.15 * x3;
     const double x12 = 0.5 * x10;
+    const double x11 = 0.15 * x3;
     const double x13 = x11 + x12;
-    const double x15 = sine[2 * pitch];
+    const double x15 = sine[2];
     const double x16 = 0.51 * x15;
     const double x17 = 0.64 - x16;
     const double x18 = x13 - x17;
@@ -2814,10 +3236,10 @@ static inline FOUR_BAR_INLINE double four_bar_closure_lane(
     const double x21 = x7 * x5;
     const double x22 = x20 - x21;
     const double x31 = x22 * x18;
-    const double x23 = 0.15 * x7;
     const double x24 = 0.5 * x22;
+    const double x23 = 0.15 * x7;
     const double x25 = x23 - x24;
-    const double x26 = cosine[2 * pitch];
+    const double x26 = cosine[2];
     const double x27 = 0.51 * x26;
     const double x28 = x25 - x27;
     const double x29 = x22 * x28;
@@ -2827,11 +3249,11 @@ static inline FOUR_BAR_INLINE double four_bar_closure_lane(
     const double x32 = x10 * x28;
     const double x33 = x31 + x32;
     const double x34 = -x33;
-    residual_[stride] = x34;
+    residual_[1] = x34;
     double sum1 = x34;
-    residual_[2 * stride] = 0.0;
-    residual_[3 * stride] = 0.0;
-    residual_[4 * stride] = 0.0;
+    residual_[2] = 0.0;
+    residual_[3] = 0.0;
+    residual_[4] = 0.0;
     return sum0 + sum1;
 }
 
@@ -2843,7 +3265,7 @@ int four_bar_closure(
     four_bar_closure_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_closure_lane(1, 1, q, residual_, sine, cosine);
+    const double total = four_bar_closure_lane(q, residual_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(residual_, 5);
@@ -2851,7 +3273,58 @@ int four_bar_closure(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_closure_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict residual_,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x3 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x5 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x6 = x3 * x5;
+    const four_bar_wide x7 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x9 = x7 * x8;
+    const four_bar_wide x10 = x6 + x9;
+    const four_bar_wide x12 = 0.5 * x10;
+    const four_bar_wide x11 = 0.15 * x3;
+    const four_bar_wide x13 = x11 + x12;
+    const four_bar_wide x15 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x16 = 0.51 * x15;
+    const four_bar_wide x17 = 0.64 - x16;
+    const four_bar_wide x18 = x13 - x17;
+    const four_bar_wide x19 = x10 * x18;
+    const four_bar_wide x20 = x3 * x8;
+    const four_bar_wide x21 = x7 * x5;
+    const four_bar_wide x22 = x20 - x21;
+    const four_bar_wide x31 = x22 * x18;
+    const four_bar_wide x24 = 0.5 * x22;
+    const four_bar_wide x23 = 0.15 * x7;
+    const four_bar_wide x25 = x23 - x24;
+    const four_bar_wide x26 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x27 = 0.51 * x26;
+    const four_bar_wide x28 = x25 - x27;
+    const four_bar_wide x29 = x22 * x28;
+    const four_bar_wide x30 = x19 - x29;
+    FOUR_BAR_WRITTEN(residual_[0]) = x30;
+    four_bar_wide sum0 = x30;
+    const four_bar_wide x32 = x10 * x28;
+    const four_bar_wide x33 = x31 + x32;
+    const four_bar_wide x34 = -x33;
+    FOUR_BAR_WRITTEN(residual_[stride]) = x34;
+    four_bar_wide sum1 = x34;
+    FOUR_BAR_WRITTEN(residual_[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(residual_[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(residual_[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = sum0 + sum1;
+}
+
 static void four_bar_closure_block(
     size_t stride,
     const double *restrict q,
@@ -2859,15 +3332,12 @@ static void four_bar_closure_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_closure_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_closure_lane(stride, 8, q + lane, residual_ + lane, sine + lane, cosine +
-            lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_closure_wide(stride, q + lane, residual_ + lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -2902,10 +3372,10 @@ static int four_bar_closure_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(5, stride, residual_ + first + 8);
@@ -3000,16 +3470,12 @@ static inline FOUR_BAR_INLINE void four_bar_closure_jacobian_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_closure_jacobian_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict jacobian,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x4 = sine[0];
     const double x5 = 0.15 * x4;
     jacobian[0] = x5;
@@ -3017,41 +3483,41 @@ static inline FOUR_BAR_INLINE double four_bar_closure_jacobian_lane(
     const double x6 = cosine[0];
     const double x7 = 0.15 * x6;
     const double x8 = 0.5 + x7;
-    jacobian[stride] = x8;
+    jacobian[1] = x8;
     double sum1 = x8;
-    const double x9 = sine[pitch];
+    const double x9 = sine[1];
     const double x10 = x9 * x4;
-    const double x11 = cosine[pitch];
+    const double x11 = cosine[1];
     const double x12 = x11 * x6;
     const double x13 = x10 - x12;
-    const double x15 = sine[2 * pitch];
+    const double x15 = sine[2];
     const double x16 = 0.51 * x15;
     const double x17 = x13 * x16;
     const double x18 = x9 * x6;
     const double x19 = x11 * x4;
     const double x20 = x18 + x19;
     const double x26 = x20 * x16;
-    const double x21 = cosine[2 * pitch];
+    const double x21 = cosine[2];
     const double x22 = 0.51 * x21;
     const double x23 = x20 * x22;
     const double x24 = x17 - x23;
-    jacobian[10 * stride] = x24;
+    jacobian[10] = x24;
     double sum2 = x24;
     const double x25 = x13 * x22;
     const double x27 = x25 + x26;
-    jacobian[11 * stride] = x27;
+    jacobian[11] = x27;
     double sum3 = x27;
-    jacobian[2 * stride] = 0.0;
-    jacobian[3 * stride] = 0.0;
-    jacobian[4 * stride] = 0.0;
-    jacobian[5 * stride] = 0.0;
-    jacobian[7 * stride] = 0.0;
-    jacobian[8 * stride] = 0.0;
-    jacobian[9 * stride] = 0.0;
-    jacobian[12 * stride] = 0.0;
-    jacobian[13 * stride] = 0.0;
-    jacobian[14 * stride] = 0.0;
-    jacobian[6 * stride] = 0.5;
+    jacobian[2] = 0.0;
+    jacobian[3] = 0.0;
+    jacobian[4] = 0.0;
+    jacobian[5] = 0.0;
+    jacobian[7] = 0.0;
+    jacobian[8] = 0.0;
+    jacobian[9] = 0.0;
+    jacobian[12] = 0.0;
+    jacobian[13] = 0.0;
+    jacobian[14] = 0.0;
+    jacobian[6] = 0.5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -3063,7 +3529,7 @@ int four_bar_closure_jacobian(
     four_bar_closure_jacobian_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_closure_jacobian_lane(1, 1, q, jacobian, sine, cosine);
+    const double total = four_bar_closure_jacobian_lane(q, jacobian, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(jacobian, 15);
@@ -3071,7 +3537,63 @@ int four_bar_closure_jacobian(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_closure_jacobian_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict jacobian,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x4 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x5 = 0.15 * x4;
+    FOUR_BAR_WRITTEN(jacobian[0]) = x5;
+    four_bar_wide sum0 = x5;
+    const four_bar_wide x6 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x7 = 0.15 * x6;
+    const four_bar_wide x8 = 0.5 + x7;
+    FOUR_BAR_WRITTEN(jacobian[stride]) = x8;
+    four_bar_wide sum1 = x8;
+    const four_bar_wide x9 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x10 = x9 * x4;
+    const four_bar_wide x11 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x12 = x11 * x6;
+    const four_bar_wide x13 = x10 - x12;
+    const four_bar_wide x15 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x16 = 0.51 * x15;
+    const four_bar_wide x17 = x13 * x16;
+    const four_bar_wide x18 = x9 * x6;
+    const four_bar_wide x19 = x11 * x4;
+    const four_bar_wide x20 = x18 + x19;
+    const four_bar_wide x26 = x20 * x16;
+    const four_bar_wide x21 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x22 = 0.51 * x21;
+    const four_bar_wide x23 = x20 * x22;
+    const four_bar_wide x24 = x17 - x23;
+    FOUR_BAR_WRITTEN(jacobian[10 * stride]) = x24;
+    four_bar_wide sum2 = x24;
+    const four_bar_wide x25 = x13 * x22;
+    const four_bar_wide x27 = x25 + x26;
+    FOUR_BAR_WRITTEN(jacobian[11 * stride]) = x27;
+    four_bar_wide sum3 = x27;
+    FOUR_BAR_WRITTEN(jacobian[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[8 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[9 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[12 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[13 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[14 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(jacobian[6 * stride]) = 0.5 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_closure_jacobian_block(
     size_t stride,
     const double *restrict q,
@@ -3079,15 +3601,13 @@ static void four_bar_closure_jacobian_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_closure_jacobian_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_closure_jacobian_lane(stride, 8, q + lane, jacobian + lane, sine + lane, cosine
-            + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_closure_jacobian_wide(stride, q + lane, jacobian + lane, sine + lane, cosine + lane, total +
+            lane);
     }
 }
 #endif
@@ -3122,10 +3642,10 @@ static int four_bar_closure_jacobian_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(15, stride, jacobian + first + 8);
@@ -3223,8 +3743,6 @@ static inline FOUR_BAR_INLINE void four_bar_closure_bias_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
@@ -3232,14 +3750,12 @@ static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x11 = x5 * x5;
     const double x12 = 0.51 * x11;
-    const double x10 = cosine[pitch];
+    const double x10 = cosine[1];
     const double x13 = x10 * x12;
-    const double x16 = sine[pitch];
+    const double x16 = sine[1];
     const double x17 = x16 * x12;
     const double x8 = cosine[0];
     const double x14 = x8 * x13;
@@ -3249,9 +3765,9 @@ static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
     const double x19 = x14 - x18;
     const double x23 = x8 * x17;
     const double x24 = x22 + x23;
-    const double x21 = sine[2 * pitch];
+    const double x21 = sine[2];
     const double x36 = x21 * x19;
-    const double x7 = cosine[2 * pitch];
+    const double x7 = cosine[2];
     const double x20 = x7 * x19;
     const double x37 = x7 * x24;
     const double x38 = x36 + x37;
@@ -3262,10 +3778,10 @@ static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
     const double x28 = 0.15 * x27;
     const double x35 = x21 * x28;
     const double x39 = x35 - x38;
-    bias[stride] = x39;
+    bias[1] = x39;
     double sum0 = x39;
     const double x29 = x7 * x28;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x30 = x3 + x4;
     const double x31 = x30 * x30;
     const double x32 = 0.5 * x31;
@@ -3273,9 +3789,9 @@ static inline FOUR_BAR_INLINE double four_bar_closure_bias_lane(
     const double x34 = x26 - x33;
     bias[0] = x34;
     double sum1 = x34;
-    bias[2 * stride] = 0.0;
-    bias[3 * stride] = 0.0;
-    bias[4 * stride] = 0.0;
+    bias[2] = 0.0;
+    bias[3] = 0.0;
+    bias[4] = 0.0;
     return sum0 + sum1;
 }
 
@@ -3288,7 +3804,7 @@ int four_bar_closure_bias(
     four_bar_closure_bias_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_closure_bias_lane(1, 1, q, v, bias, sine, cosine);
+    const double total = four_bar_closure_bias_lane(q, v, bias, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(bias, 5);
@@ -3296,7 +3812,64 @@ int four_bar_closure_bias(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_closure_bias_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict bias,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x11 = x5 * x5;
+    const four_bar_wide x12 = 0.51 * x11;
+    const four_bar_wide x10 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x13 = x10 * x12;
+    const four_bar_wide x16 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x17 = x16 * x12;
+    const four_bar_wide x8 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x14 = x8 * x13;
+    const four_bar_wide x15 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x22 = x15 * x13;
+    const four_bar_wide x18 = x15 * x17;
+    const four_bar_wide x19 = x14 - x18;
+    const four_bar_wide x23 = x8 * x17;
+    const four_bar_wide x24 = x22 + x23;
+    const four_bar_wide x21 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x36 = x21 * x19;
+    const four_bar_wide x7 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x20 = x7 * x19;
+    const four_bar_wide x37 = x7 * x24;
+    const four_bar_wide x38 = x36 + x37;
+    const four_bar_wide x25 = x21 * x24;
+    const four_bar_wide x26 = x20 - x25;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x27 = x3 * x3;
+    const four_bar_wide x28 = 0.15 * x27;
+    const four_bar_wide x35 = x21 * x28;
+    const four_bar_wide x39 = x35 - x38;
+    FOUR_BAR_WRITTEN(bias[stride]) = x39;
+    four_bar_wide sum0 = x39;
+    const four_bar_wide x29 = x7 * x28;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x30 = x3 + x4;
+    const four_bar_wide x31 = x30 * x30;
+    const four_bar_wide x32 = 0.5 * x31;
+    const four_bar_wide x33 = x29 + x32;
+    const four_bar_wide x34 = x26 - x33;
+    FOUR_BAR_WRITTEN(bias[0]) = x34;
+    four_bar_wide sum1 = x34;
+    FOUR_BAR_WRITTEN(bias[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(bias[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(bias[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = sum0 + sum1;
+}
+
 static void four_bar_closure_bias_block(
     size_t stride,
     const double *restrict q,
@@ -3305,15 +3878,13 @@ static void four_bar_closure_bias_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_closure_bias_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_closure_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane,
-            cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_closure_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total
+            + lane);
     }
 }
 #endif
@@ -3354,10 +3925,10 @@ static int four_bar_closure_bias_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -3460,8 +4031,6 @@ static inline FOUR_BAR_INLINE void four_bar_velocity_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     double *restrict v,
@@ -3470,23 +4039,21 @@ static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x9 = sine[0];
-    const double x5 = cosine[pitch];
+    const double x5 = cosine[1];
     const double x19 = x9 * x5;
     const double x12 = cosine[0];
-    const double x10 = sine[pitch];
+    const double x10 = sine[1];
     const double x20 = x12 * x10;
     const double x21 = x19 + x20;
-    const double x16 = cosine[2 * pitch];
+    const double x16 = cosine[2];
     const double x17 = 0.51 * x16;
     const double x28 = x21 * x17;
     const double x11 = x9 * x10;
     const double x13 = x12 * x5;
     const double x14 = x11 - x13;
     const double x18 = x14 * x17;
-    const double x22 = sine[2 * pitch];
+    const double x22 = sine[2];
     const double x23 = 0.51 * x22;
     const double x29 = x14 * x23;
     const double x30 = x28 - x29;
@@ -3498,7 +4065,7 @@ static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
     const double x3 = y_dot[0];
     const double x27 = x26 * x3;
     const double x31 = x27 / x30;
-    v[2 * stride] = x31;
+    v[2] = x31;
     const double x32 = x25 * x31;
     const double x6 = 0.15 * x5;
     const double x7 = 0.5 + x6;
@@ -3506,7 +4073,7 @@ static inline FOUR_BAR_INLINE double four_bar_velocity_lane(
     const double x33 = x8 + x32;
     const double x34 = 2.0 * x33;
     const double x35 = -x34;
-    v[stride] = x35;
+    v[1] = x35;
     double sum1 = x35;
     v[0] = x3;
     return sum0 + sum1;
@@ -3522,7 +4089,7 @@ int four_bar_velocity(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_velocity_lane(1, 1, q, y_dot, v, sine, cosine, pivot);
+    const double total = four_bar_velocity_lane(q, y_dot, v, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(v, 3);
@@ -3530,7 +4097,59 @@ int four_bar_velocity(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_velocity_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict y_dot,
+    double *restrict v,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x9 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x5 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x19 = x9 * x5;
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x20 = x12 * x10;
+    const four_bar_wide x21 = x19 + x20;
+    const four_bar_wide x16 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x17 = 0.51 * x16;
+    const four_bar_wide x28 = x21 * x17;
+    const four_bar_wide x11 = x9 * x10;
+    const four_bar_wide x13 = x12 * x5;
+    const four_bar_wide x14 = x11 - x13;
+    const four_bar_wide x18 = x14 * x17;
+    const four_bar_wide x22 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x23 = 0.51 * x22;
+    const four_bar_wide x29 = x14 * x23;
+    const four_bar_wide x30 = x28 - x29;
+    four_bar_wide sum0 = x30;
+    const four_bar_wide x24 = x21 * x23;
+    const four_bar_wide x25 = x18 + x24;
+    const four_bar_wide x26 = 0.15 * x10;
+    const four_bar_wide x3 = FOUR_BAR_READ(y_dot[0]);
+    const four_bar_wide x27 = x26 * x3;
+    const four_bar_wide x31 = x27 / x30;
+    FOUR_BAR_WRITTEN(v[2 * stride]) = x31;
+    const four_bar_wide x32 = x25 * x31;
+    const four_bar_wide x6 = 0.15 * x5;
+    const four_bar_wide x7 = 0.5 + x6;
+    const four_bar_wide x8 = x7 * x3;
+    const four_bar_wide x33 = x8 + x32;
+    const four_bar_wide x34 = 2.0 * x33;
+    const four_bar_wide x35 = -x34;
+    FOUR_BAR_WRITTEN(v[stride]) = x35;
+    four_bar_wide sum1 = x35;
+    FOUR_BAR_WRITTEN(v[0]) = x3;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)(sum0 + sum1) | ((four_bar_wide_mask)(x30
+        <= 3.01689e-10) & (four_bar_wide_mask)(x30 >= -3.01689e-10)));
+}
+
 static void four_bar_velocity_block(
     size_t stride,
     const double *restrict q,
@@ -3539,22 +4158,13 @@ static void four_bar_velocity_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_velocity_angles(stride, 8, q + lane, y_dot + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[8];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_velocity_lane(stride, 8, q + lane, y_dot + lane, v + lane, sine + lane, cosine
-            + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_velocity_wide(stride, q + lane, y_dot + lane, v + lane, sine + lane, cosine + lane, total +
+            lane);
     }
 }
 #endif
@@ -3595,10 +4205,10 @@ static int four_bar_velocity_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, y_dot + first + 8);
@@ -3699,8 +4309,6 @@ static inline FOUR_BAR_INLINE void four_bar_null_space_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict null_space,
     const double *restrict sine,
@@ -3708,23 +4316,21 @@ static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x7 = sine[0];
-    const double x4 = cosine[pitch];
+    const double x4 = cosine[1];
     const double x17 = x7 * x4;
     const double x10 = cosine[0];
-    const double x8 = sine[pitch];
+    const double x8 = sine[1];
     const double x18 = x10 * x8;
     const double x19 = x17 + x18;
-    const double x14 = cosine[2 * pitch];
+    const double x14 = cosine[2];
     const double x15 = 0.51 * x14;
     const double x25 = x19 * x15;
     const double x9 = x7 * x8;
     const double x11 = x10 * x4;
     const double x12 = x9 - x11;
     const double x16 = x12 * x15;
-    const double x20 = sine[2 * pitch];
+    const double x20 = sine[2];
     const double x21 = 0.51 * x20;
     const double x26 = x12 * x21;
     const double x27 = x25 - x26;
@@ -3734,14 +4340,14 @@ static inline FOUR_BAR_INLINE double four_bar_null_space_lane(
     const double x23 = x16 + x22;
     const double x24 = 0.15 * x8;
     const double x28 = x24 / x27;
-    null_space[2 * stride] = x28;
+    null_space[2] = x28;
     const double x29 = x23 * x28;
     const double x5 = 0.15 * x4;
     const double x6 = 0.5 + x5;
     const double x30 = x6 + x29;
     const double x31 = 2.0 * x30;
     const double x32 = -x31;
-    null_space[stride] = x32;
+    null_space[1] = x32;
     double sum1 = x32;
     null_space[0] = 1.0;
     return sum0 + sum1;
@@ -3756,7 +4362,7 @@ int four_bar_null_space(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_null_space_lane(1, 1, q, null_space, sine, cosine, pivot);
+    const double total = four_bar_null_space_lane(q, null_space, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(null_space, 3);
@@ -3764,7 +4370,55 @@ int four_bar_null_space(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_null_space_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict null_space,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x7 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x4 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x17 = x7 * x4;
+    const four_bar_wide x10 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x18 = x10 * x8;
+    const four_bar_wide x19 = x17 + x18;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x15 = 0.51 * x14;
+    const four_bar_wide x25 = x19 * x15;
+    const four_bar_wide x9 = x7 * x8;
+    const four_bar_wide x11 = x10 * x4;
+    const four_bar_wide x12 = x9 - x11;
+    const four_bar_wide x16 = x12 * x15;
+    const four_bar_wide x20 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x21 = 0.51 * x20;
+    const four_bar_wide x26 = x12 * x21;
+    const four_bar_wide x27 = x25 - x26;
+    four_bar_wide sum0 = x27;
+    const four_bar_wide x22 = x19 * x21;
+    const four_bar_wide x23 = x16 + x22;
+    const four_bar_wide x24 = 0.15 * x8;
+    const four_bar_wide x28 = x24 / x27;
+    FOUR_BAR_WRITTEN(null_space[2 * stride]) = x28;
+    const four_bar_wide x29 = x23 * x28;
+    const four_bar_wide x5 = 0.15 * x4;
+    const four_bar_wide x6 = 0.5 + x5;
+    const four_bar_wide x30 = x6 + x29;
+    const four_bar_wide x31 = 2.0 * x30;
+    const four_bar_wide x32 = -x31;
+    FOUR_BAR_WRITTEN(null_space[stride]) = x32;
+    four_bar_wide sum1 = x32;
+    FOUR_BAR_WRITTEN(null_space[0]) = 1.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)(sum0 + sum1) | ((four_bar_wide_mask)(x27
+        <= 3.01689e-10) & (four_bar_wide_mask)(x27 >= -3.01689e-10)));
+}
+
 static void four_bar_null_space_block(
     size_t stride,
     const double *restrict q,
@@ -3772,22 +4426,13 @@ static void four_bar_null_space_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_null_space_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[8];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_null_space_lane(stride, 8, q + lane, null_space + lane, sine + lane, cosine +
-            lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_null_space_wide(stride, q + lane, null_space + lane, sine + lane, cosine + lane, total +
+            lane);
     }
 }
 #endif
@@ -3822,10 +4467,10 @@ static int four_bar_null_space_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, null_space + first + 8);
@@ -3924,8 +4569,6 @@ static inline FOUR_BAR_INLINE void four_bar_acceleration_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict y_ddot,
@@ -3935,18 +4578,16 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x15 = x5 * x5;
     const double x16 = 0.51 * x15;
-    const double x14 = cosine[2 * pitch];
+    const double x14 = cosine[2];
     const double x17 = x14 * x16;
-    const double x20 = sine[2 * pitch];
+    const double x20 = sine[2];
     const double x21 = x20 * x16;
-    const double x12 = cosine[pitch];
+    const double x12 = cosine[1];
     const double x18 = x12 * x17;
-    const double x19 = sine[pitch];
+    const double x19 = sine[1];
     const double x26 = x19 * x17;
     const double x22 = x19 * x21;
     const double x23 = x18 - x22;
@@ -3966,7 +4607,7 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     const double x46 = x25 * x10;
     const double x11 = x8 * x10;
     const double x31 = x11 - x30;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x47 = x3 + x4;
     const double x48 = x47 * x47;
     const double x49 = 0.5 * x48;
@@ -3995,7 +4636,7 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     const double x63 = x62 * x6;
     const double x64 = x55 * x63;
     const double x70 = x56 + x64;
-    a[2 * stride] = x70;
+    a[2] = x70;
     double sum1 = x70;
     const double x57 = x42 * x56;
     const double x58 = x31 + x57;
@@ -4007,7 +4648,7 @@ static inline FOUR_BAR_INLINE double four_bar_acceleration_lane(
     const double x67 = x58 + x66;
     const double x68 = 2.0 * x67;
     const double x69 = -x68;
-    a[stride] = x69;
+    a[1] = x69;
     double sum2 = x69;
     a[0] = x6;
     return (sum0 + sum1) + sum2;
@@ -4024,7 +4665,7 @@ int four_bar_acceleration(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_acceleration_lane(1, 1, q, v, y_ddot, a, sine, cosine, pivot);
+    const double total = four_bar_acceleration_lane(q, v, y_ddot, a, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(a, 3);
@@ -4032,7 +4673,96 @@ int four_bar_acceleration(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_acceleration_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict y_ddot,
+    double *restrict a,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x15 = x5 * x5;
+    const four_bar_wide x16 = 0.51 * x15;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x17 = x14 * x16;
+    const four_bar_wide x20 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x21 = x20 * x16;
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x18 = x12 * x17;
+    const four_bar_wide x19 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x26 = x19 * x17;
+    const four_bar_wide x22 = x19 * x21;
+    const four_bar_wide x23 = x18 - x22;
+    const four_bar_wide x27 = x12 * x21;
+    const four_bar_wide x28 = x26 + x27;
+    const four_bar_wide x25 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x43 = x25 * x23;
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x24 = x8 * x23;
+    const four_bar_wide x44 = x8 * x28;
+    const four_bar_wide x45 = x43 - x44;
+    const four_bar_wide x29 = x25 * x28;
+    const four_bar_wide x30 = x24 + x29;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x9 = x3 * x3;
+    const four_bar_wide x10 = 0.15 * x9;
+    const four_bar_wide x46 = x25 * x10;
+    const four_bar_wide x11 = x8 * x10;
+    const four_bar_wide x31 = x11 - x30;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x47 = x3 + x4;
+    const four_bar_wide x48 = x47 * x47;
+    const four_bar_wide x49 = 0.5 * x48;
+    const four_bar_wide x50 = x46 + x49;
+    const four_bar_wide x51 = x45 - x50;
+    const four_bar_wide x37 = x19 * x25;
+    const four_bar_wide x38 = x12 * x8;
+    const four_bar_wide x39 = x37 + x38;
+    const four_bar_wide x35 = 0.51 * x14;
+    const four_bar_wide x52 = x39 * x35;
+    const four_bar_wide x32 = x19 * x8;
+    const four_bar_wide x33 = x12 * x25;
+    const four_bar_wide x34 = x32 - x33;
+    const four_bar_wide x36 = x34 * x35;
+    const four_bar_wide x40 = 0.51 * x20;
+    const four_bar_wide x53 = x34 * x40;
+    const four_bar_wide x54 = x52 - x53;
+    four_bar_wide sum0 = x54;
+    const four_bar_wide x41 = x39 * x40;
+    const four_bar_wide x42 = x36 + x41;
+    const four_bar_wide x55 = 1.0 / x54;
+    const four_bar_wide x56 = x51 * x55;
+    const four_bar_wide x62 = 0.15 * x8;
+    const four_bar_wide x6 = FOUR_BAR_READ(y_ddot[0]);
+    const four_bar_wide x63 = x62 * x6;
+    const four_bar_wide x64 = x55 * x63;
+    const four_bar_wide x70 = x56 + x64;
+    FOUR_BAR_WRITTEN(a[2 * stride]) = x70;
+    four_bar_wide sum1 = x70;
+    const four_bar_wide x57 = x42 * x56;
+    const four_bar_wide x58 = x31 + x57;
+    const four_bar_wide x65 = x42 * x64;
+    const four_bar_wide x59 = 0.15 * x25;
+    const four_bar_wide x60 = 0.5 + x59;
+    const four_bar_wide x61 = x60 * x6;
+    const four_bar_wide x66 = x61 + x65;
+    const four_bar_wide x67 = x58 + x66;
+    const four_bar_wide x68 = 2.0 * x67;
+    const four_bar_wide x69 = -x68;
+    FOUR_BAR_WRITTEN(a[stride]) = x69;
+    four_bar_wide sum2 = x69;
+    FOUR_BAR_WRITTEN(a[0]) = x6;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + sum2) |
+        ((four_bar_wide_mask)(x54 <= 3.01689e-10) & (four_bar_wide_mask)(x54 >= -3.01689e-10)));
+}
+
 static void four_bar_acceleration_block(
     size_t stride,
     const double *restrict q,
@@ -4042,22 +4772,13 @@ static void four_bar_acceleration_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_acceleration_angles(stride, 8, q + lane, v + lane, y_ddot + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[8];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_acceleration_lane(stride, 8, q + lane, v + lane, y_ddot + lane, a + lane, sine
-            + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_acceleration_wide(stride, q + lane, v + lane, y_ddot + lane, a + lane, sine + lane, cosine +
+            lane, total + lane);
     }
 }
 #endif
@@ -4104,10 +4825,10 @@ static int four_bar_acceleration_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -4217,8 +4938,6 @@ static inline FOUR_BAR_INLINE void four_bar_momentum_screws_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict momenta,
@@ -4227,34 +4946,32 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x10 = sine[0];
-    const double x24 = cosine[pitch];
+    const double x24 = cosine[1];
     const double x25 = x10 * x24;
     const double x6 = cosine[0];
-    const double x26 = sine[pitch];
+    const double x26 = sine[1];
     const double x27 = x6 * x26;
     const double x28 = x25 + x27;
-    const double x37 = 0.6 * x28;
     const double x29 = 0.8 * x28;
+    const double x37 = 0.6 * x28;
     const double x30 = x10 * x26;
     const double x31 = x6 * x24;
     const double x32 = x30 - x31;
-    const double x38 = 0.8 * x32;
-    const double x39 = x37 + x38;
     const double x33 = 0.6 * x32;
     const double x34 = x29 - x33;
+    const double x38 = 0.8 * x32;
+    const double x39 = x37 + x38;
+    const double x35 = 0.15 * x34;
+    const double x20 = 0.15 * x6;
+    const double x36 = x20 - x35;
+    const double x4 = v[1];
+    const double x21 = x4 * x20;
     const double x40 = 0.2 * x39;
     const double x41 = 0.3 * x34;
     const double x42 = x40 - x41;
-    const double x35 = 0.15 * x34;
-    const double x52 = 0.2 * x34;
-    const double x20 = 0.15 * x6;
-    const double x36 = x20 - x35;
     const double x43 = x36 - x42;
-    const double x4 = v[stride];
-    const double x21 = x4 * x20;
+    const double x52 = 0.2 * x34;
     const double x3 = v[0];
     const double x22 = x3 + x4;
     const double x44 = x22 * x43;
@@ -4262,11 +4979,11 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x46 = 1.2 * x45;
     const double x59 = x43 * x46;
     const double x47 = -x46;
-    momenta[6 * stride] = x47;
+    momenta[6] = x47;
     double sum0 = x47;
+    const double x50 = 0.15 * x39;
     const double x53 = 0.3 * x39;
     const double x54 = x52 + x53;
-    const double x50 = 0.15 * x39;
     const double x48 = 0.15 * x10;
     const double x51 = x48 - x50;
     const double x55 = x51 + x54;
@@ -4274,13 +4991,13 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x56 = x22 * x55;
     const double x57 = x49 - x56;
     const double x58 = 1.2 * x57;
-    momenta[8 * stride] = x58;
+    momenta[8] = x58;
     const double x60 = x55 * x58;
     const double x61 = x59 + x60;
     const double x62 = 0.025 * x22;
     const double x63 = x61 - x62;
     const double x64 = -x63;
-    momenta[10 * stride] = x64;
+    momenta[10] = x64;
     double sum1 = x64;
     const double x7 = 0.075 * x6;
     const double x8 = x3 * x7;
@@ -4295,34 +5012,34 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x17 = x15 + x16;
     const double x98 = x13 - x58;
     const double x14 = -x13;
-    momenta[2 * stride] = x14;
+    momenta[2] = x14;
     double sum2 = x14;
     const double x18 = 0.0009375 * x3;
     const double x19 = x17 + x18;
-    momenta[4 * stride] = x19;
+    momenta[4] = x19;
     const double x100 = x19 - x63;
-    const double x66 = sine[2 * pitch];
+    const double x66 = sine[2];
     const double x73 = 0.47058823529411764 * x66;
-    const double x68 = cosine[2 * pitch];
+    const double x68 = cosine[2];
     const double x74 = 0.8823529411764706 * x68;
     const double x75 = x73 + x74;
+    const double x82 = 0.64 * x75;
+    const double x83 = 0.64 - x82;
     const double x84 = 0.52 * x75;
+    const double x76 = 0.225 * x75;
     const double x67 = 0.8823529411764706 * x66;
     const double x69 = 0.47058823529411764 * x68;
     const double x70 = x67 - x69;
     const double x85 = 0.225 * x70;
     const double x86 = x84 - x85;
-    const double x82 = 0.64 * x75;
-    const double x83 = 0.64 - x82;
     const double x87 = x83 + x86;
-    const double x76 = 0.225 * x75;
     const double x88 = 0.64 - x87;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x89 = x5 * x88;
     const double x90 = 1.2 * x89;
-    momenta[14 * stride] = x90;
+    momenta[14] = x90;
     const double x99 = x90 - x98;
-    total_[2 * stride] = x99;
+    total_[2] = x99;
     double sum3 = x99;
     const double x93 = x87 * x90;
     const double x72 = 0.52 * x70;
@@ -4337,26 +5054,26 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_screws_lane(
     const double x92 = x78 * x80;
     const double x94 = x92 - x93;
     const double x81 = -x80;
-    momenta[12 * stride] = x81;
+    momenta[12] = x81;
     sum1 = sum1 + x81;
     const double x91 = 0.02601 * x5;
     const double x95 = x91 + x94;
-    momenta[16 * stride] = x95;
+    momenta[16] = x95;
     const double x101 = x100 + x95;
-    total_[4 * stride] = x101;
+    total_[4] = x101;
     sum2 = sum2 + x101;
-    momenta[stride] = 0.0;
-    momenta[3 * stride] = 0.0;
-    momenta[5 * stride] = 0.0;
-    momenta[7 * stride] = 0.0;
-    momenta[9 * stride] = 0.0;
-    momenta[11 * stride] = 0.0;
-    momenta[13 * stride] = 0.0;
-    momenta[15 * stride] = 0.0;
-    momenta[17 * stride] = 0.0;
-    total_[stride] = 0.0;
-    total_[3 * stride] = 0.0;
-    total_[5 * stride] = 0.0;
+    momenta[1] = 0.0;
+    momenta[3] = 0.0;
+    momenta[5] = 0.0;
+    momenta[7] = 0.0;
+    momenta[9] = 0.0;
+    momenta[11] = 0.0;
+    momenta[13] = 0.0;
+    momenta[15] = 0.0;
+    momenta[17] = 0.0;
+    total_[1] = 0.0;
+    total_[3] = 0.0;
+    total_[5] = 0.0;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4370,7 +5087,7 @@ int four_bar_momentum_screws(
     four_bar_momentum_screws_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_momentum_screws_lane(1, 1, q, v, momenta, total_, sine, cosine);
+    const double total = four_bar_momentum_screws_lane(q, v, momenta, total_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(momenta, 18);
@@ -4379,7 +5096,151 @@ int four_bar_momentum_screws(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_momentum_screws_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict momenta,
+    double *restrict total_,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x24 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x25 = x10 * x24;
+    const four_bar_wide x6 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x26 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x27 = x6 * x26;
+    const four_bar_wide x28 = x25 + x27;
+    const four_bar_wide x29 = 0.8 * x28;
+    const four_bar_wide x37 = 0.6 * x28;
+    const four_bar_wide x30 = x10 * x26;
+    const four_bar_wide x31 = x6 * x24;
+    const four_bar_wide x32 = x30 - x31;
+    const four_bar_wide x33 = 0.6 * x32;
+    const four_bar_wide x34 = x29 - x33;
+    const four_bar_wide x38 = 0.8 * x32;
+    const four_bar_wide x39 = x37 + x38;
+    const four_bar_wide x35 = 0.15 * x34;
+    const four_bar_wide x20 = 0.15 * x6;
+    const four_bar_wide x36 = x20 - x35;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x21 = x4 * x20;
+    const four_bar_wide x40 = 0.2 * x39;
+    const four_bar_wide x41 = 0.3 * x34;
+    const four_bar_wide x42 = x40 - x41;
+    const four_bar_wide x43 = x36 - x42;
+    const four_bar_wide x52 = 0.2 * x34;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x22 = x3 + x4;
+    const four_bar_wide x44 = x22 * x43;
+    const four_bar_wide x45 = x21 - x44;
+    const four_bar_wide x46 = 1.2 * x45;
+    const four_bar_wide x59 = x43 * x46;
+    const four_bar_wide x47 = -x46;
+    FOUR_BAR_WRITTEN(momenta[6 * stride]) = x47;
+    four_bar_wide sum0 = x47;
+    const four_bar_wide x50 = 0.15 * x39;
+    const four_bar_wide x53 = 0.3 * x39;
+    const four_bar_wide x54 = x52 + x53;
+    const four_bar_wide x48 = 0.15 * x10;
+    const four_bar_wide x51 = x48 - x50;
+    const four_bar_wide x55 = x51 + x54;
+    const four_bar_wide x49 = x4 * x48;
+    const four_bar_wide x56 = x22 * x55;
+    const four_bar_wide x57 = x49 - x56;
+    const four_bar_wide x58 = 1.2 * x57;
+    FOUR_BAR_WRITTEN(momenta[8 * stride]) = x58;
+    const four_bar_wide x60 = x55 * x58;
+    const four_bar_wide x61 = x59 + x60;
+    const four_bar_wide x62 = 0.025 * x22;
+    const four_bar_wide x63 = x61 - x62;
+    const four_bar_wide x64 = -x63;
+    FOUR_BAR_WRITTEN(momenta[10 * stride]) = x64;
+    four_bar_wide sum1 = x64;
+    const four_bar_wide x7 = 0.075 * x6;
+    const four_bar_wide x8 = x3 * x7;
+    const four_bar_wide x9 = 0.5 * x8;
+    FOUR_BAR_WRITTEN(momenta[0]) = x9;
+    const four_bar_wide x15 = x7 * x9;
+    const four_bar_wide x96 = x9 - x46;
+    const four_bar_wide x11 = 0.075 * x10;
+    const four_bar_wide x12 = x3 * x11;
+    const four_bar_wide x13 = 0.5 * x12;
+    const four_bar_wide x16 = x11 * x13;
+    const four_bar_wide x17 = x15 + x16;
+    const four_bar_wide x98 = x13 - x58;
+    const four_bar_wide x14 = -x13;
+    FOUR_BAR_WRITTEN(momenta[2 * stride]) = x14;
+    four_bar_wide sum2 = x14;
+    const four_bar_wide x18 = 0.0009375 * x3;
+    const four_bar_wide x19 = x17 + x18;
+    FOUR_BAR_WRITTEN(momenta[4 * stride]) = x19;
+    const four_bar_wide x100 = x19 - x63;
+    const four_bar_wide x66 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x73 = 0.47058823529411764 * x66;
+    const four_bar_wide x68 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x74 = 0.8823529411764706 * x68;
+    const four_bar_wide x75 = x73 + x74;
+    const four_bar_wide x82 = 0.64 * x75;
+    const four_bar_wide x83 = 0.64 - x82;
+    const four_bar_wide x84 = 0.52 * x75;
+    const four_bar_wide x76 = 0.225 * x75;
+    const four_bar_wide x67 = 0.8823529411764706 * x66;
+    const four_bar_wide x69 = 0.47058823529411764 * x68;
+    const four_bar_wide x70 = x67 - x69;
+    const four_bar_wide x85 = 0.225 * x70;
+    const four_bar_wide x86 = x84 - x85;
+    const four_bar_wide x87 = x83 + x86;
+    const four_bar_wide x88 = 0.64 - x87;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x89 = x5 * x88;
+    const four_bar_wide x90 = 1.2 * x89;
+    FOUR_BAR_WRITTEN(momenta[14 * stride]) = x90;
+    const four_bar_wide x99 = x90 - x98;
+    FOUR_BAR_WRITTEN(total_[2 * stride]) = x99;
+    four_bar_wide sum3 = x99;
+    const four_bar_wide x93 = x87 * x90;
+    const four_bar_wide x72 = 0.52 * x70;
+    const four_bar_wide x77 = x72 + x76;
+    const four_bar_wide x71 = 0.64 * x70;
+    const four_bar_wide x78 = x71 - x77;
+    const four_bar_wide x79 = x5 * x78;
+    const four_bar_wide x80 = 1.2 * x79;
+    const four_bar_wide x97 = x96 - x80;
+    FOUR_BAR_WRITTEN(total_[0]) = x97;
+    sum0 = sum0 + x97;
+    const four_bar_wide x92 = x78 * x80;
+    const four_bar_wide x94 = x92 - x93;
+    const four_bar_wide x81 = -x80;
+    FOUR_BAR_WRITTEN(momenta[12 * stride]) = x81;
+    sum1 = sum1 + x81;
+    const four_bar_wide x91 = 0.02601 * x5;
+    const four_bar_wide x95 = x91 + x94;
+    FOUR_BAR_WRITTEN(momenta[16 * stride]) = x95;
+    const four_bar_wide x101 = x100 + x95;
+    FOUR_BAR_WRITTEN(total_[4 * stride]) = x101;
+    sum2 = sum2 + x101;
+    FOUR_BAR_WRITTEN(momenta[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[9 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[11 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[13 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momenta[17 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total_[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total_[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total_[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_momentum_screws_block(
     size_t stride,
     const double *restrict q,
@@ -4389,15 +5250,13 @@ static void four_bar_momentum_screws_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_momentum_screws_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_momentum_screws_lane(stride, 8, q + lane, v + lane, momenta + lane, total_ +
-            lane, sine + lane, cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_momentum_screws_wide(stride, q + lane, v + lane, momenta + lane, total_ + lane, sine + lane,
+            cosine + lane, total + lane);
     }
 }
 #endif
@@ -4445,10 +5304,10 @@ static int four_bar_momentum_screws_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -4561,8 +5420,6 @@ static inline FOUR_BAR_INLINE void four_bar_momentum_rates_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -4571,8 +5428,6 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x13 = sine[0];
     const double x14 = 0.075 * x13;
     const double x3 = v[0];
@@ -4595,118 +5450,118 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x23 = 0.5 * x22;
     const double x24 = x21 + x23;
     const double x25 = -x24;
-    momentum_rates[2 * stride] = x25;
+    momentum_rates[2] = x25;
     double sum1 = x25;
     const double x27 = x14 * x23;
     const double x28 = x26 + x27;
     const double x29 = 0.0009375 * x6;
     const double x30 = x28 + x29;
-    momentum_rates[4 * stride] = x30;
+    momentum_rates[4] = x30;
     double sum2 = x30;
-    const double x35 = cosine[pitch];
-    const double x42 = x9 * x35;
-    const double x37 = sine[pitch];
-    const double x41 = x13 * x37;
-    const double x43 = x41 - x42;
-    const double x49 = 0.6 * x43;
-    const double x44 = 0.8 * x43;
-    const double x38 = x9 * x37;
+    const double x35 = cosine[1];
     const double x36 = x13 * x35;
+    const double x37 = sine[1];
+    const double x38 = x9 * x37;
     const double x39 = x36 + x38;
-    const double x48 = 0.8 * x39;
-    const double x50 = x48 - x49;
     const double x40 = 0.6 * x39;
+    const double x48 = 0.8 * x39;
+    const double x41 = x13 * x37;
+    const double x42 = x9 * x35;
+    const double x43 = x41 - x42;
+    const double x44 = 0.8 * x43;
     const double x45 = x40 + x44;
-    const double x68 = 0.3 * x50;
-    const double x67 = 0.2 * x45;
-    const double x69 = x67 - x68;
-    const double x65 = 0.15 * x50;
-    const double x51 = 0.2 * x50;
-    const double x59 = 0.15 * x9;
-    const double x66 = x59 - x65;
-    const double x70 = x66 - x69;
-    const double x7 = a[stride];
-    const double x64 = x6 + x7;
-    const double x71 = x64 * x70;
+    const double x49 = 0.6 * x43;
+    const double x50 = x48 - x49;
+    const double x46 = 0.15 * x45;
     const double x32 = 0.15 * x13;
-    const double x61 = x3 * x32;
-    const double x4 = v[stride];
-    const double x62 = x4 * x61;
-    const double x60 = x7 * x59;
-    const double x63 = x60 - x62;
-    const double x72 = x63 - x71;
-    const double x73 = 1.2 * x72;
+    const double x47 = x32 - x46;
+    const double x51 = 0.2 * x50;
     const double x52 = 0.3 * x45;
     const double x53 = x51 + x52;
-    const double x46 = 0.15 * x45;
-    const double x47 = x32 - x46;
     const double x54 = x47 + x53;
+    const double x67 = 0.2 * x45;
+    const double x4 = v[1];
     const double x31 = x3 + x4;
     const double x55 = x31 * x54;
     const double x33 = x4 * x32;
     const double x56 = x33 - x55;
     const double x57 = 1.2 * x56;
-    const double x80 = x7 * x32;
     const double x58 = x31 * x57;
+    const double x65 = 0.15 * x50;
+    const double x68 = 0.3 * x50;
+    const double x69 = x67 - x68;
+    const double x59 = 0.15 * x9;
+    const double x66 = x59 - x65;
+    const double x70 = x66 - x69;
+    const double x7 = a[1];
+    const double x64 = x6 + x7;
+    const double x71 = x64 * x70;
+    const double x61 = x3 * x32;
+    const double x62 = x4 * x61;
+    const double x80 = x7 * x32;
+    const double x60 = x7 * x59;
+    const double x63 = x60 - x62;
+    const double x72 = x63 - x71;
+    const double x73 = 1.2 * x72;
     const double x74 = x58 - x73;
-    momentum_rates[6 * stride] = x74;
+    momentum_rates[6] = x74;
     double sum3 = x74;
     const double x91 = x70 * x73;
     const double x76 = x31 * x70;
-    const double x84 = x64 * x54;
-    const double x94 = 0.025 * x64;
-    const double x81 = x3 * x59;
-    const double x82 = x4 * x81;
-    const double x83 = x80 + x82;
-    const double x85 = x83 - x84;
-    const double x86 = 1.2 * x85;
     const double x75 = x4 * x59;
     const double x77 = x75 - x76;
     const double x89 = x75 * x57;
     const double x78 = 1.2 * x77;
     const double x79 = x31 * x78;
+    const double x88 = x33 * x78;
+    const double x90 = x88 - x89;
+    const double x81 = x3 * x59;
+    const double x82 = x4 * x81;
+    const double x83 = x80 + x82;
+    const double x84 = x64 * x54;
+    const double x85 = x83 - x84;
+    const double x86 = 1.2 * x85;
     const double x87 = x79 + x86;
-    momentum_rates[8 * stride] = x87;
+    momentum_rates[8] = x87;
     sum0 = sum0 + x87;
     const double x92 = x54 * x86;
     const double x93 = x91 + x92;
+    const double x94 = 0.025 * x64;
     const double x95 = x93 - x94;
-    const double x88 = x33 * x78;
-    const double x90 = x88 - x89;
     const double x96 = x90 + x95;
     const double x97 = -x96;
-    momentum_rates[10 * stride] = x97;
+    momentum_rates[10] = x97;
     sum1 = sum1 + x97;
-    const double x102 = cosine[2 * pitch];
-    const double x103 = 0.8823529411764706 * x102;
-    const double x100 = sine[2 * pitch];
+    const double x100 = sine[2];
     const double x101 = 0.47058823529411764 * x100;
+    const double x102 = cosine[2];
+    const double x103 = 0.8823529411764706 * x102;
     const double x104 = x101 + x103;
-    const double x120 = 0.225 * x104;
-    const double x109 = 0.47058823529411764 * x102;
-    const double x108 = 0.8823529411764706 * x100;
-    const double x110 = x108 - x109;
-    const double x119 = 0.52 * x110;
-    const double x121 = x119 + x120;
-    const double x118 = 0.64 * x110;
-    const double x122 = x118 - x121;
-    const double x111 = 0.225 * x110;
-    const double x8 = a[2 * stride];
-    const double x123 = x8 * x122;
-    const double x124 = 1.2 * x123;
-    const double x107 = 0.52 * x104;
-    const double x112 = x107 - x111;
     const double x105 = 0.64 * x104;
     const double x106 = 0.64 - x105;
+    const double x107 = 0.52 * x104;
+    const double x120 = 0.225 * x104;
+    const double x108 = 0.8823529411764706 * x100;
+    const double x109 = 0.47058823529411764 * x102;
+    const double x110 = x108 - x109;
+    const double x111 = 0.225 * x110;
+    const double x112 = x107 - x111;
     const double x113 = x106 + x112;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x114 = x5 * x113;
     const double x98 = 0.64 * x5;
     const double x115 = x98 - x114;
     const double x116 = 1.2 * x115;
     const double x117 = x5 * x116;
+    const double x119 = 0.52 * x110;
+    const double x121 = x119 + x120;
+    const double x118 = 0.64 * x110;
+    const double x122 = x118 - x121;
+    const double x8 = a[2];
+    const double x123 = x8 * x122;
+    const double x124 = 1.2 * x123;
     const double x125 = x117 - x124;
-    momentum_rates[12 * stride] = x125;
+    momentum_rates[12] = x125;
     sum2 = sum2 + x125;
     const double x134 = x122 * x124;
     const double x126 = x5 * x122;
@@ -4717,24 +5572,24 @@ static inline FOUR_BAR_INLINE double four_bar_momentum_rates_lane(
     const double x130 = x8 * x129;
     const double x131 = 1.2 * x130;
     const double x132 = x128 + x131;
-    momentum_rates[14 * stride] = x132;
+    momentum_rates[14] = x132;
     sum3 = sum3 + x132;
     const double x135 = x113 * x131;
     const double x136 = x134 - x135;
     const double x133 = 0.02601 * x8;
     const double x137 = x133 + x136;
     const double x139 = x137 - x138;
-    momentum_rates[16 * stride] = x139;
+    momentum_rates[16] = x139;
     sum0 = sum0 + x139;
-    momentum_rates[stride] = 0.0;
-    momentum_rates[3 * stride] = 0.0;
-    momentum_rates[5 * stride] = 0.0;
-    momentum_rates[7 * stride] = 0.0;
-    momentum_rates[9 * stride] = 0.0;
-    momentum_rates[11 * stride] = 0.0;
-    momentum_rates[13 * stride] = 0.0;
-    momentum_rates[15 * stride] = 0.0;
-    momentum_rates[17 * stride] = 0.0;
+    momentum_rates[1] = 0.0;
+    momentum_rates[3] = 0.0;
+    momentum_rates[5] = 0.0;
+    momentum_rates[7] = 0.0;
+    momentum_rates[9] = 0.0;
+    momentum_rates[11] = 0.0;
+    momentum_rates[13] = 0.0;
+    momentum_rates[15] = 0.0;
+    momentum_rates[17] = 0.0;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4748,7 +5603,7 @@ int four_bar_momentum_rates(
     four_bar_momentum_rates_angles(1, 1, q, v, a, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_momentum_rates_lane(1, 1, q, v, a, momentum_rates, sine, cosine);
+    const double total = four_bar_momentum_rates_lane(q, v, a, momentum_rates, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(momentum_rates, 18);
@@ -4756,7 +5611,185 @@ int four_bar_momentum_rates(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_momentum_rates_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict a,
+    double *restrict momentum_rates,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x13 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x14 = 0.075 * x13;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x15 = x3 * x14;
+    const four_bar_wide x16 = 0.5 * x15;
+    const four_bar_wide x17 = x3 * x16;
+    const four_bar_wide x9 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x10 = 0.075 * x9;
+    const four_bar_wide x6 = FOUR_BAR_READ(a[0]);
+    const four_bar_wide x11 = x6 * x10;
+    const four_bar_wide x12 = 0.5 * x11;
+    const four_bar_wide x18 = x12 - x17;
+    FOUR_BAR_WRITTEN(momentum_rates[0]) = x18;
+    four_bar_wide sum0 = x18;
+    const four_bar_wide x26 = x10 * x12;
+    const four_bar_wide x19 = x3 * x10;
+    const four_bar_wide x20 = 0.5 * x19;
+    const four_bar_wide x21 = x3 * x20;
+    const four_bar_wide x22 = x6 * x14;
+    const four_bar_wide x23 = 0.5 * x22;
+    const four_bar_wide x24 = x21 + x23;
+    const four_bar_wide x25 = -x24;
+    FOUR_BAR_WRITTEN(momentum_rates[2 * stride]) = x25;
+    four_bar_wide sum1 = x25;
+    const four_bar_wide x27 = x14 * x23;
+    const four_bar_wide x28 = x26 + x27;
+    const four_bar_wide x29 = 0.0009375 * x6;
+    const four_bar_wide x30 = x28 + x29;
+    FOUR_BAR_WRITTEN(momentum_rates[4 * stride]) = x30;
+    four_bar_wide sum2 = x30;
+    const four_bar_wide x35 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x36 = x13 * x35;
+    const four_bar_wide x37 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x38 = x9 * x37;
+    const four_bar_wide x39 = x36 + x38;
+    const four_bar_wide x40 = 0.6 * x39;
+    const four_bar_wide x48 = 0.8 * x39;
+    const four_bar_wide x41 = x13 * x37;
+    const four_bar_wide x42 = x9 * x35;
+    const four_bar_wide x43 = x41 - x42;
+    const four_bar_wide x44 = 0.8 * x43;
+    const four_bar_wide x45 = x40 + x44;
+    const four_bar_wide x49 = 0.6 * x43;
+    const four_bar_wide x50 = x48 - x49;
+    const four_bar_wide x46 = 0.15 * x45;
+    const four_bar_wide x32 = 0.15 * x13;
+    const four_bar_wide x47 = x32 - x46;
+    const four_bar_wide x51 = 0.2 * x50;
+    const four_bar_wide x52 = 0.3 * x45;
+    const four_bar_wide x53 = x51 + x52;
+    const four_bar_wide x54 = x47 + x53;
+    const four_bar_wide x67 = 0.2 * x45;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x31 = x3 + x4;
+    const four_bar_wide x55 = x31 * x54;
+    const four_bar_wide x33 = x4 * x32;
+    const four_bar_wide x56 = x33 - x55;
+    const four_bar_wide x57 = 1.2 * x56;
+    const four_bar_wide x58 = x31 * x57;
+    const four_bar_wide x65 = 0.15 * x50;
+    const four_bar_wide x68 = 0.3 * x50;
+    const four_bar_wide x69 = x67 - x68;
+    const four_bar_wide x59 = 0.15 * x9;
+    const four_bar_wide x66 = x59 - x65;
+    const four_bar_wide x70 = x66 - x69;
+    const four_bar_wide x7 = FOUR_BAR_READ(a[stride]);
+    const four_bar_wide x64 = x6 + x7;
+    const four_bar_wide x71 = x64 * x70;
+    const four_bar_wide x61 = x3 * x32;
+    const four_bar_wide x62 = x4 * x61;
+    const four_bar_wide x80 = x7 * x32;
+    const four_bar_wide x60 = x7 * x59;
+    const four_bar_wide x63 = x60 - x62;
+    const four_bar_wide x72 = x63 - x71;
+    const four_bar_wide x73 = 1.2 * x72;
+    const four_bar_wide x74 = x58 - x73;
+    FOUR_BAR_WRITTEN(momentum_rates[6 * stride]) = x74;
+    four_bar_wide sum3 = x74;
+    const four_bar_wide x91 = x70 * x73;
+    const four_bar_wide x76 = x31 * x70;
+    const four_bar_wide x75 = x4 * x59;
+    const four_bar_wide x77 = x75 - x76;
+    const four_bar_wide x89 = x75 * x57;
+    const four_bar_wide x78 = 1.2 * x77;
+    const four_bar_wide x79 = x31 * x78;
+    const four_bar_wide x88 = x33 * x78;
+    const four_bar_wide x90 = x88 - x89;
+    const four_bar_wide x81 = x3 * x59;
+    const four_bar_wide x82 = x4 * x81;
+    const four_bar_wide x83 = x80 + x82;
+    const four_bar_wide x84 = x64 * x54;
+    const four_bar_wide x85 = x83 - x84;
+    const four_bar_wide x86 = 1.2 * x85;
+    const four_bar_wide x87 = x79 + x86;
+    FOUR_BAR_WRITTEN(momentum_rates[8 * stride]) = x87;
+    sum0 = sum0 + x87;
+    const four_bar_wide x92 = x54 * x86;
+    const four_bar_wide x93 = x91 + x92;
+    const four_bar_wide x94 = 0.025 * x64;
+    const four_bar_wide x95 = x93 - x94;
+    const four_bar_wide x96 = x90 + x95;
+    const four_bar_wide x97 = -x96;
+    FOUR_BAR_WRITTEN(momentum_rates[10 * stride]) = x97;
+    sum1 = sum1 + x97;
+    const four_bar_wide x100 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x101 = 0.47058823529411764 * x100;
+    const four_bar_wide x102 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x103 = 0.8823529411764706 * x102;
+    const four_bar_wide x104 = x101 + x103;
+    const four_bar_wide x105 = 0.64 * x104;
+    const four_bar_wide x106 = 0.64 - x105;
+    const four_bar_wide x107 = 0.52 * x104;
+    const four_bar_wide x120 = 0.225 * x104;
+    const four_bar_wide x108 = 0.8823529411764706 * x100;
+    const four_bar_wide x109 = 0.47058823529411764 * x102;
+    const four_bar_wide x110 = x108 - x109;
+    const four_bar_wide x111 = 0.225 * x110;
+    const four_bar_wide x112 = x107 - x111;
+    const four_bar_wide x113 = x106 + x112;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x114 = x5 * x113;
+    const four_bar_wide x98 = 0.64 * x5;
+    const four_bar_wide x115 = x98 - x114;
+    const four_bar_wide x116 = 1.2 * x115;
+    const four_bar_wide x117 = x5 * x116;
+    const four_bar_wide x119 = 0.52 * x110;
+    const four_bar_wide x121 = x119 + x120;
+    const four_bar_wide x118 = 0.64 * x110;
+    const four_bar_wide x122 = x118 - x121;
+    const four_bar_wide x8 = FOUR_BAR_READ(a[2 * stride]);
+    const four_bar_wide x123 = x8 * x122;
+    const four_bar_wide x124 = 1.2 * x123;
+    const four_bar_wide x125 = x117 - x124;
+    FOUR_BAR_WRITTEN(momentum_rates[12 * stride]) = x125;
+    sum2 = sum2 + x125;
+    const four_bar_wide x134 = x122 * x124;
+    const four_bar_wide x126 = x5 * x122;
+    const four_bar_wide x127 = 1.2 * x126;
+    const four_bar_wide x138 = x98 * x127;
+    const four_bar_wide x128 = x5 * x127;
+    const four_bar_wide x129 = 0.64 - x113;
+    const four_bar_wide x130 = x8 * x129;
+    const four_bar_wide x131 = 1.2 * x130;
+    const four_bar_wide x132 = x128 + x131;
+    FOUR_BAR_WRITTEN(momentum_rates[14 * stride]) = x132;
+    sum3 = sum3 + x132;
+    const four_bar_wide x135 = x113 * x131;
+    const four_bar_wide x136 = x134 - x135;
+    const four_bar_wide x133 = 0.02601 * x8;
+    const four_bar_wide x137 = x133 + x136;
+    const four_bar_wide x139 = x137 - x138;
+    FOUR_BAR_WRITTEN(momentum_rates[16 * stride]) = x139;
+    sum0 = sum0 + x139;
+    FOUR_BAR_WRITTEN(momentum_rates[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[9 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[11 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[13 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(momentum_rates[17 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_momentum_rates_block(
     size_t stride,
     const double *restrict q,
@@ -4766,15 +5799,13 @@ static void four_bar_momentum_rates_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_momentum_rates_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_momentum_rates_lane(stride, 8, q + lane, v + lane, a + lane, momentum_rates +
-            lane, sine + lane, cosine + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_momentum_rates_wide(stride, q + lane, v + lane, a + lane, momentum_rates + lane, sine + lane,
+            cosine + lane, total + lane);
     }
 }
 #endif
@@ -4822,10 +5853,10 @@ static int four_bar_momentum_rates_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -4937,8 +5968,6 @@ static inline FOUR_BAR_INLINE void four_bar_energy_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_energy_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict energy,
@@ -4946,19 +5975,17 @@ static inline FOUR_BAR_INLINE double four_bar_energy_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x3 = v[0];
     const double x6 = x3 * x3;
     const double x7 = 0.03075 * x6;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x8 = x5 * x5;
     const double x9 = 0.10404 * x8;
     const double x10 = x7 + x9;
     const double x13 = 0.15 * x3;
-    const double x12 = cosine[pitch];
+    const double x12 = cosine[1];
     const double x14 = x12 * x13;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x15 = x3 + x4;
     const double x16 = 0.6 * x15;
     const double x17 = x14 * x16;
@@ -4970,7 +5997,7 @@ static inline FOUR_BAR_INLINE double four_bar_energy_lane(
     energy[0] = x22;
     double sum0 = x22;
     const double x30 = sine[0];
-    const double x31 = sine[pitch];
+    const double x31 = sine[1];
     const double x32 = x30 * x31;
     const double x23 = cosine[0];
     const double x33 = x23 * x12;
@@ -4980,11 +6007,11 @@ static inline FOUR_BAR_INLINE double four_bar_energy_lane(
     const double x36 = x29 - x35;
     const double x37 = 9.81 * x36;
     const double x24 = 0.367875 * x23;
-    const double x26 = cosine[2 * pitch];
+    const double x26 = cosine[2];
     const double x27 = 3.00186 * x26;
     const double x28 = x24 + x27;
     const double x38 = x28 + x37;
-    energy[stride] = x38;
+    energy[1] = x38;
     double sum1 = x38;
     return sum0 + sum1;
 }
@@ -4998,7 +6025,7 @@ int four_bar_energy(
     four_bar_energy_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_energy_lane(1, 1, q, v, energy, sine, cosine);
+    const double total = four_bar_energy_lane(q, v, energy, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(energy, 2);
@@ -5006,7 +6033,60 @@ int four_bar_energy(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_energy_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict energy,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x6 = x3 * x3;
+    const four_bar_wide x7 = 0.03075 * x6;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x8 = x5 * x5;
+    const four_bar_wide x9 = 0.10404 * x8;
+    const four_bar_wide x10 = x7 + x9;
+    const four_bar_wide x13 = 0.15 * x3;
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x14 = x12 * x13;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x15 = x3 + x4;
+    const four_bar_wide x16 = 0.6 * x15;
+    const four_bar_wide x17 = x14 * x16;
+    const four_bar_wide x18 = x10 + x17;
+    const four_bar_wide x19 = x15 * x15;
+    const four_bar_wide x20 = 0.1 * x19;
+    const four_bar_wide x21 = x18 + x20;
+    const four_bar_wide x22 = 0.5 * x21;
+    FOUR_BAR_WRITTEN(energy[0]) = x22;
+    four_bar_wide sum0 = x22;
+    const four_bar_wide x30 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x31 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x32 = x30 * x31;
+    const four_bar_wide x23 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x33 = x23 * x12;
+    const four_bar_wide x34 = x32 - x33;
+    const four_bar_wide x35 = 0.3 * x34;
+    const four_bar_wide x29 = 0.18 * x23;
+    const four_bar_wide x36 = x29 - x35;
+    const four_bar_wide x37 = 9.81 * x36;
+    const four_bar_wide x24 = 0.367875 * x23;
+    const four_bar_wide x26 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x27 = 3.00186 * x26;
+    const four_bar_wide x28 = x24 + x27;
+    const four_bar_wide x38 = x28 + x37;
+    FOUR_BAR_WRITTEN(energy[stride]) = x38;
+    four_bar_wide sum1 = x38;
+    FOUR_BAR_WRITTEN(total[0]) = sum0 + sum1;
+}
+
 static void four_bar_energy_block(
     size_t stride,
     const double *restrict q,
@@ -5015,14 +6095,12 @@ static void four_bar_energy_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_energy_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_energy_lane(stride, 8, q + lane, v + lane, energy + lane, sine + lane, cosine +
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_energy_wide(stride, q + lane, v + lane, energy + lane, sine + lane, cosine + lane, total +
             lane);
     }
 }
@@ -5064,10 +6142,10 @@ static int four_bar_energy_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -5163,16 +6241,12 @@ static inline FOUR_BAR_INLINE void four_bar_mass_matrix_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_mass_matrix_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict mass_matrix,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)sine;
-    (void)stride;
-    (void)pitch;
     const double x4 = cosine[0];
     const double x5 = 0.1 * x4;
     const double x6 = x4 * x5;
@@ -5185,18 +6259,18 @@ static inline FOUR_BAR_INLINE double four_bar_mass_matrix_lane(
     double sum0 = x11;
     const double x12 = 0.045 * x4;
     const double x13 = 0.1 + x12;
-    mass_matrix[stride] = x13;
-    mass_matrix[3 * stride] = x13;
+    mass_matrix[1] = x13;
+    mass_matrix[3] = x13;
     double sum1 = x13;
-    mass_matrix[2 * stride] = 0.0;
-    mass_matrix[5 * stride] = 0.0;
-    mass_matrix[6 * stride] = 0.0;
-    mass_matrix[7 * stride] = 0.0;
-    mass_matrix[4 * stride] = 0.1;
-    mass_matrix[8 * stride] = 0.10404;
+    mass_matrix[2] = 0.0;
+    mass_matrix[5] = 0.0;
+    mass_matrix[6] = 0.0;
+    mass_matrix[7] = 0.0;
+    mass_matrix[4] = 0.1;
+    mass_matrix[8] = 0.10404;
     const double x0 = q[0];
     double sum2 = x0;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     double sum3 = x2;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -5211,7 +6285,7 @@ int four_bar_mass_matrix(
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_mass_matrix_lane(1, 1, q, mass_matrix, sine, cosine);
+    const double total = four_bar_mass_matrix_lane(q, mass_matrix, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(mass_matrix, 9);
@@ -5219,7 +6293,46 @@ int four_bar_mass_matrix(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_mass_matrix_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict mass_matrix,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)sine;
+    const four_bar_wide x4 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x5 = 0.1 * x4;
+    const four_bar_wide x6 = x4 * x5;
+    const four_bar_wide x8 = 0.09 * x4;
+    const four_bar_wide x9 = x6 + x8;
+    const four_bar_wide x10 = 0.03075 + x9;
+    const four_bar_wide x7 = 0.1 - x6;
+    const four_bar_wide x11 = x7 + x10;
+    FOUR_BAR_WRITTEN(mass_matrix[0]) = x11;
+    four_bar_wide sum0 = x11;
+    const four_bar_wide x12 = 0.045 * x4;
+    const four_bar_wide x13 = 0.1 + x12;
+    FOUR_BAR_WRITTEN(mass_matrix[stride]) = x13;
+    FOUR_BAR_WRITTEN(mass_matrix[3 * stride]) = x13;
+    four_bar_wide sum1 = x13;
+    FOUR_BAR_WRITTEN(mass_matrix[2 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(mass_matrix[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(mass_matrix[6 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(mass_matrix[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(mass_matrix[4 * stride]) = 0.1 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(mass_matrix[8 * stride]) = 0.10404 - FOUR_BAR_ZERO;
+    const four_bar_wide x0 = FOUR_BAR_READ(q[0]);
+    four_bar_wide sum2 = x0;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum3 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
+}
+
 static void four_bar_mass_matrix_block(
     size_t stride,
     const double *restrict q,
@@ -5227,14 +6340,12 @@ static void four_bar_mass_matrix_block(
     double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_mass_matrix_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(8, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_mass_matrix_lane(stride, 8, q + lane, mass_matrix + lane, sine + lane, cosine +
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_mass_matrix_wide(stride, q + lane, mass_matrix + lane, sine + lane, cosine + lane, total +
             lane);
     }
 }
@@ -5270,10 +6381,10 @@ static int four_bar_mass_matrix_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(9, stride, mass_matrix + first + 8);
@@ -5370,8 +6481,6 @@ static inline FOUR_BAR_INLINE void four_bar_bias_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_bias_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict bias,
@@ -5379,28 +6488,26 @@ static inline FOUR_BAR_INLINE double four_bar_bias_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x29 = sine[2 * pitch];
+    const double x29 = sine[2];
     const double x30 = 3.00186 * x29;
-    bias[2 * stride] = x30;
+    bias[2] = x30;
     double sum0 = x30;
     const double x3 = v[0];
     const double x8 = x3 * x3;
     const double x9 = 0.15 * x8;
-    const double x10 = cosine[pitch];
+    const double x10 = cosine[1];
     const double x11 = 9.81 * x10;
     const double x12 = x9 - x11;
     const double x7 = sine[0];
     const double x13 = x7 * x12;
-    const double x15 = sine[pitch];
+    const double x15 = sine[1];
     const double x16 = 9.81 * x15;
     const double x14 = cosine[0];
     const double x17 = x14 * x16;
     const double x18 = x13 - x17;
     const double x19 = 0.3 * x18;
-    bias[stride] = x19;
-    const double x4 = v[stride];
+    bias[1] = x19;
+    const double x4 = v[1];
     const double x20 = x3 + x4;
     const double x21 = x20 * x20;
     const double x22 = 0.3 * x21;
@@ -5411,7 +6518,7 @@ static inline FOUR_BAR_INLINE double four_bar_bias_lane(
     const double x27 = x25 - x26;
     bias[0] = x27;
     double sum1 = x27;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     double sum2 = x5;
     return (sum0 + sum1) + sum2;
 }
@@ -5425,7 +6532,7 @@ int four_bar_bias(
     four_bar_bias_angles(1, 1, q, v, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_bias_lane(1, 1, q, v, bias, sine, cosine);
+    const double total = four_bar_bias_lane(q, v, bias, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(bias, 3);
@@ -5433,7 +6540,54 @@ int four_bar_bias(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_bias_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict bias,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x29 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x30 = 3.00186 * x29;
+    FOUR_BAR_WRITTEN(bias[2 * stride]) = x30;
+    four_bar_wide sum0 = x30;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x8 = x3 * x3;
+    const four_bar_wide x9 = 0.15 * x8;
+    const four_bar_wide x10 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x11 = 9.81 * x10;
+    const four_bar_wide x12 = x9 - x11;
+    const four_bar_wide x7 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x13 = x7 * x12;
+    const four_bar_wide x15 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x16 = 9.81 * x15;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x17 = x14 * x16;
+    const four_bar_wide x18 = x13 - x17;
+    const four_bar_wide x19 = 0.3 * x18;
+    FOUR_BAR_WRITTEN(bias[stride]) = x19;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x20 = x3 + x4;
+    const four_bar_wide x21 = x20 * x20;
+    const four_bar_wide x22 = 0.3 * x21;
+    const four_bar_wide x23 = x7 * x22;
+    const four_bar_wide x24 = 0.15 * x23;
+    const four_bar_wide x25 = x19 - x24;
+    const four_bar_wide x26 = 2.133675 * x15;
+    const four_bar_wide x27 = x25 - x26;
+    FOUR_BAR_WRITTEN(bias[0]) = x27;
+    four_bar_wide sum1 = x27;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    four_bar_wide sum2 = x5;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
+}
+
 static void four_bar_bias_block(
     size_t stride,
     const double *restrict q,
@@ -5442,15 +6596,12 @@ static void four_bar_bias_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_bias_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_bias_lane(stride, 8, q + lane, v + lane, bias + lane, sine + lane, cosine +
-            lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -5491,10 +6642,10 @@ static int four_bar_bias_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -5599,8 +6750,6 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -5610,26 +6759,24 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x3 = v[0];
     const double x21 = x3 * x3;
     const double x22 = 0.15 * x21;
-    const double x23 = cosine[pitch];
+    const double x23 = cosine[1];
     const double x24 = 9.81 * x23;
     const double x25 = x22 - x24;
-    const double x18 = sine[2 * pitch];
+    const double x18 = sine[2];
     const double x26 = x18 * x25;
     const double x6 = a[0];
     const double x28 = 0.15 * x6;
-    const double x16 = sine[pitch];
+    const double x16 = sine[1];
     const double x29 = 9.81 * x16;
     const double x30 = x28 - x29;
-    const double x27 = cosine[2 * pitch];
+    const double x27 = cosine[2];
     const double x31 = x27 * x30;
     const double x32 = x26 + x31;
     const double x33 = 0.3 * x32;
-    const double x7 = a[stride];
+    const double x7 = a[1];
     const double x19 = x6 + x7;
     const double x20 = 0.1 * x19;
     const double x34 = x20 + x33;
@@ -5638,7 +6785,7 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     const double x42 = x27 * x41;
     const double x44 = x27 * x35;
     const double x36 = x18 * x35;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x37 = x3 + x4;
     const double x38 = x37 * x37;
     const double x39 = 0.3 * x38;
@@ -5673,7 +6820,7 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     const double x66 = x62 * x65;
     const double x67 = x61 + x66;
     const double x11 = 3.00186 * x10;
-    const double x8 = a[2 * stride];
+    const double x8 = a[2];
     const double x12 = 0.10404 * x8;
     const double x13 = x11 + x12;
     const double x68 = x13 - x67;
@@ -5688,12 +6835,12 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_lane(
     const double x77 = x75 - x76;
     const double x78 = x62 * x77;
     const double x79 = x74 + x78;
-    pivot[pitch] = x79;
+    pivot[1] = x79;
     double sum1 = x79;
     const double x80 = x68 / x79;
     u[0] = x80;
     double sum2 = x80;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     double sum3 = x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -5709,7 +6856,7 @@ int four_bar_inverse_dynamics(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_inverse_dynamics_lane(1, 1, q, v, a, u, sine, cosine, pivot);
+    const double total = four_bar_inverse_dynamics_lane(q, v, a, u, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 1.2634000000000003e-10 || fabs(pivot[1]) <= 4.813897755635771e-09 ?
         1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -5718,7 +6865,107 @@ int four_bar_inverse_dynamics(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_inverse_dynamics_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict a,
+    double *restrict u,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x21 = x3 * x3;
+    const four_bar_wide x22 = 0.15 * x21;
+    const four_bar_wide x23 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x24 = 9.81 * x23;
+    const four_bar_wide x25 = x22 - x24;
+    const four_bar_wide x18 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x26 = x18 * x25;
+    const four_bar_wide x6 = FOUR_BAR_READ(a[0]);
+    const four_bar_wide x28 = 0.15 * x6;
+    const four_bar_wide x16 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x29 = 9.81 * x16;
+    const four_bar_wide x30 = x28 - x29;
+    const four_bar_wide x27 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x31 = x27 * x30;
+    const four_bar_wide x32 = x26 + x31;
+    const four_bar_wide x33 = 0.3 * x32;
+    const four_bar_wide x7 = FOUR_BAR_READ(a[stride]);
+    const four_bar_wide x19 = x6 + x7;
+    const four_bar_wide x20 = 0.1 * x19;
+    const four_bar_wide x34 = x20 + x33;
+    const four_bar_wide x35 = 2.0 * x34;
+    const four_bar_wide x41 = 0.3 * x19;
+    const four_bar_wide x42 = x27 * x41;
+    const four_bar_wide x44 = x27 * x35;
+    const four_bar_wide x36 = x18 * x35;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x37 = x3 + x4;
+    const four_bar_wide x38 = x37 * x37;
+    const four_bar_wide x39 = 0.3 * x38;
+    const four_bar_wide x40 = x18 * x39;
+    const four_bar_wide x43 = x40 - x42;
+    const four_bar_wide x45 = x43 + x44;
+    const four_bar_wide x46 = 0.15 * x45;
+    const four_bar_wide x47 = 2.133675 * x16;
+    const four_bar_wide x48 = 0.03075 * x6;
+    const four_bar_wide x49 = x47 - x48;
+    const four_bar_wide x50 = x46 + x49;
+    const four_bar_wide x51 = 0.15 * x18;
+    four_bar_wide sum0 = x51;
+    const four_bar_wide x52 = 1.0 / x51;
+    const four_bar_wide x53 = x50 * x52;
+    const four_bar_wide x54 = x27 * x53;
+    const four_bar_wide x55 = x36 + x54;
+    const four_bar_wide x57 = x18 * x53;
+    const four_bar_wide x58 = x44 - x57;
+    const four_bar_wide x56 = x16 * x55;
+    const four_bar_wide x63 = x23 * x55;
+    const four_bar_wide x59 = x23 * x58;
+    const four_bar_wide x60 = x56 - x59;
+    const four_bar_wide x64 = x16 * x58;
+    const four_bar_wide x65 = x63 + x64;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x15 = 0.51 * x14;
+    const four_bar_wide x61 = x15 * x60;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x62 = 0.51 * x10;
+    const four_bar_wide x66 = x62 * x65;
+    const four_bar_wide x67 = x61 + x66;
+    const four_bar_wide x11 = 3.00186 * x10;
+    const four_bar_wide x8 = FOUR_BAR_READ(a[2 * stride]);
+    const four_bar_wide x12 = 0.10404 * x8;
+    const four_bar_wide x13 = x11 + x12;
+    const four_bar_wide x68 = x13 - x67;
+    const four_bar_wide x69 = x27 * x52;
+    const four_bar_wide x71 = x18 * x52;
+    const four_bar_wide x70 = x16 * x69;
+    const four_bar_wide x75 = x23 * x69;
+    const four_bar_wide x72 = x23 * x71;
+    const four_bar_wide x73 = x70 + x72;
+    const four_bar_wide x74 = x15 * x73;
+    const four_bar_wide x76 = x16 * x71;
+    const four_bar_wide x77 = x75 - x76;
+    const four_bar_wide x78 = x62 * x77;
+    const four_bar_wide x79 = x74 + x78;
+    four_bar_wide sum1 = x79;
+    const four_bar_wide x80 = x68 / x79;
+    FOUR_BAR_WRITTEN(u[0]) = x80;
+    four_bar_wide sum2 = x80;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    four_bar_wide sum3 = x5;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + (sum2 + sum3)) |
+        ((four_bar_wide_mask)(x51 <= 1.2634000000000003e-10) & (four_bar_wide_mask)(x51 >=
+        -1.2634000000000003e-10)) | ((four_bar_wide_mask)(x79 <= 4.813897755635771e-09) &
+        (four_bar_wide_mask)(x79 >= -4.813897755635771e-09)));
+}
+
 static void four_bar_inverse_dynamics_block(
     size_t stride,
     const double *restrict q,
@@ -5728,23 +6975,13 @@ static void four_bar_inverse_dynamics_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_inverse_dynamics_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[16];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_dynamics_lane(stride, 8, q + lane, v + lane, a + lane, u + lane, sine +
-            lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_dynamics_wide(stride, q + lane, v + lane, a + lane, u + lane, sine + lane, cosine +
+            lane, total + lane);
     }
 }
 #endif
@@ -5791,10 +7028,10 @@ static int four_bar_inverse_dynamics_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -5905,8 +7142,6 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_independent_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict y_ddot,
@@ -5916,13 +7151,11 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x8 = sine[pitch];
-    const double x10 = cosine[2 * pitch];
+    const double x8 = sine[1];
+    const double x10 = cosine[2];
     const double x11 = x8 * x10;
-    const double x12 = cosine[pitch];
-    const double x13 = sine[2 * pitch];
+    const double x12 = cosine[1];
+    const double x13 = sine[2];
     const double x14 = x12 * x13;
     const double x15 = x11 + x14;
     const double x16 = cosine[0];
@@ -5942,7 +7175,7 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x50 = x21 * x17;
     const double x52 = x50 + x51;
     const double x26 = 0.15 * x13;
-    pivot[pitch] = x26;
+    pivot[1] = x26;
     const double x3 = y_dot[0];
     const double x29 = x26 * x3;
     const double x30 = x29 * x25;
@@ -5995,10 +7228,10 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x86 = x4 - x85;
     const double x91 = 1.0 / x26;
     const double x63 = 0.10404 * x62;
+    const double x87 = 0.1 * x86;
     const double x97 = 0.3 * x86;
     const double x98 = x10 * x97;
     const double x99 = x96 - x98;
-    const double x87 = 0.1 * x86;
     const double x65 = 9.81 * x12;
     const double x66 = x65 - x45;
     const double x67 = x13 * x66;
@@ -6046,7 +7279,7 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_independent_lane(
     const double x127 = x125 - x126;
     const double x128 = x22 * x127;
     const double x129 = x124 + x128;
-    pivot[2 * pitch] = x129;
+    pivot[2] = x129;
     double sum1 = x129;
     const double x130 = x118 / x129;
     u[0] = x130;
@@ -6065,8 +7298,7 @@ int four_bar_inverse_dynamics_independent(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[3] = {0.0};
-    const double total = four_bar_inverse_dynamics_independent_lane(1, 1, q, y_dot, y_ddot, u, sine, cosine,
-        pivot);
+    const double total = four_bar_inverse_dynamics_independent_lane(q, y_dot, y_ddot, u, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 1.2634000000000003e-10 ||
         fabs(pivot[2]) <= 4.813897755635771e-09 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -6075,7 +7307,157 @@ int four_bar_inverse_dynamics_independent(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_inverse_dynamics_independent_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict y_dot,
+    const double *restrict y_ddot,
+    double *restrict u,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x10 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x11 = x8 * x10;
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x13 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x14 = x12 * x13;
+    const four_bar_wide x15 = x11 + x14;
+    const four_bar_wide x16 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x17 = 0.51 * x16;
+    const four_bar_wide x18 = x15 * x17;
+    const four_bar_wide x19 = x8 * x13;
+    const four_bar_wide x20 = x12 * x10;
+    const four_bar_wide x21 = x19 - x20;
+    const four_bar_wide x6 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x22 = 0.51 * x6;
+    const four_bar_wide x51 = x15 * x22;
+    const four_bar_wide x23 = x21 * x22;
+    const four_bar_wide x24 = x18 - x23;
+    four_bar_wide sum0 = x24;
+    const four_bar_wide x25 = 1.0 / x24;
+    const four_bar_wide x50 = x21 * x17;
+    const four_bar_wide x52 = x50 + x51;
+    const four_bar_wide x26 = 0.15 * x13;
+    const four_bar_wide x3 = FOUR_BAR_READ(y_dot[0]);
+    const four_bar_wide x29 = x26 * x3;
+    const four_bar_wide x30 = x29 * x25;
+    const four_bar_wide x31 = x30 * x30;
+    const four_bar_wide x32 = 0.51 * x31;
+    const four_bar_wide x53 = x52 * x30;
+    const four_bar_wide x33 = x16 * x32;
+    const four_bar_wide x35 = x6 * x32;
+    const four_bar_wide x34 = x12 * x33;
+    const four_bar_wide x39 = x8 * x33;
+    const four_bar_wide x36 = x8 * x35;
+    const four_bar_wide x37 = x34 - x36;
+    const four_bar_wide x40 = x12 * x35;
+    const four_bar_wide x41 = x39 + x40;
+    const four_bar_wide x38 = x10 * x37;
+    const four_bar_wide x78 = x13 * x37;
+    const four_bar_wide x42 = x13 * x41;
+    const four_bar_wide x43 = x38 - x42;
+    const four_bar_wide x79 = x10 * x41;
+    const four_bar_wide x80 = x78 + x79;
+    const four_bar_wide x47 = 0.15 * x10;
+    const four_bar_wide x48 = 0.5 + x47;
+    const four_bar_wide x49 = x48 * x3;
+    const four_bar_wide x54 = x49 + x53;
+    const four_bar_wide x55 = 2.0 * x54;
+    const four_bar_wide x56 = x3 - x55;
+    const four_bar_wide x57 = x56 * x56;
+    const four_bar_wide x4 = FOUR_BAR_READ(y_ddot[0]);
+    const four_bar_wide x74 = x48 * x4;
+    const four_bar_wide x58 = 0.5 * x57;
+    const four_bar_wide x95 = 0.3 * x57;
+    const four_bar_wide x96 = x13 * x95;
+    const four_bar_wide x44 = x3 * x3;
+    const four_bar_wide x45 = 0.15 * x44;
+    const four_bar_wide x46 = x10 * x45;
+    const four_bar_wide x59 = x46 + x58;
+    const four_bar_wide x60 = x43 - x59;
+    const four_bar_wide x61 = x25 * x60;
+    const four_bar_wide x82 = x52 * x61;
+    const four_bar_wide x77 = x13 * x45;
+    const four_bar_wide x81 = x77 - x80;
+    const four_bar_wide x83 = x81 + x82;
+    const four_bar_wide x27 = x26 * x4;
+    const four_bar_wide x28 = x25 * x27;
+    const four_bar_wide x75 = x52 * x28;
+    const four_bar_wide x76 = x74 + x75;
+    const four_bar_wide x84 = x76 + x83;
+    const four_bar_wide x62 = x28 + x61;
+    const four_bar_wide x85 = 2.0 * x84;
+    const four_bar_wide x86 = x4 - x85;
+    const four_bar_wide x91 = 1.0 / x26;
+    const four_bar_wide x63 = 0.10404 * x62;
+    const four_bar_wide x87 = 0.1 * x86;
+    const four_bar_wide x97 = 0.3 * x86;
+    const four_bar_wide x98 = x10 * x97;
+    const four_bar_wide x99 = x96 - x98;
+    const four_bar_wide x65 = 9.81 * x12;
+    const four_bar_wide x66 = x65 - x45;
+    const four_bar_wide x67 = x13 * x66;
+    const four_bar_wide x68 = 9.81 * x8;
+    const four_bar_wide x69 = 0.15 * x4;
+    const four_bar_wide x70 = x68 - x69;
+    const four_bar_wide x71 = x10 * x70;
+    const four_bar_wide x72 = x67 + x71;
+    const four_bar_wide x73 = 0.3 * x72;
+    const four_bar_wide x88 = x73 - x87;
+    const four_bar_wide x89 = 2.0 * x88;
+    const four_bar_wide x100 = x10 * x89;
+    const four_bar_wide x101 = x99 - x100;
+    const four_bar_wide x102 = 0.15 * x101;
+    const four_bar_wide x90 = x13 * x89;
+    const four_bar_wide x92 = 2.133675 * x8;
+    const four_bar_wide x93 = 0.03075 * x4;
+    const four_bar_wide x94 = x92 - x93;
+    const four_bar_wide x103 = x94 + x102;
+    const four_bar_wide x104 = x91 * x103;
+    const four_bar_wide x105 = x10 * x104;
+    const four_bar_wide x106 = x90 - x105;
+    const four_bar_wide x108 = x13 * x104;
+    const four_bar_wide x109 = x100 + x108;
+    const four_bar_wide x107 = x8 * x106;
+    const four_bar_wide x113 = x12 * x106;
+    const four_bar_wide x110 = x12 * x109;
+    const four_bar_wide x111 = x107 - x110;
+    const four_bar_wide x112 = x17 * x111;
+    const four_bar_wide x114 = x8 * x109;
+    const four_bar_wide x115 = x113 + x114;
+    const four_bar_wide x116 = x22 * x115;
+    const four_bar_wide x117 = x112 + x116;
+    const four_bar_wide x7 = 3.00186 * x6;
+    const four_bar_wide x64 = x7 + x63;
+    const four_bar_wide x118 = x64 + x117;
+    const four_bar_wide x119 = x10 * x91;
+    const four_bar_wide x121 = x13 * x91;
+    const four_bar_wide x120 = x8 * x119;
+    const four_bar_wide x125 = x12 * x119;
+    const four_bar_wide x122 = x12 * x121;
+    const four_bar_wide x123 = x120 + x122;
+    const four_bar_wide x124 = x17 * x123;
+    const four_bar_wide x126 = x8 * x121;
+    const four_bar_wide x127 = x125 - x126;
+    const four_bar_wide x128 = x22 * x127;
+    const four_bar_wide x129 = x124 + x128;
+    four_bar_wide sum1 = x129;
+    const four_bar_wide x130 = x118 / x129;
+    FOUR_BAR_WRITTEN(u[0]) = x130;
+    four_bar_wide sum2 = x130;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + sum2) |
+        ((four_bar_wide_mask)(x24 <= 3.01689e-10) & (four_bar_wide_mask)(x24 >= -3.01689e-10)) |
+        ((four_bar_wide_mask)(x26 <= 1.2634000000000003e-10) & (four_bar_wide_mask)(x26 >=
+        -1.2634000000000003e-10)) | ((four_bar_wide_mask)(x129 <= 4.813897755635771e-09) &
+        (four_bar_wide_mask)(x129 >= -4.813897755635771e-09)));
+}
+
 static void four_bar_inverse_dynamics_independent_block(
     size_t stride,
     const double *restrict q,
@@ -6085,25 +7467,14 @@ static void four_bar_inverse_dynamics_independent_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_inverse_dynamics_independent_angles(stride, 8, q + lane, y_dot + lane, y_ddot + lane, angle +
             lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[24];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, y_ddot +
-            lane, u + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[16 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_dynamics_independent_wide(stride, q + lane, y_dot + lane, y_ddot + lane, u + lane,
+            sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -6151,10 +7522,10 @@ static int four_bar_inverse_dynamics_independent_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, y_dot + first + 8);
@@ -6271,8 +7642,6 @@ static inline FOUR_BAR_INLINE void four_bar_joint_reactions_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict a,
@@ -6283,22 +7652,20 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x3 = v[0];
     const double x21 = x3 * x3;
     const double x22 = 0.15 * x21;
     const double x96 = 0.0375 * x21;
-    const double x23 = cosine[pitch];
+    const double x23 = cosine[1];
     const double x24 = 9.81 * x23;
     const double x25 = x22 - x24;
-    const double x18 = sine[2 * pitch];
+    const double x18 = sine[2];
     const double x26 = x18 * x25;
-    const double x27 = cosine[2 * pitch];
+    const double x27 = cosine[2];
     const double x83 = x27 * x25;
     const double x6 = a[0];
     const double x28 = 0.15 * x6;
-    const double x16 = sine[pitch];
+    const double x16 = sine[1];
     const double x29 = 9.81 * x16;
     const double x30 = x28 - x29;
     const double x31 = x27 * x30;
@@ -6308,7 +7675,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x86 = 1.2 * x85;
     const double x33 = 0.3 * x32;
     const double x90 = 1.2 * x32;
-    const double x7 = a[stride];
+    const double x7 = a[1];
     const double x19 = x6 + x7;
     const double x20 = 0.1 * x19;
     const double x34 = x20 + x33;
@@ -6318,7 +7685,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x42 = x27 * x41;
     const double x92 = x35 - x91;
     const double x44 = x27 * x35;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x37 = x3 + x4;
     const double x38 = x37 * x37;
     const double x39 = 0.3 * x38;
@@ -6355,7 +7722,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x66 = x62 * x65;
     const double x67 = x61 + x66;
     const double x11 = 3.00186 * x10;
-    const double x8 = a[2 * stride];
+    const double x8 = a[2];
     const double x12 = 0.10404 * x8;
     const double x13 = x11 + x12;
     const double x68 = x13 - x67;
@@ -6370,7 +7737,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x77 = x75 - x76;
     const double x78 = x62 * x77;
     const double x79 = x74 + x78;
-    pivot[pitch] = x79;
+    pivot[1] = x79;
     double sum1 = x79;
     const double x80 = x68 / x79;
     u[0] = x80;
@@ -6398,22 +7765,22 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     double sum2 = x108;
     const double x110 = x16 * x106;
     const double x111 = x109 - x110;
-    reactions[2 * stride] = x111;
+    reactions[2] = x111;
     double sum3 = x111;
     const double x112 = x16 * x94;
     const double x115 = x23 * x94;
     const double x113 = x23 * x102;
     const double x114 = x112 + x113;
-    reactions[6 * stride] = x114;
+    reactions[6] = x114;
     const double x116 = x16 * x102;
     const double x117 = x115 - x116;
-    reactions[8 * stride] = x117;
+    reactions[8] = x117;
     const double x118 = 0.15 * x23;
     const double x119 = x118 * x114;
     const double x120 = 0.15 * x16;
     const double x121 = x120 * x117;
     const double x122 = x119 - x121;
-    reactions[10 * stride] = x122;
+    reactions[10] = x122;
     sum0 = sum0 + x122;
     const double x127 = x16 * x18;
     const double x128 = x23 * x27;
@@ -6425,12 +7792,12 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x133 = x125 * x35;
     const double x134 = x132 - x133;
     const double x135 = -x134;
-    reactions[14 * stride] = x135;
+    reactions[14] = x135;
     sum1 = sum1 + x135;
     const double x130 = x129 * x35;
     const double x126 = x125 * x82;
     const double x131 = x126 + x130;
-    reactions[12 * stride] = x131;
+    reactions[12] = x131;
     const double x136 = 0.5 * x129;
     const double x137 = x118 - x136;
     const double x138 = x137 * x131;
@@ -6439,7 +7806,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x140 = x120 + x139;
     const double x141 = x140 * x134;
     const double x142 = x138 + x141;
-    reactions[16 * stride] = x142;
+    reactions[16] = x142;
     sum2 = sum2 + x142;
     const double x199 = 3.3146717314850727 * x125;
     const double x153 = x27 * x82;
@@ -6452,7 +7819,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x159 = x155 - x158;
     const double x165 = x16 * x157;
     const double x166 = x164 + x165;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x143 = x5 * x5;
     const double x144 = 0.306 * x143;
     const double x145 = 11.772 * x14;
@@ -6465,16 +7832,16 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x151 = x14 * x150;
     const double x152 = x147 + x151;
     const double x160 = x152 - x159;
-    reactions[18 * stride] = x160;
+    reactions[18] = x160;
     sum3 = sum3 + x160;
     const double x162 = x10 * x150;
     const double x163 = x161 - x162;
     const double x167 = x163 + x166;
     const double x168 = -x167;
-    reactions[20 * stride] = x168;
+    reactions[20] = x168;
     sum0 = sum0 + x168;
     const double x169 = 0.64 * x167;
-    reactions[22 * stride] = x169;
+    reactions[22] = x169;
     sum1 = sum1 + x169;
     const double x170 = 1.6573358657425363 * x18;
     const double x171 = x170 * x170;
@@ -6505,7 +7872,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x192 = x183 + x191;
     const double x197 = x196 * x196;
     const double x198 = x192 + x197;
-    pivot[2 * pitch] = x198;
+    pivot[2] = x198;
     sum2 = sum2 + x198;
     const double x224 = 1.0 / x198;
     const double x216 = x177 * x201;
@@ -6548,7 +7915,7 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x211 = x202 + x210;
     const double x212 = x200 + x211;
     const double x227 = x212 - x226;
-    pivot[3 * pitch] = x227;
+    pivot[3] = x227;
     sum3 = sum3 + x227;
     const double x248 = x247 / x227;
     const double x249 = x247 * x248;
@@ -6560,21 +7927,21 @@ static inline FOUR_BAR_INLINE double four_bar_joint_reactions_lane(
     const double x232 = x200 + x231;
     const double x233 = x202 + x232;
     const double x251 = x233 - x250;
-    pivot[4 * pitch] = x251;
+    pivot[4] = x251;
     sum0 = sum0 + x251;
-    reactions[stride] = 0.0;
-    reactions[3 * stride] = 0.0;
-    reactions[4 * stride] = 0.0;
-    reactions[5 * stride] = 0.0;
-    reactions[7 * stride] = 0.0;
-    reactions[9 * stride] = 0.0;
-    reactions[11 * stride] = 0.0;
-    reactions[13 * stride] = 0.0;
-    reactions[15 * stride] = 0.0;
-    reactions[17 * stride] = 0.0;
-    reactions[19 * stride] = 0.0;
-    reactions[21 * stride] = 0.0;
-    reactions[23 * stride] = 0.0;
+    reactions[1] = 0.0;
+    reactions[3] = 0.0;
+    reactions[4] = 0.0;
+    reactions[5] = 0.0;
+    reactions[7] = 0.0;
+    reactions[9] = 0.0;
+    reactions[11] = 0.0;
+    reactions[13] = 0.0;
+    reactions[15] = 0.0;
+    reactions[17] = 0.0;
+    reactions[19] = 0.0;
+    reactions[21] = 0.0;
+    reactions[23] = 0.0;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -6590,7 +7957,7 @@ int four_bar_joint_reactions(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[5] = {0.0};
-    const double total = four_bar_joint_reactions_lane(1, 1, q, v, a, u, reactions, sine, cosine, pivot);
+    const double total = four_bar_joint_reactions_lane(q, v, a, u, reactions, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 1.2634000000000003e-10 || fabs(pivot[1]) <= 4.813897755635771e-09 ||
         fabs(pivot[2]) <= 1.3789999999999998e-08 || fabs(pivot[3]) <= 4.3948000000000004e-08 || fabs(pivot[4])
         <= 4.3948000000000004e-08 ? 1 : !isfinite(total) ? 2 : 0;
@@ -6601,7 +7968,316 @@ int four_bar_joint_reactions(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_joint_reactions_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict a,
+    double *restrict u,
+    double *restrict reactions,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x21 = x3 * x3;
+    const four_bar_wide x22 = 0.15 * x21;
+    const four_bar_wide x96 = 0.0375 * x21;
+    const four_bar_wide x23 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x24 = 9.81 * x23;
+    const four_bar_wide x25 = x22 - x24;
+    const four_bar_wide x18 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x26 = x18 * x25;
+    const four_bar_wide x27 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x83 = x27 * x25;
+    const four_bar_wide x6 = FOUR_BAR_READ(a[0]);
+    const four_bar_wide x28 = 0.15 * x6;
+    const four_bar_wide x16 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x29 = 9.81 * x16;
+    const four_bar_wide x30 = x28 - x29;
+    const four_bar_wide x31 = x27 * x30;
+    const four_bar_wide x32 = x26 + x31;
+    const four_bar_wide x84 = x18 * x30;
+    const four_bar_wide x85 = x83 - x84;
+    const four_bar_wide x86 = 1.2 * x85;
+    const four_bar_wide x33 = 0.3 * x32;
+    const four_bar_wide x90 = 1.2 * x32;
+    const four_bar_wide x7 = FOUR_BAR_READ(a[stride]);
+    const four_bar_wide x19 = x6 + x7;
+    const four_bar_wide x20 = 0.1 * x19;
+    const four_bar_wide x34 = x20 + x33;
+    const four_bar_wide x35 = 2.0 * x34;
+    const four_bar_wide x41 = 0.3 * x19;
+    const four_bar_wide x91 = x41 + x90;
+    const four_bar_wide x42 = x27 * x41;
+    const four_bar_wide x92 = x35 - x91;
+    const four_bar_wide x44 = x27 * x35;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x37 = x3 + x4;
+    const four_bar_wide x38 = x37 * x37;
+    const four_bar_wide x39 = 0.3 * x38;
+    const four_bar_wide x87 = x39 + x86;
+    const four_bar_wide x40 = x18 * x39;
+    const four_bar_wide x43 = x40 - x42;
+    const four_bar_wide x45 = x43 + x44;
+    const four_bar_wide x46 = 0.15 * x45;
+    const four_bar_wide x47 = 2.133675 * x16;
+    const four_bar_wide x48 = 0.03075 * x6;
+    const four_bar_wide x49 = x47 - x48;
+    const four_bar_wide x50 = x46 + x49;
+    const four_bar_wide x51 = 0.15 * x18;
+    four_bar_wide sum0 = x51;
+    const four_bar_wide x52 = 1.0 / x51;
+    const four_bar_wide x53 = x50 * x52;
+    const four_bar_wide x54 = x27 * x53;
+    const four_bar_wide x36 = x18 * x35;
+    const four_bar_wide x55 = x36 + x54;
+    const four_bar_wide x56 = x16 * x55;
+    const four_bar_wide x63 = x23 * x55;
+    const four_bar_wide x57 = x18 * x53;
+    const four_bar_wide x58 = x44 - x57;
+    const four_bar_wide x59 = x23 * x58;
+    const four_bar_wide x60 = x56 - x59;
+    const four_bar_wide x64 = x16 * x58;
+    const four_bar_wide x65 = x63 + x64;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x15 = 0.51 * x14;
+    const four_bar_wide x61 = x15 * x60;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x62 = 0.51 * x10;
+    const four_bar_wide x66 = x62 * x65;
+    const four_bar_wide x67 = x61 + x66;
+    const four_bar_wide x11 = 3.00186 * x10;
+    const four_bar_wide x8 = FOUR_BAR_READ(a[2 * stride]);
+    const four_bar_wide x12 = 0.10404 * x8;
+    const four_bar_wide x13 = x11 + x12;
+    const four_bar_wide x68 = x13 - x67;
+    const four_bar_wide x69 = x27 * x52;
+    const four_bar_wide x70 = x16 * x69;
+    const four_bar_wide x75 = x23 * x69;
+    const four_bar_wide x71 = x18 * x52;
+    const four_bar_wide x72 = x23 * x71;
+    const four_bar_wide x73 = x70 + x72;
+    const four_bar_wide x74 = x15 * x73;
+    const four_bar_wide x76 = x16 * x71;
+    const four_bar_wide x77 = x75 - x76;
+    const four_bar_wide x78 = x62 * x77;
+    const four_bar_wide x79 = x74 + x78;
+    four_bar_wide sum1 = x79;
+    const four_bar_wide x80 = x68 / x79;
+    FOUR_BAR_WRITTEN(u[0]) = x80;
+    const four_bar_wide x81 = x52 * x80;
+    const four_bar_wide x82 = x53 + x81;
+    const four_bar_wide x88 = x82 - x87;
+    const four_bar_wide x89 = x27 * x88;
+    const four_bar_wide x100 = x18 * x88;
+    const four_bar_wide x93 = x18 * x92;
+    const four_bar_wide x94 = x89 + x93;
+    const four_bar_wide x101 = x27 * x92;
+    const four_bar_wide x102 = x100 - x101;
+    const four_bar_wide x95 = 4.905 * x23;
+    const four_bar_wide x97 = x95 - x96;
+    const four_bar_wide x98 = x94 + x97;
+    const four_bar_wide x99 = x16 * x98;
+    const four_bar_wide x109 = x23 * x98;
+    const four_bar_wide x103 = 4.905 * x16;
+    const four_bar_wide x104 = 0.0375 * x6;
+    const four_bar_wide x105 = x103 - x104;
+    const four_bar_wide x106 = x102 - x105;
+    const four_bar_wide x107 = x23 * x106;
+    const four_bar_wide x108 = x99 + x107;
+    FOUR_BAR_WRITTEN(reactions[0]) = x108;
+    four_bar_wide sum2 = x108;
+    const four_bar_wide x110 = x16 * x106;
+    const four_bar_wide x111 = x109 - x110;
+    FOUR_BAR_WRITTEN(reactions[2 * stride]) = x111;
+    four_bar_wide sum3 = x111;
+    const four_bar_wide x112 = x16 * x94;
+    const four_bar_wide x115 = x23 * x94;
+    const four_bar_wide x113 = x23 * x102;
+    const four_bar_wide x114 = x112 + x113;
+    FOUR_BAR_WRITTEN(reactions[6 * stride]) = x114;
+    const four_bar_wide x116 = x16 * x102;
+    const four_bar_wide x117 = x115 - x116;
+    FOUR_BAR_WRITTEN(reactions[8 * stride]) = x117;
+    const four_bar_wide x118 = 0.15 * x23;
+    const four_bar_wide x119 = x118 * x114;
+    const four_bar_wide x120 = 0.15 * x16;
+    const four_bar_wide x121 = x120 * x117;
+    const four_bar_wide x122 = x119 - x121;
+    FOUR_BAR_WRITTEN(reactions[10 * stride]) = x122;
+    sum0 = sum0 + x122;
+    const four_bar_wide x127 = x16 * x18;
+    const four_bar_wide x128 = x23 * x27;
+    const four_bar_wide x129 = x127 - x128;
+    const four_bar_wide x132 = x129 * x82;
+    const four_bar_wide x123 = x16 * x27;
+    const four_bar_wide x124 = x23 * x18;
+    const four_bar_wide x125 = x123 + x124;
+    const four_bar_wide x133 = x125 * x35;
+    const four_bar_wide x134 = x132 - x133;
+    const four_bar_wide x135 = -x134;
+    FOUR_BAR_WRITTEN(reactions[14 * stride]) = x135;
+    sum1 = sum1 + x135;
+    const four_bar_wide x130 = x129 * x35;
+    const four_bar_wide x126 = x125 * x82;
+    const four_bar_wide x131 = x126 + x130;
+    FOUR_BAR_WRITTEN(reactions[12 * stride]) = x131;
+    const four_bar_wide x136 = 0.5 * x129;
+    const four_bar_wide x137 = x118 - x136;
+    const four_bar_wide x138 = x137 * x131;
+    const four_bar_wide x201 = 3.3146717314850727 * x129;
+    const four_bar_wide x139 = 0.5 * x125;
+    const four_bar_wide x140 = x120 + x139;
+    const four_bar_wide x141 = x140 * x134;
+    const four_bar_wide x142 = x138 + x141;
+    FOUR_BAR_WRITTEN(reactions[16 * stride]) = x142;
+    sum2 = sum2 + x142;
+    const four_bar_wide x199 = 3.3146717314850727 * x125;
+    const four_bar_wide x153 = x27 * x82;
+    const four_bar_wide x154 = x36 + x153;
+    const four_bar_wide x156 = x18 * x82;
+    const four_bar_wide x157 = x44 - x156;
+    const four_bar_wide x155 = x16 * x154;
+    const four_bar_wide x164 = x23 * x154;
+    const four_bar_wide x158 = x23 * x157;
+    const four_bar_wide x159 = x155 - x158;
+    const four_bar_wide x165 = x16 * x157;
+    const four_bar_wide x166 = x164 + x165;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x143 = x5 * x5;
+    const four_bar_wide x144 = 0.306 * x143;
+    const four_bar_wide x145 = 11.772 * x14;
+    const four_bar_wide x146 = x144 - x145;
+    const four_bar_wide x147 = x10 * x146;
+    const four_bar_wide x161 = x14 * x146;
+    const four_bar_wide x148 = 0.306 * x8;
+    const four_bar_wide x149 = 11.772 * x10;
+    const four_bar_wide x150 = x148 + x149;
+    const four_bar_wide x151 = x14 * x150;
+    const four_bar_wide x152 = x147 + x151;
+    const four_bar_wide x160 = x152 - x159;
+    FOUR_BAR_WRITTEN(reactions[18 * stride]) = x160;
+    sum3 = sum3 + x160;
+    const four_bar_wide x162 = x10 * x150;
+    const four_bar_wide x163 = x161 - x162;
+    const four_bar_wide x167 = x163 + x166;
+    const four_bar_wide x168 = -x167;
+    FOUR_BAR_WRITTEN(reactions[20 * stride]) = x168;
+    sum0 = sum0 + x168;
+    const four_bar_wide x169 = 0.64 * x167;
+    FOUR_BAR_WRITTEN(reactions[22 * stride]) = x169;
+    sum1 = sum1 + x169;
+    const four_bar_wide x170 = 1.6573358657425363 * x18;
+    const four_bar_wide x171 = x170 * x170;
+    const four_bar_wide x172 = 2.0 + x171;
+    const four_bar_wide x173 = 1.6573358657425363 * x27;
+    const four_bar_wide x174 = x173 * x173;
+    const four_bar_wide x175 = x172 + x174;
+    const four_bar_wide x176 = 1.0 + x175;
+    const four_bar_wide x177 = 1.690482583057387 * x10;
+    const four_bar_wide x178 = x177 * x177;
+    const four_bar_wide x179 = x176 + x178;
+    const four_bar_wide x180 = 1.690482583057387 * x14;
+    const four_bar_wide x181 = x180 * x180;
+    const four_bar_wide x182 = x179 + x181;
+    const four_bar_wide x183 = 1.0 + x182;
+    const four_bar_wide x186 = 0.5 * x27;
+    const four_bar_wide x187 = 0.15 + x186;
+    const four_bar_wide x188 = x16 * x187;
+    const four_bar_wide x194 = x23 * x187;
+    const four_bar_wide x184 = 0.5 * x18;
+    const four_bar_wide x185 = x23 * x184;
+    const four_bar_wide x189 = x185 + x188;
+    const four_bar_wide x190 = 3.3146717314850727 * x189;
+    const four_bar_wide x193 = x16 * x184;
+    const four_bar_wide x195 = x193 - x194;
+    const four_bar_wide x196 = 3.3146717314850727 * x195;
+    const four_bar_wide x191 = x190 * x190;
+    const four_bar_wide x192 = x183 + x191;
+    const four_bar_wide x197 = x196 * x196;
+    const four_bar_wide x198 = x192 + x197;
+    sum2 = sum2 + x198;
+    const four_bar_wide x224 = 1.0 / x198;
+    const four_bar_wide x216 = x177 * x201;
+    const four_bar_wide x237 = x177 * x199;
+    const four_bar_wide x203 = 3.3146717314850727 * x27;
+    const four_bar_wide x213 = x170 * x203;
+    const four_bar_wide x206 = 3.3146717314850727 * x18;
+    const four_bar_wide x234 = x170 * x206;
+    const four_bar_wide x214 = x173 * x206;
+    const four_bar_wide x215 = x213 - x214;
+    const four_bar_wide x217 = x215 + x216;
+    const four_bar_wide x207 = x206 * x206;
+    const four_bar_wide x235 = x173 * x203;
+    const four_bar_wide x236 = x234 + x235;
+    const four_bar_wide x238 = x236 - x237;
+    const four_bar_wide x204 = x203 * x203;
+    const four_bar_wide x218 = x180 * x199;
+    const four_bar_wide x219 = x217 - x218;
+    const four_bar_wide x239 = x180 * x201;
+    const four_bar_wide x240 = x238 - x239;
+    const four_bar_wide x220 = x190 * x201;
+    const four_bar_wide x221 = x219 - x220;
+    const four_bar_wide x241 = x190 * x199;
+    const four_bar_wide x242 = x240 + x241;
+    const four_bar_wide x222 = x196 * x199;
+    const four_bar_wide x223 = x221 + x222;
+    const four_bar_wide x200 = x199 * x199;
+    const four_bar_wide x243 = x196 * x201;
+    const four_bar_wide x244 = x242 + x243;
+    const four_bar_wide x202 = x201 * x201;
+    const four_bar_wide x225 = x223 * x224;
+    const four_bar_wide x226 = x223 * x225;
+    const four_bar_wide x245 = x244 * x224;
+    const four_bar_wide x247 = x223 * x245;
+    const four_bar_wide x246 = x244 * x245;
+    const four_bar_wide x205 = 10.987048687506249 + x204;
+    const four_bar_wide x208 = x205 + x207;
+    const four_bar_wide x209 = x208 + x202;
+    const four_bar_wide x210 = x209 + x200;
+    const four_bar_wide x211 = x202 + x210;
+    const four_bar_wide x212 = x200 + x211;
+    const four_bar_wide x227 = x212 - x226;
+    sum3 = sum3 + x227;
+    const four_bar_wide x248 = x247 / x227;
+    const four_bar_wide x249 = x247 * x248;
+    const four_bar_wide x250 = x246 + x249;
+    const four_bar_wide x228 = 10.987048687506249 + x207;
+    const four_bar_wide x229 = x204 + x228;
+    const four_bar_wide x230 = x200 + x229;
+    const four_bar_wide x231 = x202 + x230;
+    const four_bar_wide x232 = x200 + x231;
+    const four_bar_wide x233 = x202 + x232;
+    const four_bar_wide x251 = x233 - x250;
+    sum0 = sum0 + x251;
+    FOUR_BAR_WRITTEN(reactions[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[9 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[11 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[13 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[17 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[19 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[21 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[23 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + (sum2 + sum3)) |
+        ((four_bar_wide_mask)(x51 <= 1.2634000000000003e-10) & (four_bar_wide_mask)(x51 >=
+        -1.2634000000000003e-10)) | ((four_bar_wide_mask)(x79 <= 4.813897755635771e-09) &
+        (four_bar_wide_mask)(x79 >= -4.813897755635771e-09)) | ((four_bar_wide_mask)(x198 <=
+        1.3789999999999998e-08) & (four_bar_wide_mask)(x198 >= -1.3789999999999998e-08)) |
+        ((four_bar_wide_mask)(x227 <= 4.3948000000000004e-08) & (four_bar_wide_mask)(x227 >=
+        -4.3948000000000004e-08)) | ((four_bar_wide_mask)(x251 <= 4.3948000000000004e-08) &
+        (four_bar_wide_mask)(x251 >= -4.3948000000000004e-08)));
+}
+
 static void four_bar_joint_reactions_block(
     size_t stride,
     const double *restrict q,
@@ -6612,26 +8288,13 @@ static void four_bar_joint_reactions_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_joint_reactions_angles(stride, 8, q + lane, v + lane, a + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[40];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_joint_reactions_lane(stride, 8, q + lane, v + lane, a + lane, u + lane,
-            reactions + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 1.2634000000000003e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
-        sum = fabs(pivot[16 + lane]) <= 1.3789999999999998e-08 ? (double)NAN : sum;
-        sum = fabs(pivot[24 + lane]) <= 4.3948000000000004e-08 ? (double)NAN : sum;
-        sum = fabs(pivot[32 + lane]) <= 4.3948000000000004e-08 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_reactions_wide(stride, q + lane, v + lane, a + lane, u + lane, reactions + lane, sine +
+            lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -6685,10 +8348,10 @@ static int four_bar_joint_reactions_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -6807,8 +8470,6 @@ static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -6818,14 +8479,12 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x25 = x5 * x5;
     const double x26 = 0.51 * x25;
-    const double x24 = cosine[2 * pitch];
+    const double x24 = cosine[2];
     const double x27 = x24 * x26;
-    const double x29 = sine[2 * pitch];
+    const double x29 = sine[2];
     const double x30 = x29 * x26;
     const double x13 = cosine[0];
     const double x28 = x13 * x27;
@@ -6835,9 +8494,9 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x32 = x28 - x31;
     const double x35 = x13 * x30;
     const double x36 = x34 + x35;
-    const double x17 = cosine[pitch];
+    const double x17 = cosine[1];
     const double x51 = x17 * x32;
-    const double x10 = sine[pitch];
+    const double x10 = sine[1];
     const double x33 = x10 * x32;
     const double x52 = x10 * x36;
     const double x53 = x51 - x52;
@@ -6847,7 +8506,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x11 = x3 * x3;
     const double x12 = 0.15 * x11;
     const double x54 = x17 * x12;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x55 = x3 + x4;
     const double x56 = x55 * x55;
     const double x57 = 0.5 * x56;
@@ -6877,7 +8536,12 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x22 = x10 * x12;
     const double x39 = x22 - x38;
     const double x66 = x39 + x65;
+    const double x71 = 0.6 * x66;
+    const double x72 = x17 * x71;
+    const double x73 = x70 + x72;
+    const double x74 = 0.15 * x73;
     const double x67 = 0.2 * x66;
+    const double x111 = 2.0 * x66;
     const double x14 = 9.81 * x13;
     const double x15 = x12 - x14;
     const double x16 = x10 * x15;
@@ -6886,12 +8550,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x20 = x16 - x19;
     const double x21 = 0.3 * x20;
     const double x68 = x21 - x67;
-    const double x71 = 0.6 * x66;
-    const double x72 = x17 * x71;
-    const double x73 = x70 + x72;
-    const double x74 = 0.15 * x73;
     const double x75 = x68 - x74;
-    const double x111 = 2.0 * x66;
     const double x8 = 2.133675 * x7;
     const double x76 = x8 - x75;
     const double x6 = u[0];
@@ -6914,8 +8573,8 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x99 = 0.045 * x17;
     const double x100 = 0.1 + x99;
     const double x104 = x100 - x103;
-    const double x105 = x84 * x104;
     const double x101 = x84 * x100;
+    const double x105 = x84 * x104;
     const double x92 = 0.1 * x17;
     const double x93 = x17 * x92;
     const double x95 = 0.09 * x17;
@@ -6928,23 +8587,23 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_lane(
     const double x107 = 0.10404 * x81;
     const double x108 = x81 * x107;
     const double x109 = x106 + x108;
-    pivot[pitch] = x109;
+    pivot[1] = x109;
     double sum1 = x109;
     const double x110 = x91 / x109;
     a[0] = x110;
     const double x115 = x81 * x110;
     const double x116 = x64 + x115;
-    a[2 * stride] = x116;
+    a[2] = x116;
     double sum2 = x116;
     const double x112 = x84 * x110;
     const double x113 = x111 + x112;
     const double x114 = -x113;
-    a[stride] = x114;
+    a[1] = x114;
     double sum3 = x114;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
-static inline void four_bar_forward_dynamics_dense_angles(
+static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_dense_angles(
     size_t stride,
     size_t pitch,
     const double *restrict q,
@@ -6966,9 +8625,7 @@ static inline void four_bar_forward_dynamics_dense_angles(
     angle[2 * pitch] = x40;
 }
 
-static inline double four_bar_forward_dynamics_dense_lane(
-    size_t stride,
-    size_t pitch,
+static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_dense_lane(
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -6980,18 +8637,16 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x20 = sine[pitch];
+    const double x20 = sine[1];
     const double x44 = 0.15 * x20;
     closure_[0] = x44;
     double sum0 = x44;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x62 = x5 * x5;
     const double x63 = 0.51 * x62;
-    const double x55 = cosine[2 * pitch];
+    const double x55 = cosine[2];
     const double x64 = x55 * x63;
-    const double x41 = sine[2 * pitch];
+    const double x41 = sine[2];
     const double x66 = x41 * x63;
     const double x23 = cosine[0];
     const double x65 = x23 * x64;
@@ -7002,7 +8657,7 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x71 = x23 * x66;
     const double x72 = x70 + x71;
     const double x80 = x20 * x68;
-    const double x8 = cosine[pitch];
+    const double x8 = cosine[1];
     const double x69 = x8 * x68;
     const double x81 = x8 * x72;
     const double x82 = x80 + x81;
@@ -7013,10 +8668,10 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x22 = 0.15 * x21;
     const double x79 = x20 * x22;
     const double x83 = x79 - x82;
-    curvature_[stride] = x83;
+    curvature_[1] = x83;
     double sum1 = x83;
     const double x75 = x8 * x22;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x31 = x3 + x4;
     const double x32 = x31 * x31;
     const double x76 = 0.5 * x32;
@@ -7039,19 +8694,19 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x50 = 0.51 * x41;
     const double x60 = x54 * x50;
     const double x61 = x59 + x60;
-    closure_[11 * stride] = x61;
+    closure_[11] = x61;
     double sum3 = x61;
     const double x51 = x49 * x50;
     const double x58 = x51 - x57;
-    closure_[10 * stride] = x58;
+    closure_[10] = x58;
     sum0 = sum0 + x58;
     const double x45 = 0.15 * x8;
     const double x46 = 0.5 + x45;
-    closure_[stride] = x46;
+    closure_[1] = x46;
     sum1 = sum1 + x46;
     const double x42 = 3.00186 * x41;
     const double x43 = -x42;
-    load_[2 * stride] = x43;
+    load_[2] = x43;
     sum2 = sum2 + x43;
     const double x24 = 9.81 * x23;
     const double x25 = x22 - x24;
@@ -7061,7 +8716,7 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x29 = x26 - x28;
     const double x30 = 0.3 * x29;
     const double x39 = -x30;
-    load_[stride] = x39;
+    load_[1] = x39;
     sum3 = sum3 + x39;
     const double x36 = x30 - x35;
     const double x19 = 2.133675 * x18;
@@ -7072,8 +8727,8 @@ static inline double four_bar_forward_dynamics_dense_lane(
     sum0 = sum0 + x38;
     const double x16 = 0.045 * x8;
     const double x17 = 0.1 + x16;
-    inertia_[stride] = x17;
-    inertia_[3 * stride] = x17;
+    inertia_[1] = x17;
+    inertia_[3] = x17;
     sum1 = sum1 + x17;
     const double x9 = 0.1 * x8;
     const double x10 = x8 * x9;
@@ -7084,26 +8739,26 @@ static inline double four_bar_forward_dynamics_dense_lane(
     const double x15 = x11 + x14;
     inertia_[0] = x15;
     sum2 = sum2 + x15;
-    inertia_[2 * stride] = 0.0;
-    inertia_[5 * stride] = 0.0;
-    inertia_[6 * stride] = 0.0;
-    inertia_[7 * stride] = 0.0;
-    closure_[2 * stride] = 0.0;
-    closure_[3 * stride] = 0.0;
-    closure_[4 * stride] = 0.0;
-    closure_[5 * stride] = 0.0;
-    closure_[7 * stride] = 0.0;
-    closure_[8 * stride] = 0.0;
-    closure_[9 * stride] = 0.0;
-    closure_[12 * stride] = 0.0;
-    closure_[13 * stride] = 0.0;
-    closure_[14 * stride] = 0.0;
-    curvature_[2 * stride] = 0.0;
-    curvature_[3 * stride] = 0.0;
-    curvature_[4 * stride] = 0.0;
-    inertia_[4 * stride] = 0.1;
-    inertia_[8 * stride] = 0.10404;
-    closure_[6 * stride] = 0.5;
+    inertia_[2] = 0.0;
+    inertia_[5] = 0.0;
+    inertia_[6] = 0.0;
+    inertia_[7] = 0.0;
+    closure_[2] = 0.0;
+    closure_[3] = 0.0;
+    closure_[4] = 0.0;
+    closure_[5] = 0.0;
+    closure_[7] = 0.0;
+    closure_[8] = 0.0;
+    closure_[9] = 0.0;
+    closure_[12] = 0.0;
+    closure_[13] = 0.0;
+    closure_[14] = 0.0;
+    curvature_[2] = 0.0;
+    curvature_[3] = 0.0;
+    curvature_[4] = 0.0;
+    inertia_[4] = 0.1;
+    inertia_[8] = 0.10404;
+    closure_[6] = 0.5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -7120,8 +8775,8 @@ static int four_bar_forward_dynamics_dense(
     four_bar_forward_dynamics_dense_angles(1, 1, q, v, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_forward_dynamics_dense_lane(1, 1, q, v, u, inertia_, load_, closure_,
-        curvature_, sine, cosine);
+    const double total = four_bar_forward_dynamics_dense_lane(q, v, u, inertia_, load_, closure_, curvature_,
+        sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(inertia_, 9);
@@ -7178,7 +8833,7 @@ int four_bar_forward_dynamics(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_forward_dynamics_lane(1, 1, q, v, u, a, sine, cosine, pivot);
+    const double total = four_bar_forward_dynamics_lane(q, v, u, a, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-06 || fabs(pivot[1]) <= 3.264600000000001e-07 ? 1 :
         !isfinite(total) ? 2 : 0;
     if (outcome == 1) {
@@ -7190,7 +8845,145 @@ int four_bar_forward_dynamics(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_forward_dynamics_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict u,
+    double *restrict a,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x25 = x5 * x5;
+    const four_bar_wide x26 = 0.51 * x25;
+    const four_bar_wide x24 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x27 = x24 * x26;
+    const four_bar_wide x29 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x30 = x29 * x26;
+    const four_bar_wide x13 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x28 = x13 * x27;
+    const four_bar_wide x7 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x34 = x7 * x27;
+    const four_bar_wide x31 = x7 * x30;
+    const four_bar_wide x32 = x28 - x31;
+    const four_bar_wide x35 = x13 * x30;
+    const four_bar_wide x36 = x34 + x35;
+    const four_bar_wide x17 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x51 = x17 * x32;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x33 = x10 * x32;
+    const four_bar_wide x52 = x10 * x36;
+    const four_bar_wide x53 = x51 - x52;
+    const four_bar_wide x37 = x17 * x36;
+    const four_bar_wide x38 = x33 + x37;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x11 = x3 * x3;
+    const four_bar_wide x12 = 0.15 * x11;
+    const four_bar_wide x54 = x17 * x12;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x55 = x3 + x4;
+    const four_bar_wide x56 = x55 * x55;
+    const four_bar_wide x57 = 0.5 * x56;
+    const four_bar_wide x58 = x54 + x57;
+    const four_bar_wide x59 = x53 - x58;
+    const four_bar_wide x69 = 0.3 * x56;
+    const four_bar_wide x70 = x10 * x69;
+    const four_bar_wide x45 = x7 * x17;
+    const four_bar_wide x46 = x13 * x10;
+    const four_bar_wide x47 = x45 + x46;
+    const four_bar_wide x43 = 0.51 * x24;
+    const four_bar_wide x60 = x47 * x43;
+    const four_bar_wide x40 = x7 * x10;
+    const four_bar_wide x41 = x13 * x17;
+    const four_bar_wide x42 = x40 - x41;
+    const four_bar_wide x44 = x42 * x43;
+    const four_bar_wide x48 = 0.51 * x29;
+    const four_bar_wide x61 = x42 * x48;
+    const four_bar_wide x62 = x60 - x61;
+    four_bar_wide sum0 = x62;
+    const four_bar_wide x49 = x47 * x48;
+    const four_bar_wide x50 = x44 + x49;
+    const four_bar_wide x63 = 1.0 / x62;
+    const four_bar_wide x64 = x59 * x63;
+    const four_bar_wide x65 = x50 * x64;
+    const four_bar_wide x22 = x10 * x12;
+    const four_bar_wide x39 = x22 - x38;
+    const four_bar_wide x66 = x39 + x65;
+    const four_bar_wide x71 = 0.6 * x66;
+    const four_bar_wide x72 = x17 * x71;
+    const four_bar_wide x73 = x70 + x72;
+    const four_bar_wide x74 = 0.15 * x73;
+    const four_bar_wide x67 = 0.2 * x66;
+    const four_bar_wide x111 = 2.0 * x66;
+    const four_bar_wide x14 = 9.81 * x13;
+    const four_bar_wide x15 = x12 - x14;
+    const four_bar_wide x16 = x10 * x15;
+    const four_bar_wide x18 = 9.81 * x7;
+    const four_bar_wide x19 = x17 * x18;
+    const four_bar_wide x20 = x16 - x19;
+    const four_bar_wide x21 = 0.3 * x20;
+    const four_bar_wide x68 = x21 - x67;
+    const four_bar_wide x75 = x68 - x74;
+    const four_bar_wide x8 = 2.133675 * x7;
+    const four_bar_wide x76 = x8 - x75;
+    const four_bar_wide x6 = FOUR_BAR_READ(u[0]);
+    const four_bar_wide x77 = x6 + x76;
+    const four_bar_wide x80 = 0.15 * x10;
+    const four_bar_wide x81 = x80 * x63;
+    const four_bar_wide x82 = x50 * x81;
+    const four_bar_wide x78 = 0.15 * x17;
+    const four_bar_wide x79 = 0.5 + x78;
+    const four_bar_wide x83 = x79 + x82;
+    const four_bar_wide x84 = 2.0 * x83;
+    const four_bar_wide x85 = x84 * x68;
+    const four_bar_wide x86 = x77 + x85;
+    const four_bar_wide x103 = 0.2 * x83;
+    const four_bar_wide x88 = 0.10404 * x64;
+    const four_bar_wide x87 = 3.00186 * x29;
+    const four_bar_wide x89 = x87 + x88;
+    const four_bar_wide x90 = x81 * x89;
+    const four_bar_wide x91 = x86 - x90;
+    const four_bar_wide x99 = 0.045 * x17;
+    const four_bar_wide x100 = 0.1 + x99;
+    const four_bar_wide x104 = x100 - x103;
+    const four_bar_wide x101 = x84 * x100;
+    const four_bar_wide x105 = x84 * x104;
+    const four_bar_wide x92 = 0.1 * x17;
+    const four_bar_wide x93 = x17 * x92;
+    const four_bar_wide x95 = 0.09 * x17;
+    const four_bar_wide x96 = x93 + x95;
+    const four_bar_wide x97 = 0.03075 + x96;
+    const four_bar_wide x94 = 0.1 - x93;
+    const four_bar_wide x98 = x94 + x97;
+    const four_bar_wide x102 = x98 - x101;
+    const four_bar_wide x106 = x102 - x105;
+    const four_bar_wide x107 = 0.10404 * x81;
+    const four_bar_wide x108 = x81 * x107;
+    const four_bar_wide x109 = x106 + x108;
+    four_bar_wide sum1 = x109;
+    const four_bar_wide x110 = x91 / x109;
+    FOUR_BAR_WRITTEN(a[0]) = x110;
+    const four_bar_wide x115 = x81 * x110;
+    const four_bar_wide x116 = x64 + x115;
+    FOUR_BAR_WRITTEN(a[2 * stride]) = x116;
+    four_bar_wide sum2 = x116;
+    const four_bar_wide x112 = x84 * x110;
+    const four_bar_wide x113 = x111 + x112;
+    const four_bar_wide x114 = -x113;
+    FOUR_BAR_WRITTEN(a[stride]) = x114;
+    four_bar_wide sum3 = x114;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + (sum2 + sum3)) |
+        ((four_bar_wide_mask)(x62 <= 3.01689e-06) & (four_bar_wide_mask)(x62 >= -3.01689e-06)) |
+        ((four_bar_wide_mask)(x109 <= 3.264600000000001e-07) & (four_bar_wide_mask)(x109 >=
+        -3.264600000000001e-07)));
+}
+
 static void four_bar_forward_dynamics_block(
     size_t stride,
     const double *restrict q,
@@ -7200,23 +8993,13 @@ static void four_bar_forward_dynamics_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_forward_dynamics_angles(stride, 8, q + lane, v + lane, u + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[16];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_dynamics_lane(stride, 8, q + lane, v + lane, u + lane, a + lane, sine +
-            lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-06 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 3.264600000000001e-07 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_dynamics_wide(stride, q + lane, v + lane, u + lane, a + lane, sine + lane, cosine +
+            lane, total + lane);
     }
 }
 #endif
@@ -7263,10 +9046,10 @@ static int four_bar_forward_dynamics_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -7377,8 +9160,6 @@ static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_independent_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_independent_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict y_dot,
     const double *restrict u,
@@ -7388,121 +9169,119 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_independent_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x5 = sine[0];
-    const double x17 = cosine[pitch];
+    const double x17 = cosine[1];
     const double x18 = x5 * x17;
     const double x12 = cosine[0];
-    const double x8 = sine[pitch];
+    const double x8 = sine[1];
     const double x19 = x12 * x8;
+    const double x20 = x18 + x19;
+    const double x14 = cosine[2];
+    const double x21 = 0.51 * x14;
+    const double x22 = x20 * x21;
     const double x23 = x5 * x8;
     const double x24 = x12 * x17;
-    const double x14 = cosine[2 * pitch];
-    const double x21 = 0.51 * x14;
-    const double x26 = sine[2 * pitch];
-    const double x27 = 0.51 * x26;
-    const double x15 = 0.15 * x8;
-    const double x53 = 0.15 * x17;
-    const double x3 = y_dot[0];
-    const double x9 = x3 * x3;
-    const double x70 = 9.81 * x12;
-    const double x20 = x18 + x19;
-    const double x68 = 9.81 * x5;
     const double x25 = x23 - x24;
-    const double x96 = 0.1 * x17;
-    const double x99 = 0.09 * x17;
-    const double x16 = x15 * x3;
-    const double x54 = 0.5 + x53;
-    const double x10 = 0.15 * x9;
-    const double x103 = 0.045 * x17;
-    const double x22 = x20 * x21;
-    const double x47 = x20 * x27;
-    const double x28 = x25 * x27;
     const double x46 = x25 * x21;
-    const double x69 = x17 * x68;
-    const double x97 = x17 * x96;
-    const double x55 = x54 * x3;
-    const double x52 = x17 * x10;
-    const double x11 = x8 * x10;
-    const double x71 = x70 - x10;
-    const double x6 = 2.133675 * x5;
+    const double x26 = sine[2];
+    const double x27 = 0.51 * x26;
+    const double x28 = x25 * x27;
     const double x29 = x22 - x28;
     pivot[0] = x29;
     double sum0 = x29;
+    const double x47 = x20 * x27;
     const double x48 = x46 + x47;
-    const double x104 = 0.1 + x103;
-    const double x100 = x97 + x99;
-    const double x98 = 0.1 - x97;
-    const double x91 = 3.00186 * x26;
-    const double x72 = x8 * x71;
     const double x30 = 1.0 / x29;
-    const double x101 = 0.03075 + x100;
-    const double x73 = x69 + x72;
-    const double x102 = x98 + x101;
-    const double x74 = 0.3 * x73;
+    const double x15 = 0.15 * x8;
+    const double x3 = y_dot[0];
+    const double x16 = x15 * x3;
     const double x31 = x16 * x30;
     const double x85 = x15 * x30;
     const double x32 = x31 * x31;
-    const double x56 = x48 * x31;
-    const double x86 = x48 * x85;
-    const double x111 = 0.10404 * x85;
     const double x33 = 0.51 * x32;
-    const double x57 = x55 + x56;
-    const double x87 = x54 + x86;
-    const double x112 = x85 * x111;
+    const double x56 = x48 * x31;
     const double x34 = x14 * x33;
     const double x36 = x26 * x33;
-    const double x58 = 2.0 * x57;
-    const double x88 = 2.0 * x87;
-    const double x107 = 0.2 * x87;
     const double x35 = x12 * x34;
     const double x40 = x5 * x34;
     const double x37 = x5 * x36;
-    const double x41 = x12 * x36;
-    const double x59 = x3 - x58;
-    const double x108 = x104 - x107;
-    const double x105 = x88 * x104;
     const double x38 = x35 - x37;
+    const double x41 = x12 * x36;
     const double x42 = x40 + x41;
-    const double x60 = x59 * x59;
-    const double x109 = x88 * x108;
-    const double x106 = x102 - x105;
     const double x49 = x17 * x38;
-    const double x50 = x8 * x42;
-    const double x61 = 0.5 * x60;
     const double x39 = x8 * x38;
-    const double x43 = x17 * x42;
-    const double x76 = 0.3 * x60;
-    const double x110 = x106 - x109;
+    const double x50 = x8 * x42;
     const double x51 = x49 - x50;
-    const double x62 = x52 + x61;
+    const double x43 = x17 * x42;
     const double x44 = x39 + x43;
+    const double x53 = 0.15 * x17;
+    const double x54 = 0.5 + x53;
+    const double x55 = x54 * x3;
+    const double x57 = x55 + x56;
+    const double x58 = 2.0 * x57;
+    const double x59 = x3 - x58;
+    const double x60 = x59 * x59;
+    const double x61 = 0.5 * x60;
+    const double x76 = 0.3 * x60;
     const double x77 = x8 * x76;
-    const double x113 = x110 + x112;
-    pivot[pitch] = x113;
-    double sum1 = x113;
+    const double x9 = x3 * x3;
+    const double x10 = 0.15 * x9;
+    const double x52 = x17 * x10;
+    const double x62 = x52 + x61;
     const double x63 = x51 - x62;
-    const double x45 = x11 - x44;
     const double x64 = x30 * x63;
     const double x65 = x48 * x64;
+    const double x86 = x48 * x85;
+    const double x87 = x54 + x86;
     const double x92 = 0.10404 * x64;
+    const double x11 = x8 * x10;
+    const double x45 = x11 - x44;
     const double x66 = x45 + x65;
-    const double x93 = x91 + x92;
     const double x78 = 0.6 * x66;
-    const double x67 = 0.2 * x66;
-    const double x94 = x85 * x93;
     const double x79 = x17 * x78;
-    const double x75 = x67 + x74;
     const double x80 = x77 + x79;
-    const double x89 = x88 * x75;
     const double x81 = 0.15 * x80;
+    const double x67 = 0.2 * x66;
+    const double x70 = 9.81 * x12;
+    const double x71 = x70 - x10;
+    const double x72 = x8 * x71;
+    const double x68 = 9.81 * x5;
+    const double x69 = x17 * x68;
+    const double x73 = x69 + x72;
+    const double x74 = 0.3 * x73;
+    const double x75 = x67 + x74;
     const double x82 = x75 + x81;
+    const double x6 = 2.133675 * x5;
     const double x83 = x6 + x82;
     const double x4 = u[0];
     const double x84 = x4 + x83;
+    const double x88 = 2.0 * x87;
+    const double x89 = x88 * x75;
     const double x90 = x84 - x89;
+    const double x107 = 0.2 * x87;
+    const double x91 = 3.00186 * x26;
+    const double x93 = x91 + x92;
+    const double x94 = x85 * x93;
     const double x95 = x90 - x94;
+    const double x103 = 0.045 * x17;
+    const double x104 = 0.1 + x103;
+    const double x108 = x104 - x107;
+    const double x105 = x88 * x104;
+    const double x109 = x88 * x108;
+    const double x96 = 0.1 * x17;
+    const double x97 = x17 * x96;
+    const double x99 = 0.09 * x17;
+    const double x100 = x97 + x99;
+    const double x101 = 0.03075 + x100;
+    const double x98 = 0.1 - x97;
+    const double x102 = x98 + x101;
+    const double x106 = x102 - x105;
+    const double x110 = x106 - x109;
+    const double x111 = 0.10404 * x85;
+    const double x112 = x85 * x111;
+    const double x113 = x110 + x112;
+    pivot[1] = x113;
+    double sum1 = x113;
     const double x114 = x95 / x113;
     y_ddot[0] = x114;
     double sum2 = x114;
@@ -7520,8 +9299,7 @@ int four_bar_forward_dynamics_independent(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_forward_dynamics_independent_lane(1, 1, q, y_dot, u, y_ddot, sine, cosine,
-        pivot);
+    const double total = four_bar_forward_dynamics_independent_lane(q, y_dot, u, y_ddot, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 3.2646e-11 ? 1 : !isfinite(total) ?
         2 : 0;
     if (outcome != 0) {
@@ -7530,7 +9308,139 @@ int four_bar_forward_dynamics_independent(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_forward_dynamics_independent_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict y_dot,
+    const double *restrict u,
+    double *restrict y_ddot,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x5 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x17 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x18 = x5 * x17;
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x19 = x12 * x8;
+    const four_bar_wide x20 = x18 + x19;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x21 = 0.51 * x14;
+    const four_bar_wide x22 = x20 * x21;
+    const four_bar_wide x23 = x5 * x8;
+    const four_bar_wide x24 = x12 * x17;
+    const four_bar_wide x25 = x23 - x24;
+    const four_bar_wide x46 = x25 * x21;
+    const four_bar_wide x26 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x27 = 0.51 * x26;
+    const four_bar_wide x28 = x25 * x27;
+    const four_bar_wide x29 = x22 - x28;
+    four_bar_wide sum0 = x29;
+    const four_bar_wide x47 = x20 * x27;
+    const four_bar_wide x48 = x46 + x47;
+    const four_bar_wide x30 = 1.0 / x29;
+    const four_bar_wide x15 = 0.15 * x8;
+    const four_bar_wide x3 = FOUR_BAR_READ(y_dot[0]);
+    const four_bar_wide x16 = x15 * x3;
+    const four_bar_wide x31 = x16 * x30;
+    const four_bar_wide x85 = x15 * x30;
+    const four_bar_wide x32 = x31 * x31;
+    const four_bar_wide x33 = 0.51 * x32;
+    const four_bar_wide x56 = x48 * x31;
+    const four_bar_wide x34 = x14 * x33;
+    const four_bar_wide x36 = x26 * x33;
+    const four_bar_wide x35 = x12 * x34;
+    const four_bar_wide x40 = x5 * x34;
+    const four_bar_wide x37 = x5 * x36;
+    const four_bar_wide x38 = x35 - x37;
+    const four_bar_wide x41 = x12 * x36;
+    const four_bar_wide x42 = x40 + x41;
+    const four_bar_wide x49 = x17 * x38;
+    const four_bar_wide x39 = x8 * x38;
+    const four_bar_wide x50 = x8 * x42;
+    const four_bar_wide x51 = x49 - x50;
+    const four_bar_wide x43 = x17 * x42;
+    const four_bar_wide x44 = x39 + x43;
+    const four_bar_wide x53 = 0.15 * x17;
+    const four_bar_wide x54 = 0.5 + x53;
+    const four_bar_wide x55 = x54 * x3;
+    const four_bar_wide x57 = x55 + x56;
+    const four_bar_wide x58 = 2.0 * x57;
+    const four_bar_wide x59 = x3 - x58;
+    const four_bar_wide x60 = x59 * x59;
+    const four_bar_wide x61 = 0.5 * x60;
+    const four_bar_wide x76 = 0.3 * x60;
+    const four_bar_wide x77 = x8 * x76;
+    const four_bar_wide x9 = x3 * x3;
+    const four_bar_wide x10 = 0.15 * x9;
+    const four_bar_wide x52 = x17 * x10;
+    const four_bar_wide x62 = x52 + x61;
+    const four_bar_wide x63 = x51 - x62;
+    const four_bar_wide x64 = x30 * x63;
+    const four_bar_wide x65 = x48 * x64;
+    const four_bar_wide x86 = x48 * x85;
+    const four_bar_wide x87 = x54 + x86;
+    const four_bar_wide x92 = 0.10404 * x64;
+    const four_bar_wide x11 = x8 * x10;
+    const four_bar_wide x45 = x11 - x44;
+    const four_bar_wide x66 = x45 + x65;
+    const four_bar_wide x78 = 0.6 * x66;
+    const four_bar_wide x79 = x17 * x78;
+    const four_bar_wide x80 = x77 + x79;
+    const four_bar_wide x81 = 0.15 * x80;
+    const four_bar_wide x67 = 0.2 * x66;
+    const four_bar_wide x70 = 9.81 * x12;
+    const four_bar_wide x71 = x70 - x10;
+    const four_bar_wide x72 = x8 * x71;
+    const four_bar_wide x68 = 9.81 * x5;
+    const four_bar_wide x69 = x17 * x68;
+    const four_bar_wide x73 = x69 + x72;
+    const four_bar_wide x74 = 0.3 * x73;
+    const four_bar_wide x75 = x67 + x74;
+    const four_bar_wide x82 = x75 + x81;
+    const four_bar_wide x6 = 2.133675 * x5;
+    const four_bar_wide x83 = x6 + x82;
+    const four_bar_wide x4 = FOUR_BAR_READ(u[0]);
+    const four_bar_wide x84 = x4 + x83;
+    const four_bar_wide x88 = 2.0 * x87;
+    const four_bar_wide x89 = x88 * x75;
+    const four_bar_wide x90 = x84 - x89;
+    const four_bar_wide x107 = 0.2 * x87;
+    const four_bar_wide x91 = 3.00186 * x26;
+    const four_bar_wide x93 = x91 + x92;
+    const four_bar_wide x94 = x85 * x93;
+    const four_bar_wide x95 = x90 - x94;
+    const four_bar_wide x103 = 0.045 * x17;
+    const four_bar_wide x104 = 0.1 + x103;
+    const four_bar_wide x108 = x104 - x107;
+    const four_bar_wide x105 = x88 * x104;
+    const four_bar_wide x109 = x88 * x108;
+    const four_bar_wide x96 = 0.1 * x17;
+    const four_bar_wide x97 = x17 * x96;
+    const four_bar_wide x99 = 0.09 * x17;
+    const four_bar_wide x100 = x97 + x99;
+    const four_bar_wide x101 = 0.03075 + x100;
+    const four_bar_wide x98 = 0.1 - x97;
+    const four_bar_wide x102 = x98 + x101;
+    const four_bar_wide x106 = x102 - x105;
+    const four_bar_wide x110 = x106 - x109;
+    const four_bar_wide x111 = 0.10404 * x85;
+    const four_bar_wide x112 = x85 * x111;
+    const four_bar_wide x113 = x110 + x112;
+    four_bar_wide sum1 = x113;
+    const four_bar_wide x114 = x95 / x113;
+    FOUR_BAR_WRITTEN(y_ddot[0]) = x114;
+    four_bar_wide sum2 = x114;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + sum2) |
+        ((four_bar_wide_mask)(x29 <= 3.01689e-10) & (four_bar_wide_mask)(x29 >= -3.01689e-10)) |
+        ((four_bar_wide_mask)(x113 <= 3.2646e-11) & (four_bar_wide_mask)(x113 >= -3.2646e-11)));
+}
+
 static void four_bar_forward_dynamics_independent_block(
     size_t stride,
     const double *restrict q,
@@ -7540,24 +9450,14 @@ static void four_bar_forward_dynamics_independent_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_forward_dynamics_independent_angles(stride, 8, q + lane, y_dot + lane, u + lane, angle +
             lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[16];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_dynamics_independent_lane(stride, 8, q + lane, y_dot + lane, u + lane,
-            y_ddot + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 3.2646e-11 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_dynamics_independent_wide(stride, q + lane, y_dot + lane, u + lane, y_ddot + lane,
+            sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -7605,10 +9505,10 @@ static int four_bar_forward_dynamics_independent_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, y_dot + first + 8);
@@ -7725,8 +9625,6 @@ static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_reactions_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -7737,15 +9635,13 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x25 = x5 * x5;
     const double x26 = 0.51 * x25;
     const double x190 = 0.306 * x25;
-    const double x24 = cosine[2 * pitch];
+    const double x24 = cosine[2];
     const double x27 = x24 * x26;
-    const double x29 = sine[2 * pitch];
+    const double x29 = sine[2];
     const double x30 = x29 * x26;
     const double x13 = cosine[0];
     const double x28 = x13 * x27;
@@ -7755,9 +9651,9 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x32 = x28 - x31;
     const double x35 = x13 * x30;
     const double x36 = x34 + x35;
-    const double x17 = cosine[pitch];
+    const double x17 = cosine[1];
     const double x51 = x17 * x32;
-    const double x10 = sine[pitch];
+    const double x10 = sine[1];
     const double x33 = x10 * x32;
     const double x52 = x10 * x36;
     const double x53 = x51 - x52;
@@ -7768,7 +9664,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x12 = 0.15 * x11;
     const double x118 = 0.0375 * x11;
     const double x54 = x17 * x12;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x55 = x3 + x4;
     const double x56 = x55 * x55;
     const double x57 = 0.5 * x56;
@@ -7819,7 +9715,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x6 = u[0];
     const double x77 = x6 + x76;
     const double x80 = 0.15 * x10;
-    pivot[2 * pitch] = x80;
+    pivot[2] = x80;
     const double x81 = x80 * x63;
     const double x82 = x50 * x81;
     const double x78 = 0.15 * x17;
@@ -7851,19 +9747,19 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x107 = 0.10404 * x81;
     const double x108 = x81 * x107;
     const double x109 = x106 + x108;
-    pivot[pitch] = x109;
+    pivot[1] = x109;
     double sum1 = x109;
     const double x110 = x91 / x109;
     a[0] = x110;
     const double x112 = x84 * x110;
     const double x113 = x111 + x112;
     const double x114 = -x113;
-    a[stride] = x114;
+    a[1] = x114;
     double sum2 = x114;
     const double x120 = x110 - x113;
     const double x115 = x81 * x110;
     const double x116 = x64 + x115;
-    a[2 * stride] = x116;
+    a[2] = x116;
     const double x195 = 0.306 * x116;
     const double x122 = 0.15 * x110;
     const double x123 = x18 - x122;
@@ -7913,27 +9809,27 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     double sum3 = x162;
     const double x164 = x7 * x160;
     const double x165 = x163 + x164;
-    reactions[2 * stride] = x165;
+    reactions[2] = x165;
     sum0 = sum0 + x165;
     const double x166 = x7 * x151;
     const double x169 = x13 * x151;
     const double x167 = x13 * x159;
     const double x168 = x166 - x167;
-    reactions[6 * stride] = x168;
+    reactions[6] = x168;
     const double x170 = x7 * x159;
     const double x171 = x169 + x170;
-    reactions[8 * stride] = x171;
+    reactions[8] = x171;
     const double x172 = 0.15 * x13;
     const double x173 = x172 * x168;
     const double x174 = 0.15 * x7;
     const double x175 = x174 * x171;
     const double x176 = x173 - x175;
-    reactions[10 * stride] = x176;
+    reactions[10] = x176;
     sum1 = sum1 + x176;
     const double x178 = x47 * x148;
     const double x177 = x42 * x128;
     const double x179 = x177 + x178;
-    reactions[12 * stride] = x179;
+    reactions[12] = x179;
     const double x183 = 0.5 * x42;
     const double x184 = x172 - x183;
     const double x185 = x184 * x179;
@@ -7941,13 +9837,13 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x248 = 3.3146717314850727 * x42;
     const double x180 = x47 * x128;
     const double x182 = x180 - x181;
-    reactions[14 * stride] = x182;
+    reactions[14] = x182;
     const double x199 = x10 * x128;
     const double x186 = 0.5 * x47;
     const double x187 = x174 + x186;
     const double x188 = x187 * x182;
     const double x189 = x185 - x188;
-    reactions[16 * stride] = x189;
+    reactions[16] = x189;
     sum2 = sum2 + x189;
     const double x246 = 3.3146717314850727 * x47;
     const double x200 = x17 * x148;
@@ -7969,16 +9865,16 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x193 = x29 * x192;
     const double x198 = x193 + x197;
     const double x207 = x198 - x206;
-    reactions[18 * stride] = x207;
+    reactions[18] = x207;
     sum3 = sum3 + x207;
     const double x208 = x24 * x192;
     const double x210 = x208 - x209;
     const double x214 = x210 + x213;
     const double x215 = -x214;
-    reactions[20 * stride] = x215;
+    reactions[20] = x215;
     sum0 = sum0 + x215;
     const double x216 = 0.64 * x214;
-    reactions[22 * stride] = x216;
+    reactions[22] = x216;
     sum1 = sum1 + x216;
     const double x217 = 1.6573358657425363 * x10;
     const double x218 = x217 * x217;
@@ -8009,7 +9905,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x239 = x230 + x238;
     const double x244 = x243 * x243;
     const double x245 = x239 + x244;
-    pivot[3 * pitch] = x245;
+    pivot[3] = x245;
     sum2 = sum2 + x245;
     const double x271 = 1.0 / x245;
     const double x263 = x224 * x248;
@@ -8052,7 +9948,7 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x258 = x249 + x257;
     const double x259 = x247 + x258;
     const double x274 = x259 - x273;
-    pivot[4 * pitch] = x274;
+    pivot[4] = x274;
     sum3 = sum3 + x274;
     const double x295 = x294 / x274;
     const double x296 = x294 * x295;
@@ -8064,25 +9960,25 @@ static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_lane(
     const double x279 = x247 + x278;
     const double x280 = x249 + x279;
     const double x298 = x280 - x297;
-    pivot[5 * pitch] = x298;
+    pivot[5] = x298;
     sum0 = sum0 + x298;
-    reactions[stride] = 0.0;
-    reactions[3 * stride] = 0.0;
-    reactions[4 * stride] = 0.0;
-    reactions[5 * stride] = 0.0;
-    reactions[7 * stride] = 0.0;
-    reactions[9 * stride] = 0.0;
-    reactions[11 * stride] = 0.0;
-    reactions[13 * stride] = 0.0;
-    reactions[15 * stride] = 0.0;
-    reactions[17 * stride] = 0.0;
-    reactions[19 * stride] = 0.0;
-    reactions[21 * stride] = 0.0;
-    reactions[23 * stride] = 0.0;
+    reactions[1] = 0.0;
+    reactions[3] = 0.0;
+    reactions[4] = 0.0;
+    reactions[5] = 0.0;
+    reactions[7] = 0.0;
+    reactions[9] = 0.0;
+    reactions[11] = 0.0;
+    reactions[13] = 0.0;
+    reactions[15] = 0.0;
+    reactions[17] = 0.0;
+    reactions[19] = 0.0;
+    reactions[21] = 0.0;
+    reactions[23] = 0.0;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
-static inline void four_bar_forward_dynamics_reactions_dense_angles(
+static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_reactions_dense_angles(
     size_t stride,
     size_t pitch,
     const double *restrict q,
@@ -8104,9 +10000,7 @@ static inline void four_bar_forward_dynamics_reactions_dense_angles(
     angle[2 * pitch] = x40;
 }
 
-static inline double four_bar_forward_dynamics_reactions_dense_lane(
-    size_t stride,
-    size_t pitch,
+static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_dense_lane(
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -8118,18 +10012,16 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x20 = sine[pitch];
+    const double x20 = sine[1];
     const double x44 = 0.15 * x20;
     closure_[0] = x44;
     double sum0 = x44;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x62 = x5 * x5;
     const double x63 = 0.51 * x62;
-    const double x55 = cosine[2 * pitch];
+    const double x55 = cosine[2];
     const double x64 = x55 * x63;
-    const double x41 = sine[2 * pitch];
+    const double x41 = sine[2];
     const double x66 = x41 * x63;
     const double x23 = cosine[0];
     const double x65 = x23 * x64;
@@ -8140,7 +10032,7 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x71 = x23 * x66;
     const double x72 = x70 + x71;
     const double x80 = x20 * x68;
-    const double x8 = cosine[pitch];
+    const double x8 = cosine[1];
     const double x69 = x8 * x68;
     const double x81 = x8 * x72;
     const double x82 = x80 + x81;
@@ -8151,10 +10043,10 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x22 = 0.15 * x21;
     const double x79 = x20 * x22;
     const double x83 = x79 - x82;
-    curvature_[stride] = x83;
+    curvature_[1] = x83;
     double sum1 = x83;
     const double x75 = x8 * x22;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x31 = x3 + x4;
     const double x32 = x31 * x31;
     const double x76 = 0.5 * x32;
@@ -8177,19 +10069,19 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x50 = 0.51 * x41;
     const double x60 = x54 * x50;
     const double x61 = x59 + x60;
-    closure_[11 * stride] = x61;
+    closure_[11] = x61;
     double sum3 = x61;
     const double x51 = x49 * x50;
     const double x58 = x51 - x57;
-    closure_[10 * stride] = x58;
+    closure_[10] = x58;
     sum0 = sum0 + x58;
     const double x45 = 0.15 * x8;
     const double x46 = 0.5 + x45;
-    closure_[stride] = x46;
+    closure_[1] = x46;
     sum1 = sum1 + x46;
     const double x42 = 3.00186 * x41;
     const double x43 = -x42;
-    load_[2 * stride] = x43;
+    load_[2] = x43;
     sum2 = sum2 + x43;
     const double x24 = 9.81 * x23;
     const double x25 = x22 - x24;
@@ -8199,7 +10091,7 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x29 = x26 - x28;
     const double x30 = 0.3 * x29;
     const double x39 = -x30;
-    load_[stride] = x39;
+    load_[1] = x39;
     sum3 = sum3 + x39;
     const double x36 = x30 - x35;
     const double x19 = 2.133675 * x18;
@@ -8210,8 +10102,8 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     sum0 = sum0 + x38;
     const double x16 = 0.045 * x8;
     const double x17 = 0.1 + x16;
-    inertia_[stride] = x17;
-    inertia_[3 * stride] = x17;
+    inertia_[1] = x17;
+    inertia_[3] = x17;
     sum1 = sum1 + x17;
     const double x9 = 0.1 * x8;
     const double x10 = x8 * x9;
@@ -8222,26 +10114,26 @@ static inline double four_bar_forward_dynamics_reactions_dense_lane(
     const double x15 = x11 + x14;
     inertia_[0] = x15;
     sum2 = sum2 + x15;
-    inertia_[2 * stride] = 0.0;
-    inertia_[5 * stride] = 0.0;
-    inertia_[6 * stride] = 0.0;
-    inertia_[7 * stride] = 0.0;
-    closure_[2 * stride] = 0.0;
-    closure_[3 * stride] = 0.0;
-    closure_[4 * stride] = 0.0;
-    closure_[5 * stride] = 0.0;
-    closure_[7 * stride] = 0.0;
-    closure_[8 * stride] = 0.0;
-    closure_[9 * stride] = 0.0;
-    closure_[12 * stride] = 0.0;
-    closure_[13 * stride] = 0.0;
-    closure_[14 * stride] = 0.0;
-    curvature_[2 * stride] = 0.0;
-    curvature_[3 * stride] = 0.0;
-    curvature_[4 * stride] = 0.0;
-    inertia_[4 * stride] = 0.1;
-    inertia_[8 * stride] = 0.10404;
-    closure_[6 * stride] = 0.5;
+    inertia_[2] = 0.0;
+    inertia_[5] = 0.0;
+    inertia_[6] = 0.0;
+    inertia_[7] = 0.0;
+    closure_[2] = 0.0;
+    closure_[3] = 0.0;
+    closure_[4] = 0.0;
+    closure_[5] = 0.0;
+    closure_[7] = 0.0;
+    closure_[8] = 0.0;
+    closure_[9] = 0.0;
+    closure_[12] = 0.0;
+    closure_[13] = 0.0;
+    closure_[14] = 0.0;
+    curvature_[2] = 0.0;
+    curvature_[3] = 0.0;
+    curvature_[4] = 0.0;
+    inertia_[4] = 0.1;
+    inertia_[8] = 0.10404;
+    closure_[6] = 0.5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -8258,8 +10150,8 @@ static int four_bar_forward_dynamics_reactions_dense(
     four_bar_forward_dynamics_reactions_dense_angles(1, 1, q, v, u, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_forward_dynamics_reactions_dense_lane(1, 1, q, v, u, inertia_, load_,
-        closure_, curvature_, sine, cosine);
+    const double total = four_bar_forward_dynamics_reactions_dense_lane(q, v, u, inertia_, load_, closure_,
+        curvature_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(inertia_, 9);
@@ -8270,7 +10162,7 @@ static int four_bar_forward_dynamics_reactions_dense(
     return outcome;
 }
 
-static inline void four_bar_forward_dynamics_reactions_wrenches_angles(
+static inline FOUR_BAR_INLINE void four_bar_forward_dynamics_reactions_wrenches_angles(
     size_t stride,
     size_t pitch,
     const double *restrict q,
@@ -8296,9 +10188,7 @@ static inline void four_bar_forward_dynamics_reactions_wrenches_angles(
     angle[2 * pitch] = x136;
 }
 
-static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
-    size_t stride,
-    size_t pitch,
+static inline FOUR_BAR_INLINE double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double *restrict q,
     const double *restrict v,
     const double *restrict u,
@@ -8310,24 +10200,22 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x12 = multipliers_[2 * stride];
+    const double x12 = multipliers_[2];
     const double x61 = -x12;
-    reactions[stride] = x61;
-    reactions[7 * stride] = x61;
-    reactions[13 * stride] = x61;
-    sized_[2 * stride] = x61;
-    sized_[8 * stride] = x61;
-    sized_[14 * stride] = x61;
+    reactions[1] = x61;
+    reactions[7] = x61;
+    reactions[13] = x61;
+    sized_[2] = x61;
+    sized_[8] = x61;
+    sized_[14] = x61;
     double sum0 = x61;
     const double x10 = multipliers_[0];
     const double x196 = -x10;
-    sized_[12 * stride] = x196;
+    sized_[12] = x196;
     double sum1 = x196;
-    const double x11 = multipliers_[stride];
+    const double x11 = multipliers_[1];
     const double x197 = -x11;
-    sized_[13 * stride] = x197;
+    sized_[13] = x197;
     double sum2 = x197;
     const double x3 = v[0];
     const double x18 = x3 * x3;
@@ -8336,9 +10224,9 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x16 = cosine[0];
     const double x27 = 9.81 * x16;
     const double x28 = x26 - x27;
-    const double x22 = cosine[pitch];
+    const double x22 = cosine[1];
     const double x29 = x22 * x28;
-    const double x30 = sine[pitch];
+    const double x30 = sine[1];
     const double x42 = x30 * x28;
     const double x7 = a[0];
     const double x31 = 0.15 * x7;
@@ -8351,7 +10239,7 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x43 = x22 * x33;
     const double x44 = x42 + x43;
     const double x45 = 1.2 * x44;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x23 = x3 + x4;
     const double x24 = x23 * x23;
     const double x25 = 0.3 * x24;
@@ -8359,7 +10247,7 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x38 = x37 + x10;
     const double x39 = x22 * x38;
     const double x55 = x30 * x38;
-    const double x8 = a[stride];
+    const double x8 = a[1];
     const double x40 = x7 + x8;
     const double x41 = 0.3 * x40;
     const double x46 = x41 + x45;
@@ -8369,10 +10257,10 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x56 = x22 * x47;
     const double x57 = x55 - x56;
     const double x190 = -x49;
-    sized_[6 * stride] = x190;
+    sized_[6] = x190;
     double sum3 = x190;
     const double x191 = -x57;
-    sized_[7 * stride] = x191;
+    sized_[7] = x191;
     sum0 = sum0 + x191;
     const double x17 = 4.905 * x16;
     const double x20 = x17 - x19;
@@ -8386,19 +10274,19 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x59 = x16 * x58;
     const double x60 = x51 - x59;
     reactions[0] = x60;
-    sized_[stride] = x60;
+    sized_[1] = x60;
     sum1 = sum1 + x60;
     const double x63 = x15 * x58;
     const double x64 = x62 + x63;
-    reactions[2 * stride] = x64;
+    reactions[2] = x64;
     sized_[0] = x64;
     sum2 = sum2 + x64;
     const double x66 = 0.5 * x12;
-    const double x14 = multipliers_[4 * stride];
+    const double x14 = multipliers_[4];
     const double x67 = x14 - x66;
     const double x72 = x22 * x67;
     const double x68 = x30 * x67;
-    const double x13 = multipliers_[3 * stride];
+    const double x13 = multipliers_[3];
     const double x71 = x30 * x13;
     const double x73 = x71 + x72;
     const double x74 = 0.15 * x12;
@@ -8410,36 +10298,36 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x70 = x15 * x69;
     const double x77 = x70 + x76;
     const double x78 = -x77;
-    reactions[3 * stride] = x78;
+    reactions[3] = x78;
     sum3 = sum3 + x78;
     const double x188 = 3.3146717314850727 * x77;
     const double x189 = -x188;
-    sized_[4 * stride] = x189;
+    sized_[4] = x189;
     sum0 = sum0 + x189;
     const double x79 = x16 * x69;
     const double x81 = x79 - x80;
     const double x82 = -x81;
-    reactions[5 * stride] = x82;
+    reactions[5] = x82;
     sum1 = sum1 + x82;
     const double x186 = 3.3146717314850727 * x81;
     const double x187 = -x186;
-    sized_[3 * stride] = x187;
+    sized_[3] = x187;
     sum2 = sum2 + x187;
     const double x192 = 3.3146717314850727 * x69;
     const double x193 = -x192;
-    sized_[9 * stride] = x193;
+    sized_[9] = x193;
     sum3 = sum3 + x193;
     const double x83 = x15 * x49;
     const double x87 = x16 * x49;
     const double x84 = x16 * x57;
     const double x85 = x83 + x84;
     const double x86 = -x85;
-    reactions[6 * stride] = x86;
+    reactions[6] = x86;
     sum0 = sum0 + x86;
     const double x88 = x15 * x57;
     const double x89 = x87 - x88;
     const double x90 = -x89;
-    reactions[8 * stride] = x90;
+    reactions[8] = x90;
     sum1 = sum1 + x90;
     const double x93 = x16 * x73;
     const double x94 = x70 + x93;
@@ -8447,23 +10335,23 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x98 = x91 * x85;
     const double x92 = x91 * x12;
     const double x95 = x92 - x94;
-    reactions[9 * stride] = x95;
+    reactions[9] = x95;
     sum2 = sum2 + x95;
     const double x96 = 0.15 * x15;
     const double x97 = x96 * x89;
     const double x99 = x97 - x98;
-    reactions[10 * stride] = x99;
+    reactions[10] = x99;
     sum3 = sum3 + x99;
     const double x100 = x15 * x73;
     const double x101 = x79 - x100;
     const double x194 = 3.3146717314850727 * x73;
     const double x195 = -x194;
-    sized_[10 * stride] = x195;
+    sized_[10] = x195;
     sum0 = sum0 + x195;
     const double x102 = x96 * x12;
     const double x103 = x101 + x102;
     const double x104 = -x103;
-    reactions[11 * stride] = x104;
+    reactions[11] = x104;
     sum1 = sum1 + x104;
     const double x105 = x15 * x22;
     const double x106 = x16 * x30;
@@ -8475,7 +10363,7 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x112 = x111 * x11;
     const double x113 = x108 - x112;
     const double x114 = -x113;
-    reactions[12 * stride] = x114;
+    reactions[12] = x114;
     sum2 = sum2 + x114;
     const double x118 = 0.5 * x111;
     const double x119 = x91 - x118;
@@ -8485,7 +10373,7 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x122 = x111 * x14;
     const double x123 = x121 - x122;
     const double x124 = x120 - x123;
-    reactions[15 * stride] = x124;
+    reactions[15] = x124;
     sum3 = sum3 + x124;
     const double x126 = 0.5 * x107;
     const double x127 = x96 + x126;
@@ -8493,28 +10381,28 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x131 = x111 * x13;
     const double x116 = x107 * x11;
     const double x117 = x115 + x116;
-    reactions[14 * stride] = x117;
+    reactions[14] = x117;
     const double x128 = x127 * x117;
     const double x129 = x125 + x128;
     const double x130 = -x129;
-    reactions[16 * stride] = x130;
+    reactions[16] = x130;
     sum0 = sum0 + x130;
     const double x134 = x127 * x12;
     const double x132 = x107 * x14;
     const double x133 = x131 + x132;
     const double x135 = x133 - x134;
-    reactions[17 * stride] = x135;
+    reactions[17] = x135;
     sum1 = sum1 + x135;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x138 = x5 * x5;
     const double x139 = 0.306 * x138;
-    const double x140 = cosine[2 * pitch];
+    const double x140 = cosine[2];
     const double x141 = 11.772 * x140;
     const double x142 = x139 - x141;
-    const double x137 = sine[2 * pitch];
+    const double x137 = sine[2];
     const double x143 = x137 * x142;
     const double x159 = x140 * x142;
-    const double x9 = a[2 * stride];
+    const double x9 = a[2];
     const double x144 = 0.306 * x9;
     const double x145 = 11.772 * x137;
     const double x146 = x144 + x145;
@@ -8533,18 +10421,18 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x156 = x16 * x155;
     const double x157 = x152 + x156;
     const double x158 = x148 + x157;
-    reactions[18 * stride] = x158;
-    sized_[19 * stride] = x158;
+    reactions[18] = x158;
+    sized_[19] = x158;
     sum2 = sum2 + x158;
     const double x163 = x15 * x155;
     const double x164 = x162 - x163;
     const double x165 = x161 - x164;
     const double x166 = -x165;
-    reactions[20 * stride] = x166;
-    sized_[18 * stride] = x166;
+    reactions[20] = x166;
+    sized_[18] = x166;
     sum3 = sum3 + x166;
     const double x177 = 0.64 * x165;
-    reactions[22 * stride] = x177;
+    reactions[22] = x177;
     sum0 = sum0 + x177;
     const double x167 = x30 * x14;
     const double x168 = x65 - x167;
@@ -8560,34 +10448,34 @@ static inline double four_bar_forward_dynamics_reactions_wrenches_lane(
     const double x182 = x181 * x12;
     const double x183 = x180 - x182;
     const double x202 = 3.3146717314850727 * x183;
-    sized_[21 * stride] = x202;
+    sized_[21] = x202;
     sum1 = sum1 + x202;
     const double x184 = 0.64 * x12;
     const double x185 = x183 + x184;
-    reactions[23 * stride] = x185;
+    reactions[23] = x185;
     sum2 = sum2 + x185;
     const double x198 = 3.3146717314850727 * x13;
     const double x199 = -x198;
-    sized_[15 * stride] = x199;
+    sized_[15] = x199;
     sum3 = sum3 + x199;
     const double x200 = 3.3146717314850727 * x14;
     const double x201 = -x200;
-    sized_[16 * stride] = x201;
+    sized_[16] = x201;
     sum0 = sum0 + x201;
     const double x174 = 0.51 * x140;
     const double x175 = x174 * x12;
     const double x176 = x173 - x175;
-    reactions[21 * stride] = x176;
+    reactions[21] = x176;
     const double x203 = 3.3146717314850727 * x176;
-    sized_[22 * stride] = x203;
+    sized_[22] = x203;
     sum1 = sum1 + x203;
-    reactions[4 * stride] = 0.0;
-    sized_[5 * stride] = 0.0;
-    sized_[11 * stride] = 0.0;
-    sized_[17 * stride] = 0.0;
-    sized_[23 * stride] = 0.0;
-    reactions[19 * stride] = x12;
-    sized_[20 * stride] = x12;
+    reactions[4] = 0.0;
+    sized_[5] = 0.0;
+    sized_[11] = 0.0;
+    sized_[17] = 0.0;
+    sized_[23] = 0.0;
+    reactions[19] = x12;
+    sized_[20] = x12;
     const double x6 = u[0];
     sum2 = sum2 + x6;
     return (sum0 + sum1) + (sum2 + sum3);
@@ -8606,7 +10494,7 @@ static int four_bar_forward_dynamics_reactions_wrenches(
     four_bar_forward_dynamics_reactions_wrenches_angles(1, 1, q, v, u, a, multipliers_, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_forward_dynamics_reactions_wrenches_lane(1, 1, q, v, u, a, multipliers_,
+    const double total = four_bar_forward_dynamics_reactions_wrenches_lane(q, v, u, a, multipliers_,
         reactions, sized_, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -8706,8 +10594,7 @@ int four_bar_forward_dynamics_reactions(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[6] = {0.0};
-    const double total = four_bar_forward_dynamics_reactions_lane(1, 1, q, v, u, a, reactions, sine, cosine,
-        pivot);
+    const double total = four_bar_forward_dynamics_reactions_lane(q, v, u, a, reactions, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-06 || fabs(pivot[1]) <= 3.264600000000001e-07 ||
         fabs(pivot[2]) <= 1.2634000000000003e-06 || fabs(pivot[3]) <= 0.0001379 || fabs(pivot[4]) <=
         0.00043948 || fabs(pivot[5]) <= 0.00043948 ? 1 : !isfinite(total) ? 2 : 0;
@@ -8721,7 +10608,365 @@ int four_bar_forward_dynamics_reactions(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_forward_dynamics_reactions_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    const double *restrict u,
+    double *restrict a,
+    double *restrict reactions,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x25 = x5 * x5;
+    const four_bar_wide x26 = 0.51 * x25;
+    const four_bar_wide x190 = 0.306 * x25;
+    const four_bar_wide x24 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x27 = x24 * x26;
+    const four_bar_wide x29 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x30 = x29 * x26;
+    const four_bar_wide x13 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x28 = x13 * x27;
+    const four_bar_wide x7 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x34 = x7 * x27;
+    const four_bar_wide x31 = x7 * x30;
+    const four_bar_wide x32 = x28 - x31;
+    const four_bar_wide x35 = x13 * x30;
+    const four_bar_wide x36 = x34 + x35;
+    const four_bar_wide x17 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x51 = x17 * x32;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x33 = x10 * x32;
+    const four_bar_wide x52 = x10 * x36;
+    const four_bar_wide x53 = x51 - x52;
+    const four_bar_wide x37 = x17 * x36;
+    const four_bar_wide x38 = x33 + x37;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x11 = x3 * x3;
+    const four_bar_wide x12 = 0.15 * x11;
+    const four_bar_wide x118 = 0.0375 * x11;
+    const four_bar_wide x54 = x17 * x12;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x55 = x3 + x4;
+    const four_bar_wide x56 = x55 * x55;
+    const four_bar_wide x57 = 0.5 * x56;
+    const four_bar_wide x58 = x54 + x57;
+    const four_bar_wide x59 = x53 - x58;
+    const four_bar_wide x69 = 0.3 * x56;
+    const four_bar_wide x45 = x7 * x17;
+    const four_bar_wide x46 = x13 * x10;
+    const four_bar_wide x47 = x45 + x46;
+    const four_bar_wide x43 = 0.51 * x24;
+    const four_bar_wide x60 = x47 * x43;
+    const four_bar_wide x40 = x7 * x10;
+    const four_bar_wide x41 = x13 * x17;
+    const four_bar_wide x42 = x40 - x41;
+    const four_bar_wide x44 = x42 * x43;
+    const four_bar_wide x48 = 0.51 * x29;
+    const four_bar_wide x61 = x42 * x48;
+    const four_bar_wide x62 = x60 - x61;
+    four_bar_wide sum0 = x62;
+    const four_bar_wide x63 = 1.0 / x62;
+    const four_bar_wide x64 = x59 * x63;
+    const four_bar_wide x49 = x47 * x48;
+    const four_bar_wide x50 = x44 + x49;
+    const four_bar_wide x65 = x50 * x64;
+    const four_bar_wide x22 = x10 * x12;
+    const four_bar_wide x39 = x22 - x38;
+    const four_bar_wide x66 = x39 + x65;
+    const four_bar_wide x71 = 0.6 * x66;
+    const four_bar_wide x72 = x17 * x71;
+    const four_bar_wide x70 = x10 * x69;
+    const four_bar_wide x73 = x70 + x72;
+    const four_bar_wide x74 = 0.15 * x73;
+    const four_bar_wide x67 = 0.2 * x66;
+    const four_bar_wide x111 = 2.0 * x66;
+    const four_bar_wide x14 = 9.81 * x13;
+    const four_bar_wide x15 = x12 - x14;
+    const four_bar_wide x16 = x10 * x15;
+    const four_bar_wide x134 = x17 * x15;
+    const four_bar_wide x18 = 9.81 * x7;
+    const four_bar_wide x19 = x17 * x18;
+    const four_bar_wide x20 = x16 - x19;
+    const four_bar_wide x21 = 0.3 * x20;
+    const four_bar_wide x68 = x21 - x67;
+    const four_bar_wide x75 = x68 - x74;
+    const four_bar_wide x8 = 2.133675 * x7;
+    const four_bar_wide x76 = x8 - x75;
+    const four_bar_wide x6 = FOUR_BAR_READ(u[0]);
+    const four_bar_wide x77 = x6 + x76;
+    const four_bar_wide x80 = 0.15 * x10;
+    const four_bar_wide x81 = x80 * x63;
+    const four_bar_wide x82 = x50 * x81;
+    const four_bar_wide x78 = 0.15 * x17;
+    const four_bar_wide x79 = 0.5 + x78;
+    const four_bar_wide x83 = x79 + x82;
+    const four_bar_wide x84 = 2.0 * x83;
+    const four_bar_wide x85 = x84 * x68;
+    const four_bar_wide x86 = x77 + x85;
+    const four_bar_wide x103 = 0.2 * x83;
+    const four_bar_wide x88 = 0.10404 * x64;
+    const four_bar_wide x87 = 3.00186 * x29;
+    const four_bar_wide x89 = x87 + x88;
+    const four_bar_wide x90 = x81 * x89;
+    const four_bar_wide x91 = x86 - x90;
+    const four_bar_wide x99 = 0.045 * x17;
+    const four_bar_wide x100 = 0.1 + x99;
+    const four_bar_wide x104 = x100 - x103;
+    const four_bar_wide x101 = x84 * x100;
+    const four_bar_wide x105 = x84 * x104;
+    const four_bar_wide x92 = 0.1 * x17;
+    const four_bar_wide x93 = x17 * x92;
+    const four_bar_wide x95 = 0.09 * x17;
+    const four_bar_wide x96 = x93 + x95;
+    const four_bar_wide x97 = 0.03075 + x96;
+    const four_bar_wide x94 = 0.1 - x93;
+    const four_bar_wide x98 = x94 + x97;
+    const four_bar_wide x102 = x98 - x101;
+    const four_bar_wide x106 = x102 - x105;
+    const four_bar_wide x107 = 0.10404 * x81;
+    const four_bar_wide x108 = x81 * x107;
+    const four_bar_wide x109 = x106 + x108;
+    four_bar_wide sum1 = x109;
+    const four_bar_wide x110 = x91 / x109;
+    FOUR_BAR_WRITTEN(a[0]) = x110;
+    const four_bar_wide x112 = x84 * x110;
+    const four_bar_wide x113 = x111 + x112;
+    const four_bar_wide x114 = -x113;
+    FOUR_BAR_WRITTEN(a[stride]) = x114;
+    four_bar_wide sum2 = x114;
+    const four_bar_wide x120 = x110 - x113;
+    const four_bar_wide x115 = x81 * x110;
+    const four_bar_wide x116 = x64 + x115;
+    FOUR_BAR_WRITTEN(a[2 * stride]) = x116;
+    const four_bar_wide x195 = 0.306 * x116;
+    const four_bar_wide x122 = 0.15 * x110;
+    const four_bar_wide x123 = x18 - x122;
+    const four_bar_wide x124 = x17 * x123;
+    const four_bar_wide x125 = x16 - x124;
+    const four_bar_wide x135 = x10 * x123;
+    const four_bar_wide x136 = x134 + x135;
+    const four_bar_wide x137 = 1.2 * x136;
+    const four_bar_wide x138 = x69 + x137;
+    const four_bar_wide x126 = 0.3 * x125;
+    const four_bar_wide x130 = 1.2 * x125;
+    const four_bar_wide x121 = 0.1 * x120;
+    const four_bar_wide x127 = x121 + x126;
+    const four_bar_wide x128 = 2.0 * x127;
+    const four_bar_wide x129 = 0.3 * x120;
+    const four_bar_wide x131 = x129 + x130;
+    const four_bar_wide x139 = x17 * x129;
+    const four_bar_wide x140 = x70 - x139;
+    const four_bar_wide x132 = x128 - x131;
+    const four_bar_wide x141 = x17 * x128;
+    const four_bar_wide x142 = x140 + x141;
+    const four_bar_wide x143 = 0.15 * x142;
+    const four_bar_wide x144 = 0.03075 * x110;
+    const four_bar_wide x145 = x8 - x144;
+    const four_bar_wide x146 = x143 + x145;
+    const four_bar_wide x147 = x6 + x146;
+    const four_bar_wide x148 = x147 / x80;
+    const four_bar_wide x149 = x138 - x148;
+    const four_bar_wide x155 = 0.0375 * x110;
+    const four_bar_wide x150 = x17 * x149;
+    const four_bar_wide x158 = x10 * x149;
+    const four_bar_wide x133 = x10 * x132;
+    const four_bar_wide x151 = x133 - x150;
+    const four_bar_wide x157 = x17 * x132;
+    const four_bar_wide x159 = x157 + x158;
+    const four_bar_wide x117 = 4.905 * x13;
+    const four_bar_wide x119 = x117 - x118;
+    const four_bar_wide x152 = x119 + x151;
+    const four_bar_wide x153 = x7 * x152;
+    const four_bar_wide x163 = x13 * x152;
+    const four_bar_wide x154 = 4.905 * x7;
+    const four_bar_wide x156 = x154 - x155;
+    const four_bar_wide x160 = x156 + x159;
+    const four_bar_wide x161 = x13 * x160;
+    const four_bar_wide x162 = x153 - x161;
+    FOUR_BAR_WRITTEN(reactions[0]) = x162;
+    four_bar_wide sum3 = x162;
+    const four_bar_wide x164 = x7 * x160;
+    const four_bar_wide x165 = x163 + x164;
+    FOUR_BAR_WRITTEN(reactions[2 * stride]) = x165;
+    sum0 = sum0 + x165;
+    const four_bar_wide x166 = x7 * x151;
+    const four_bar_wide x169 = x13 * x151;
+    const four_bar_wide x167 = x13 * x159;
+    const four_bar_wide x168 = x166 - x167;
+    FOUR_BAR_WRITTEN(reactions[6 * stride]) = x168;
+    const four_bar_wide x170 = x7 * x159;
+    const four_bar_wide x171 = x169 + x170;
+    FOUR_BAR_WRITTEN(reactions[8 * stride]) = x171;
+    const four_bar_wide x172 = 0.15 * x13;
+    const four_bar_wide x173 = x172 * x168;
+    const four_bar_wide x174 = 0.15 * x7;
+    const four_bar_wide x175 = x174 * x171;
+    const four_bar_wide x176 = x173 - x175;
+    FOUR_BAR_WRITTEN(reactions[10 * stride]) = x176;
+    sum1 = sum1 + x176;
+    const four_bar_wide x178 = x47 * x148;
+    const four_bar_wide x177 = x42 * x128;
+    const four_bar_wide x179 = x177 + x178;
+    FOUR_BAR_WRITTEN(reactions[12 * stride]) = x179;
+    const four_bar_wide x183 = 0.5 * x42;
+    const four_bar_wide x184 = x172 - x183;
+    const four_bar_wide x185 = x184 * x179;
+    const four_bar_wide x181 = x42 * x148;
+    const four_bar_wide x248 = 3.3146717314850727 * x42;
+    const four_bar_wide x180 = x47 * x128;
+    const four_bar_wide x182 = x180 - x181;
+    FOUR_BAR_WRITTEN(reactions[14 * stride]) = x182;
+    const four_bar_wide x199 = x10 * x128;
+    const four_bar_wide x186 = 0.5 * x47;
+    const four_bar_wide x187 = x174 + x186;
+    const four_bar_wide x188 = x187 * x182;
+    const four_bar_wide x189 = x185 - x188;
+    FOUR_BAR_WRITTEN(reactions[16 * stride]) = x189;
+    sum2 = sum2 + x189;
+    const four_bar_wide x246 = 3.3146717314850727 * x47;
+    const four_bar_wide x200 = x17 * x148;
+    const four_bar_wide x201 = x199 + x200;
+    const four_bar_wide x203 = x10 * x148;
+    const four_bar_wide x204 = x141 - x203;
+    const four_bar_wide x202 = x7 * x201;
+    const four_bar_wide x211 = x13 * x201;
+    const four_bar_wide x205 = x13 * x204;
+    const four_bar_wide x206 = x202 - x205;
+    const four_bar_wide x212 = x7 * x204;
+    const four_bar_wide x213 = x211 + x212;
+    const four_bar_wide x194 = 11.772 * x29;
+    const four_bar_wide x196 = x194 + x195;
+    const four_bar_wide x197 = x24 * x196;
+    const four_bar_wide x209 = x29 * x196;
+    const four_bar_wide x191 = 11.772 * x24;
+    const four_bar_wide x192 = x190 - x191;
+    const four_bar_wide x193 = x29 * x192;
+    const four_bar_wide x198 = x193 + x197;
+    const four_bar_wide x207 = x198 - x206;
+    FOUR_BAR_WRITTEN(reactions[18 * stride]) = x207;
+    sum3 = sum3 + x207;
+    const four_bar_wide x208 = x24 * x192;
+    const four_bar_wide x210 = x208 - x209;
+    const four_bar_wide x214 = x210 + x213;
+    const four_bar_wide x215 = -x214;
+    FOUR_BAR_WRITTEN(reactions[20 * stride]) = x215;
+    sum0 = sum0 + x215;
+    const four_bar_wide x216 = 0.64 * x214;
+    FOUR_BAR_WRITTEN(reactions[22 * stride]) = x216;
+    sum1 = sum1 + x216;
+    const four_bar_wide x217 = 1.6573358657425363 * x10;
+    const four_bar_wide x218 = x217 * x217;
+    const four_bar_wide x219 = 2.0 + x218;
+    const four_bar_wide x220 = 1.6573358657425363 * x17;
+    const four_bar_wide x221 = x220 * x220;
+    const four_bar_wide x222 = x219 + x221;
+    const four_bar_wide x223 = 1.0 + x222;
+    const four_bar_wide x224 = 1.690482583057387 * x29;
+    const four_bar_wide x225 = x224 * x224;
+    const four_bar_wide x226 = x223 + x225;
+    const four_bar_wide x227 = 1.690482583057387 * x24;
+    const four_bar_wide x228 = x227 * x227;
+    const four_bar_wide x229 = x226 + x228;
+    const four_bar_wide x230 = 1.0 + x229;
+    const four_bar_wide x233 = 0.5 * x17;
+    const four_bar_wide x234 = 0.15 + x233;
+    const four_bar_wide x235 = x7 * x234;
+    const four_bar_wide x241 = x13 * x234;
+    const four_bar_wide x231 = 0.5 * x10;
+    const four_bar_wide x232 = x13 * x231;
+    const four_bar_wide x236 = x232 + x235;
+    const four_bar_wide x237 = 3.3146717314850727 * x236;
+    const four_bar_wide x240 = x7 * x231;
+    const four_bar_wide x242 = x240 - x241;
+    const four_bar_wide x243 = 3.3146717314850727 * x242;
+    const four_bar_wide x238 = x237 * x237;
+    const four_bar_wide x239 = x230 + x238;
+    const four_bar_wide x244 = x243 * x243;
+    const four_bar_wide x245 = x239 + x244;
+    sum2 = sum2 + x245;
+    const four_bar_wide x271 = 1.0 / x245;
+    const four_bar_wide x263 = x224 * x248;
+    const four_bar_wide x284 = x224 * x246;
+    const four_bar_wide x250 = 3.3146717314850727 * x17;
+    const four_bar_wide x260 = x217 * x250;
+    const four_bar_wide x253 = 3.3146717314850727 * x10;
+    const four_bar_wide x281 = x217 * x253;
+    const four_bar_wide x261 = x220 * x253;
+    const four_bar_wide x262 = x260 - x261;
+    const four_bar_wide x264 = x262 + x263;
+    const four_bar_wide x254 = x253 * x253;
+    const four_bar_wide x282 = x220 * x250;
+    const four_bar_wide x283 = x281 + x282;
+    const four_bar_wide x285 = x283 - x284;
+    const four_bar_wide x251 = x250 * x250;
+    const four_bar_wide x265 = x227 * x246;
+    const four_bar_wide x266 = x264 - x265;
+    const four_bar_wide x286 = x227 * x248;
+    const four_bar_wide x287 = x285 - x286;
+    const four_bar_wide x267 = x237 * x248;
+    const four_bar_wide x268 = x266 - x267;
+    const four_bar_wide x288 = x237 * x246;
+    const four_bar_wide x289 = x287 + x288;
+    const four_bar_wide x269 = x243 * x246;
+    const four_bar_wide x270 = x268 + x269;
+    const four_bar_wide x247 = x246 * x246;
+    const four_bar_wide x290 = x243 * x248;
+    const four_bar_wide x291 = x289 + x290;
+    const four_bar_wide x249 = x248 * x248;
+    const four_bar_wide x272 = x270 * x271;
+    const four_bar_wide x273 = x270 * x272;
+    const four_bar_wide x292 = x291 * x271;
+    const four_bar_wide x294 = x270 * x292;
+    const four_bar_wide x293 = x291 * x292;
+    const four_bar_wide x252 = 10.987048687506249 + x251;
+    const four_bar_wide x255 = x252 + x254;
+    const four_bar_wide x256 = x255 + x249;
+    const four_bar_wide x257 = x256 + x247;
+    const four_bar_wide x258 = x249 + x257;
+    const four_bar_wide x259 = x247 + x258;
+    const four_bar_wide x274 = x259 - x273;
+    sum3 = sum3 + x274;
+    const four_bar_wide x295 = x294 / x274;
+    const four_bar_wide x296 = x294 * x295;
+    const four_bar_wide x297 = x293 + x296;
+    const four_bar_wide x275 = 10.987048687506249 + x254;
+    const four_bar_wide x276 = x251 + x275;
+    const four_bar_wide x277 = x247 + x276;
+    const four_bar_wide x278 = x249 + x277;
+    const four_bar_wide x279 = x247 + x278;
+    const four_bar_wide x280 = x249 + x279;
+    const four_bar_wide x298 = x280 - x297;
+    sum0 = sum0 + x298;
+    FOUR_BAR_WRITTEN(reactions[stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[3 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[4 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[5 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[7 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[9 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[11 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[13 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[15 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[17 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[19 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[21 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(reactions[23 * stride]) = 0.0 - FOUR_BAR_ZERO;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + (sum2 + sum3)) |
+        ((four_bar_wide_mask)(x62 <= 3.01689e-06) & (four_bar_wide_mask)(x62 >= -3.01689e-06)) |
+        ((four_bar_wide_mask)(x109 <= 3.264600000000001e-07) & (four_bar_wide_mask)(x109 >=
+        -3.264600000000001e-07)) | ((four_bar_wide_mask)(x80 <= 1.2634000000000003e-06) &
+        (four_bar_wide_mask)(x80 >= -1.2634000000000003e-06)) | ((four_bar_wide_mask)(x245 <= 0.0001379) &
+        (four_bar_wide_mask)(x245 >= -0.0001379)) | ((four_bar_wide_mask)(x274 <= 0.00043948) &
+        (four_bar_wide_mask)(x274 >= -0.00043948)) | ((four_bar_wide_mask)(x298 <= 0.00043948) &
+        (four_bar_wide_mask)(x298 >= -0.00043948)));
+}
+
 static void four_bar_forward_dynamics_reactions_block(
     size_t stride,
     const double *restrict q,
@@ -8732,27 +10977,13 @@ static void four_bar_forward_dynamics_reactions_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_forward_dynamics_reactions_angles(stride, 8, q + lane, v + lane, u + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[48];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_forward_dynamics_reactions_lane(stride, 8, q + lane, v + lane, u + lane, a +
-            lane, reactions + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-06 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 3.264600000000001e-07 ? (double)NAN : sum;
-        sum = fabs(pivot[16 + lane]) <= 1.2634000000000003e-06 ? (double)NAN : sum;
-        sum = fabs(pivot[24 + lane]) <= 0.0001379 ? (double)NAN : sum;
-        sum = fabs(pivot[32 + lane]) <= 0.00043948 ? (double)NAN : sum;
-        sum = fabs(pivot[40 + lane]) <= 0.00043948 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_dynamics_reactions_wide(stride, q + lane, v + lane, u + lane, a + lane, reactions +
+            lane, sine + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -8806,10 +11037,10 @@ static int four_bar_forward_dynamics_reactions_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -8928,8 +11159,6 @@ static inline FOUR_BAR_INLINE void four_bar_close_position_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict q_next,
     double *restrict residual_,
@@ -8937,19 +11166,17 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     const double *restrict cosine,
     double *restrict pivot)
 {
-    (void)stride;
-    (void)pitch;
     const double x7 = sine[0];
-    const double x4 = cosine[pitch];
+    const double x4 = cosine[1];
     const double x17 = x7 * x4;
     const double x10 = cosine[0];
-    const double x8 = sine[pitch];
+    const double x8 = sine[1];
     const double x18 = x10 * x8;
     const double x19 = x17 + x18;
     const double x34 = 0.5 * x19;
     const double x33 = 0.15 * x7;
     const double x35 = x33 + x34;
-    const double x20 = sine[2 * pitch];
+    const double x20 = sine[2];
     const double x21 = 0.51 * x20;
     const double x36 = 0.64 - x21;
     const double x37 = x35 - x36;
@@ -8961,7 +11188,7 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     const double x40 = 0.5 * x12;
     const double x39 = 0.15 * x10;
     const double x41 = x39 - x40;
-    const double x14 = cosine[2 * pitch];
+    const double x14 = cosine[2];
     const double x15 = 0.51 * x14;
     const double x42 = x41 - x15;
     const double x46 = x12 * x42;
@@ -9003,7 +11230,7 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     const double x56 = 1.0 + x55;
     const double x57 = x29 * x29;
     const double x58 = x56 + x57;
-    pivot[pitch] = x58;
+    pivot[1] = x58;
     double sum2 = x58;
     const double x59 = x54 / x58;
     const double x0 = q[0];
@@ -9012,15 +11239,15 @@ static inline FOUR_BAR_INLINE double four_bar_close_position_lane(
     double sum3 = x60;
     const double x61 = x32 * x59;
     const double x62 = x51 - x61;
-    const double x1 = q[stride];
+    const double x1 = q[1];
     const double x63 = x1 + x62;
-    q_next[stride] = x63;
+    q_next[1] = x63;
     sum0 = sum0 + x63;
     const double x64 = x29 * x59;
     const double x65 = x48 + x64;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     const double x66 = x2 + x65;
-    q_next[2 * stride] = x66;
+    q_next[2] = x66;
     sum1 = sum1 + x66;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -9035,7 +11262,7 @@ int four_bar_close_position(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_close_position_lane(1, 1, q, q_next, residual_, sine, cosine, pivot);
+    const double total = four_bar_close_position_lane(q, q_next, residual_, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 2.4194e-09 ? 1 : !isfinite(total) ?
         2 : 0;
     if (outcome != 0) {
@@ -9045,7 +11272,104 @@ int four_bar_close_position(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_close_position_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict q_next,
+    double *restrict residual_,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    const four_bar_wide x7 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x4 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x17 = x7 * x4;
+    const four_bar_wide x10 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x18 = x10 * x8;
+    const four_bar_wide x19 = x17 + x18;
+    const four_bar_wide x34 = 0.5 * x19;
+    const four_bar_wide x33 = 0.15 * x7;
+    const four_bar_wide x35 = x33 + x34;
+    const four_bar_wide x20 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x21 = 0.51 * x20;
+    const four_bar_wide x36 = 0.64 - x21;
+    const four_bar_wide x37 = x35 - x36;
+    const four_bar_wide x45 = x19 * x37;
+    const four_bar_wide x9 = x7 * x8;
+    const four_bar_wide x11 = x10 * x4;
+    const four_bar_wide x12 = x9 - x11;
+    const four_bar_wide x38 = x12 * x37;
+    const four_bar_wide x40 = 0.5 * x12;
+    const four_bar_wide x39 = 0.15 * x10;
+    const four_bar_wide x41 = x39 - x40;
+    const four_bar_wide x14 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x15 = 0.51 * x14;
+    const four_bar_wide x42 = x41 - x15;
+    const four_bar_wide x46 = x12 * x42;
+    const four_bar_wide x47 = x45 - x46;
+    const four_bar_wide x43 = x19 * x42;
+    const four_bar_wide x44 = x38 + x43;
+    const four_bar_wide x25 = x19 * x15;
+    const four_bar_wide x16 = x12 * x15;
+    const four_bar_wide x26 = x12 * x21;
+    const four_bar_wide x27 = x25 - x26;
+    four_bar_wide sum0 = x27;
+    const four_bar_wide x22 = x19 * x21;
+    const four_bar_wide x23 = x16 + x22;
+    const four_bar_wide x28 = 1.0 / x27;
+    const four_bar_wide x48 = x47 * x28;
+    const four_bar_wide x67 = 3.3146717314850727 * x47;
+    const four_bar_wide x68 = x67 * x67;
+    const four_bar_wide x49 = x23 * x48;
+    const four_bar_wide x50 = x44 - x49;
+    const four_bar_wide x51 = 2.0 * x50;
+    const four_bar_wide x69 = 3.3146717314850727 * x44;
+    const four_bar_wide x70 = x69 * x69;
+    const four_bar_wide x71 = x68 + x70;
+    const four_bar_wide x72 = four_bar_wide_sqrt(x71);
+    FOUR_BAR_WRITTEN(residual_[0]) = x72;
+    four_bar_wide sum1 = x72;
+    const four_bar_wide x24 = 0.15 * x8;
+    const four_bar_wide x29 = x24 * x28;
+    const four_bar_wide x30 = x23 * x29;
+    const four_bar_wide x5 = 0.15 * x4;
+    const four_bar_wide x6 = 0.5 + x5;
+    const four_bar_wide x31 = x6 + x30;
+    const four_bar_wide x32 = 2.0 * x31;
+    const four_bar_wide x52 = x32 * x51;
+    const four_bar_wide x53 = x29 * x48;
+    const four_bar_wide x54 = x52 - x53;
+    const four_bar_wide x55 = x32 * x32;
+    const four_bar_wide x56 = 1.0 + x55;
+    const four_bar_wide x57 = x29 * x29;
+    const four_bar_wide x58 = x56 + x57;
+    four_bar_wide sum2 = x58;
+    const four_bar_wide x59 = x54 / x58;
+    const four_bar_wide x0 = FOUR_BAR_READ(q[0]);
+    const four_bar_wide x60 = x0 + x59;
+    FOUR_BAR_WRITTEN(q_next[0]) = x60;
+    four_bar_wide sum3 = x60;
+    const four_bar_wide x61 = x32 * x59;
+    const four_bar_wide x62 = x51 - x61;
+    const four_bar_wide x1 = FOUR_BAR_READ(q[stride]);
+    const four_bar_wide x63 = x1 + x62;
+    FOUR_BAR_WRITTEN(q_next[stride]) = x63;
+    sum0 = sum0 + x63;
+    const four_bar_wide x64 = x29 * x59;
+    const four_bar_wide x65 = x48 + x64;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    const four_bar_wide x66 = x2 + x65;
+    FOUR_BAR_WRITTEN(q_next[2 * stride]) = x66;
+    sum1 = sum1 + x66;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + (sum2 + sum3)) |
+        ((four_bar_wide_mask)(x27 <= 3.01689e-10) & (four_bar_wide_mask)(x27 >= -3.01689e-10)) |
+        ((four_bar_wide_mask)(x58 <= 2.4194e-09) & (four_bar_wide_mask)(x58 >= -2.4194e-09)));
+}
+
 static void four_bar_close_position_block(
     size_t stride,
     const double *restrict q,
@@ -9054,23 +11378,13 @@ static void four_bar_close_position_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_close_position_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[16];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_close_position_lane(stride, 8, q + lane, q_next + lane, residual_ + lane, sine
-            + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 2.4194e-09 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_close_position_wide(stride, q + lane, q_next + lane, residual_ + lane, sine + lane, cosine +
+            lane, total + lane);
     }
 }
 #endif
@@ -9111,10 +11425,10 @@ static int four_bar_close_position_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, q_next + first + 8);
@@ -9218,8 +11532,6 @@ static inline FOUR_BAR_INLINE void four_bar_close_velocity_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     const double *restrict v,
     double *restrict v_next,
@@ -9228,23 +11540,21 @@ static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
     double *restrict pivot)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x10 = sine[0];
-    const double x7 = cosine[pitch];
+    const double x7 = cosine[1];
     const double x20 = x10 * x7;
     const double x13 = cosine[0];
-    const double x11 = sine[pitch];
+    const double x11 = sine[1];
     const double x21 = x13 * x11;
     const double x22 = x20 + x21;
-    const double x17 = cosine[2 * pitch];
+    const double x17 = cosine[2];
     const double x18 = 0.51 * x17;
     const double x28 = x22 * x18;
     const double x12 = x10 * x11;
     const double x14 = x13 * x7;
     const double x15 = x12 - x14;
     const double x19 = x15 * x18;
-    const double x23 = sine[2 * pitch];
+    const double x23 = sine[2];
     const double x24 = 0.51 * x23;
     const double x29 = x15 * x24;
     const double x30 = x28 - x29;
@@ -9259,27 +11569,27 @@ static inline FOUR_BAR_INLINE double four_bar_close_velocity_lane(
     const double x9 = 0.5 + x8;
     const double x33 = x9 + x32;
     const double x34 = 2.0 * x33;
-    const double x4 = v[stride];
+    const double x4 = v[1];
     const double x35 = x4 * x34;
     const double x3 = v[0];
     const double x36 = x3 - x35;
-    const double x5 = v[2 * stride];
+    const double x5 = v[2];
     const double x37 = x5 * x31;
     const double x38 = x36 + x37;
     const double x39 = x34 * x34;
     const double x40 = 1.0 + x39;
     const double x41 = x31 * x31;
     const double x42 = x40 + x41;
-    pivot[pitch] = x42;
+    pivot[1] = x42;
     double sum1 = x42;
     const double x43 = x38 / x42;
     v_next[0] = x43;
     const double x46 = x31 * x43;
-    v_next[2 * stride] = x46;
+    v_next[2] = x46;
     double sum2 = x46;
     const double x44 = x34 * x43;
     const double x45 = -x44;
-    v_next[stride] = x45;
+    v_next[1] = x45;
     double sum3 = x45;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -9294,7 +11604,7 @@ int four_bar_close_velocity(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_close_velocity_lane(1, 1, q, v, v_next, sine, cosine, pivot);
+    const double total = four_bar_close_velocity_lane(q, v, v_next, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 2.4194e-09 ? 1 : !isfinite(total) ?
         2 : 0;
     if (outcome != 0) {
@@ -9303,7 +11613,73 @@ int four_bar_close_velocity(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_close_velocity_wide(
+    size_t stride,
+    const double *restrict q,
+    const double *restrict v,
+    double *restrict v_next,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x10 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x7 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x20 = x10 * x7;
+    const four_bar_wide x13 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x11 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x21 = x13 * x11;
+    const four_bar_wide x22 = x20 + x21;
+    const four_bar_wide x17 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x18 = 0.51 * x17;
+    const four_bar_wide x28 = x22 * x18;
+    const four_bar_wide x12 = x10 * x11;
+    const four_bar_wide x14 = x13 * x7;
+    const four_bar_wide x15 = x12 - x14;
+    const four_bar_wide x19 = x15 * x18;
+    const four_bar_wide x23 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x24 = 0.51 * x23;
+    const four_bar_wide x29 = x15 * x24;
+    const four_bar_wide x30 = x28 - x29;
+    four_bar_wide sum0 = x30;
+    const four_bar_wide x25 = x22 * x24;
+    const four_bar_wide x26 = x19 + x25;
+    const four_bar_wide x27 = 0.15 * x11;
+    const four_bar_wide x31 = x27 / x30;
+    const four_bar_wide x32 = x26 * x31;
+    const four_bar_wide x8 = 0.15 * x7;
+    const four_bar_wide x9 = 0.5 + x8;
+    const four_bar_wide x33 = x9 + x32;
+    const four_bar_wide x34 = 2.0 * x33;
+    const four_bar_wide x4 = FOUR_BAR_READ(v[stride]);
+    const four_bar_wide x35 = x4 * x34;
+    const four_bar_wide x3 = FOUR_BAR_READ(v[0]);
+    const four_bar_wide x36 = x3 - x35;
+    const four_bar_wide x5 = FOUR_BAR_READ(v[2 * stride]);
+    const four_bar_wide x37 = x5 * x31;
+    const four_bar_wide x38 = x36 + x37;
+    const four_bar_wide x39 = x34 * x34;
+    const four_bar_wide x40 = 1.0 + x39;
+    const four_bar_wide x41 = x31 * x31;
+    const four_bar_wide x42 = x40 + x41;
+    four_bar_wide sum1 = x42;
+    const four_bar_wide x43 = x38 / x42;
+    FOUR_BAR_WRITTEN(v_next[0]) = x43;
+    const four_bar_wide x46 = x31 * x43;
+    FOUR_BAR_WRITTEN(v_next[2 * stride]) = x46;
+    four_bar_wide sum2 = x46;
+    const four_bar_wide x44 = x34 * x43;
+    const four_bar_wide x45 = -x44;
+    FOUR_BAR_WRITTEN(v_next[stride]) = x45;
+    four_bar_wide sum3 = x45;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + (sum2 + sum3)) |
+        ((four_bar_wide_mask)(x30 <= 3.01689e-10) & (four_bar_wide_mask)(x30 >= -3.01689e-10)) |
+        ((four_bar_wide_mask)(x42 <= 2.4194e-09) & (four_bar_wide_mask)(x42 >= -2.4194e-09)));
+}
+
 static void four_bar_close_velocity_block(
     size_t stride,
     const double *restrict q,
@@ -9312,23 +11688,13 @@ static void four_bar_close_velocity_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_close_velocity_angles(stride, 8, q + lane, v + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    double pivot[16];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_close_velocity_lane(stride, 8, q + lane, v + lane, v_next + lane, sine + lane,
-            cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 2.4194e-09 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_close_velocity_wide(stride, q + lane, v + lane, v_next + lane, sine + lane, cosine + lane,
+            total + lane);
     }
 }
 #endif
@@ -9369,10 +11735,10 @@ static int four_bar_close_velocity_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(3, stride, v + first + 8);
@@ -9454,7 +11820,7 @@ int four_bar_close_velocity_batch_soa(
     return stride == 0 && count > 0 ? 2 : four_bar_close_velocity_states(count, stride, q, v, v_next, status);
 }
 
-static inline void four_bar_inverse_kinematics_angles(
+static inline FOUR_BAR_INLINE void four_bar_inverse_kinematics_angles(
     size_t stride,
     size_t pitch,
     const double *restrict pose,
@@ -9467,16 +11833,12 @@ static inline void four_bar_inverse_kinematics_angles(
     angle[0] = x1;
 }
 
-static inline double four_bar_inverse_kinematics_lane(
-    size_t stride,
-    size_t pitch,
+static inline FOUR_BAR_INLINE double four_bar_inverse_kinematics_lane(
     const double *restrict pose,
     double *restrict q,
     const double *restrict sine,
     const double *restrict cosine)
 {
-    (void)stride;
-    (void)pitch;
     const double x5 = sine[0];
     const double x6 = 0.51 * x5;
     const double x7 = 0.64 - x6;
@@ -9514,10 +11876,10 @@ static inline double four_bar_inverse_kinematics_lane(
     const double x33 = 4.0 * x11;
     const double x35 = x33 + x34;
     const double x36 = atan2(x32, x35);
-    q[stride] = x36;
+    q[1] = x36;
     double sum1 = x36;
     const double x0 = pose[0];
-    q[2 * stride] = x0;
+    q[2] = x0;
     double sum2 = x0;
     return (sum0 + sum1) + sum2;
 }
@@ -9532,7 +11894,7 @@ int four_bar_inverse_kinematics(
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_inverse_kinematics_lane(1, 1, pose, q, sine, cosine);
+    const double total = four_bar_inverse_kinematics_lane(pose, q, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(q, 3);
@@ -9636,8 +11998,6 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_velocity_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict pose,
     const double *restrict rate,
     double *restrict v,
@@ -9646,8 +12006,6 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     double *restrict pivot)
 {
     (void)pose;
-    (void)stride;
-    (void)pitch;
     const double x6 = sine[0];
     const double x7 = 0.51 * x6;
     const double x8 = 0.64 - x7;
@@ -9703,9 +12061,9 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_velocity_lane(
     const double x51 = x48 + x50;
     const double x52 = 2.0 * x51;
     const double x53 = -x52;
-    v[stride] = x53;
+    v[1] = x53;
     double sum1 = x53;
-    v[2 * stride] = x1;
+    v[2] = x1;
     return sum0 + sum1;
 }
 
@@ -9721,7 +12079,7 @@ int four_bar_inverse_velocity(
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_inverse_velocity_lane(1, 1, pose, rate, v, sine, cosine, pivot);
+    const double total = four_bar_inverse_velocity_lane(pose, rate, v, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(v, 3);
@@ -9729,7 +12087,81 @@ int four_bar_inverse_velocity(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_inverse_velocity_wide(
+    size_t stride,
+    const double *restrict pose,
+    const double *restrict rate,
+    double *restrict v,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)pose;
+    const four_bar_wide x6 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x7 = 0.51 * x6;
+    const four_bar_wide x8 = 0.64 - x7;
+    const four_bar_wide x9 = x8 * x8;
+    const four_bar_wide x3 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x4 = 0.51 * x3;
+    const four_bar_wide x5 = x4 * x4;
+    const four_bar_wide x10 = x5 + x9;
+    const four_bar_wide x11 = x10 - 0.2725;
+    const four_bar_wide x17 = 0.5 * x11;
+    const four_bar_wide x18 = x17 * x17;
+    const four_bar_wide x19 = 0.005625 - x18;
+    const four_bar_wide x20 = four_bar_wide_sqrt(x19);
+    const four_bar_wide x21 = -x20;
+    const four_bar_wide x22 = four_bar_wide_select(0.0 - FOUR_BAR_ZERO, x21 - FOUR_BAR_ZERO, x20 -
+        FOUR_BAR_ZERO);
+    const four_bar_wide x23 = 6.666666666666667 * x22;
+    const four_bar_wide x24 = x8 * x23;
+    const four_bar_wide x31 = x4 * x23;
+    const four_bar_wide x14 = 3.3333333333333335 * x11;
+    const four_bar_wide x15 = 0.15 + x14;
+    const four_bar_wide x16 = x4 * x15;
+    const four_bar_wide x25 = x16 + x24;
+    const four_bar_wide x30 = x8 * x15;
+    const four_bar_wide x32 = x30 - x31;
+    const four_bar_wide x12 = 6.666666666666667 * x11;
+    const four_bar_wide x13 = 1.0 / x10;
+    const four_bar_wide x26 = x13 * x25;
+    const four_bar_wide x33 = x13 * x32;
+    const four_bar_wide x49 = x10 + 0.2275;
+    const four_bar_wide x1 = FOUR_BAR_READ(rate[0]);
+    const four_bar_wide x27 = 0.51 * x1;
+    const four_bar_wide x28 = x6 * x27;
+    const four_bar_wide x34 = x3 * x27;
+    const four_bar_wide x29 = x26 * x28;
+    const four_bar_wide x39 = x33 * x28;
+    const four_bar_wide x35 = x33 * x34;
+    const four_bar_wide x36 = x29 + x35;
+    const four_bar_wide x40 = x26 * x34;
+    const four_bar_wide x41 = x39 - x40;
+    const four_bar_wide x37 = x12 * x36;
+    const four_bar_wide x47 = x12 * x41;
+    const four_bar_wide x38 = 13.333333333333334 * x22;
+    const four_bar_wide x42 = x38 * x41;
+    const four_bar_wide x43 = x37 - x42;
+    const four_bar_wide x46 = x38 * x36;
+    const four_bar_wide x48 = x46 + x47;
+    const four_bar_wide x44 = 2.0 * x22;
+    four_bar_wide sum0 = x44;
+    const four_bar_wide x45 = x43 / x44;
+    FOUR_BAR_WRITTEN(v[0]) = x45;
+    const four_bar_wide x50 = x49 * x45;
+    const four_bar_wide x51 = x48 + x50;
+    const four_bar_wide x52 = 2.0 * x51;
+    const four_bar_wide x53 = -x52;
+    FOUR_BAR_WRITTEN(v[stride]) = x53;
+    four_bar_wide sum1 = x53;
+    FOUR_BAR_WRITTEN(v[2 * stride]) = x1;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)(sum0 + sum1) | ((four_bar_wide_mask)(x44
+        <= 3.01689e-10) & (four_bar_wide_mask)(x44 >= -3.01689e-10)));
+}
+
 static void four_bar_inverse_velocity_block(
     size_t stride,
     const double *restrict pose,
@@ -9738,22 +12170,13 @@ static void four_bar_inverse_velocity_block(
     double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_inverse_velocity_angles(stride, 8, pose + lane, rate + lane, angle + lane);
     }
     four_bar_sincos_block(8, angle, sine, cosine);
-    double pivot[8];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_velocity_lane(stride, 8, pose + lane, rate + lane, v + lane, sine +
-            lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_velocity_wide(stride, pose + lane, rate + lane, v + lane, sine + lane, cosine + lane,
+            total + lane);
     }
 }
 #endif
@@ -9794,10 +12217,10 @@ static int four_bar_inverse_velocity_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(1, stride, pose + first + 8);
                 four_bar_prefetch(1, stride, rate + first + 8);
@@ -9898,8 +12321,6 @@ static inline FOUR_BAR_INLINE void four_bar_inverse_dynamics_platform_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_platform_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict pose,
     const double *restrict rate,
     const double *restrict gain,
@@ -9909,155 +12330,153 @@ static inline FOUR_BAR_INLINE double four_bar_inverse_dynamics_platform_lane(
     double *restrict pivot)
 {
     (void)pose;
-    (void)stride;
-    (void)pitch;
     const double x4 = sine[0];
     const double x11 = 0.51 * x4;
+    const double x12 = 0.64 - x11;
+    const double x13 = x12 * x12;
     const double x8 = cosine[0];
     const double x9 = 0.51 * x8;
-    const double x1 = rate[0];
-    const double x56 = 0.51 * x1;
-    const double x38 = x1 * x1;
-    const double x2 = gain[0];
-    const double x41 = 0.51 * x2;
-    const double x12 = 0.64 - x11;
     const double x10 = x9 * x9;
-    const double x57 = x4 * x56;
-    const double x59 = x8 * x56;
-    const double x39 = 0.51 * x38;
-    const double x42 = x4 * x41;
-    const double x46 = x8 * x41;
-    const double x13 = x12 * x12;
-    const double x40 = x8 * x39;
-    const double x45 = x4 * x39;
     const double x14 = x10 + x13;
-    const double x43 = x40 - x42;
-    const double x47 = x45 + x46;
     const double x16 = x14 - 0.2725;
-    const double x15 = 1.0 / x14;
-    const double x75 = x14 + 0.2275;
     const double x20 = 0.5 * x16;
-    const double x17 = 3.3333333333333335 * x16;
-    const double x33 = 6.666666666666667 * x16;
     const double x21 = x20 * x20;
-    const double x18 = 0.15 + x17;
     const double x22 = 0.005625 - x21;
-    const double x19 = x12 * x18;
-    const double x34 = x9 * x18;
     const double x23 = sqrt(x22);
     const double x24 = -x23;
     const double x25 = 0.0 != 0.0 ? x24 : x23;
     const double x26 = 6.666666666666667 * x25;
+    const double x35 = x12 * x26;
+    const double x27 = x9 * x26;
+    const double x17 = 3.3333333333333335 * x16;
+    const double x18 = 0.15 + x17;
+    const double x19 = x12 * x18;
+    const double x28 = x19 - x27;
+    const double x34 = x9 * x18;
+    const double x36 = x34 + x35;
+    const double x33 = 6.666666666666667 * x16;
+    const double x15 = 1.0 / x14;
+    const double x37 = x15 * x36;
+    const double x29 = x15 * x28;
+    const double x75 = x14 + 0.2275;
+    const double x1 = rate[0];
+    const double x56 = 0.51 * x1;
+    const double x57 = x4 * x56;
+    const double x59 = x8 * x56;
+    const double x58 = x37 * x57;
+    const double x63 = x29 * x57;
+    const double x60 = x29 * x59;
+    const double x61 = x58 + x60;
+    const double x64 = x37 * x59;
+    const double x65 = x63 - x64;
+    const double x62 = x33 * x61;
+    const double x30 = 13.333333333333334 * x25;
     const double x31 = 2.0 * x25;
     pivot[0] = x31;
     double sum0 = x31;
-    const double x30 = 13.333333333333334 * x25;
-    const double x27 = x9 * x26;
-    const double x35 = x12 * x26;
     const double x32 = 1.0 / x31;
-    const double x28 = x19 - x27;
-    const double x36 = x34 + x35;
-    const double x29 = x15 * x28;
-    const double x37 = x15 * x36;
-    const double x63 = x29 * x57;
-    const double x58 = x37 * x57;
-    const double x64 = x37 * x59;
-    const double x60 = x29 * x59;
-    const double x51 = x29 * x43;
-    const double x44 = x37 * x43;
-    const double x52 = x37 * x47;
-    const double x48 = x29 * x47;
-    const double x98 = 9.81 * x29;
-    const double x95 = 9.81 * x37;
-    const double x116 = 2.133675 * x29;
-    const double x65 = x63 - x64;
-    const double x61 = x58 + x60;
-    const double x5 = 3.00186 * x4;
-    const double x6 = 0.10404 * x2;
-    const double x53 = x51 + x52;
-    const double x49 = x44 - x48;
-    const double x66 = x30 * x65;
-    const double x62 = x33 * x61;
-    const double x73 = x33 * x65;
     const double x72 = x30 * x61;
-    const double x54 = x30 * x53;
-    const double x50 = x33 * x49;
-    const double x87 = x33 * x53;
-    const double x86 = x30 * x49;
-    const double x136 = x30 * x32;
-    const double x134 = x33 * x32;
+    const double x66 = x30 * x65;
     const double x67 = x62 - x66;
-    const double x7 = x5 + x6;
-    const double x74 = x72 + x73;
-    const double x55 = x50 - x54;
-    const double x88 = x86 + x87;
-    const double x137 = x37 * x136;
-    const double x141 = x29 * x136;
     const double x68 = x67 * x32;
-    const double x135 = x29 * x134;
-    const double x140 = x37 * x134;
+    const double x73 = x33 * x65;
+    const double x74 = x72 + x73;
     const double x76 = x75 * x68;
-    const double x69 = x68 * x68;
-    const double x138 = x135 + x137;
-    const double x142 = x140 - x141;
     const double x77 = x74 + x76;
-    const double x70 = 0.15 * x69;
-    const double x139 = x9 * x138;
-    const double x143 = x11 * x142;
     const double x78 = 2.0 * x77;
-    const double x71 = x33 * x70;
-    const double x85 = x30 * x70;
-    const double x96 = x70 - x95;
-    const double x144 = x139 + x143;
-    pivot[pitch] = x144;
-    double sum1 = x144;
     const double x79 = x68 - x78;
-    const double x89 = x85 - x88;
-    const double x97 = x30 * x96;
     const double x80 = x79 * x79;
+    const double x69 = x68 * x68;
+    const double x70 = 0.15 * x69;
     const double x81 = 0.5 * x80;
     const double x107 = 0.3 * x80;
-    const double x82 = x71 + x81;
     const double x108 = x30 * x107;
+    const double x71 = x33 * x70;
+    const double x82 = x71 + x81;
+    const double x38 = x1 * x1;
+    const double x39 = 0.51 * x38;
+    const double x40 = x8 * x39;
+    const double x45 = x4 * x39;
+    const double x2 = gain[0];
+    const double x41 = 0.51 * x2;
+    const double x42 = x4 * x41;
+    const double x43 = x40 - x42;
+    const double x46 = x8 * x41;
+    const double x47 = x45 + x46;
+    const double x44 = x37 * x43;
+    const double x51 = x29 * x43;
+    const double x48 = x29 * x47;
+    const double x49 = x44 - x48;
+    const double x52 = x37 * x47;
+    const double x53 = x51 + x52;
+    const double x50 = x33 * x49;
+    const double x86 = x30 * x49;
+    const double x54 = x30 * x53;
+    const double x55 = x50 - x54;
     const double x83 = x55 - x82;
     const double x84 = x32 * x83;
     const double x90 = x75 * x84;
+    const double x87 = x33 * x53;
+    const double x88 = x86 + x87;
+    const double x85 = x30 * x70;
+    const double x89 = x85 - x88;
+    const double x91 = x89 - x90;
+    const double x92 = 2.0 * x91;
+    const double x93 = x84 + x92;
+    const double x94 = 0.1 * x93;
+    const double x109 = 0.3 * x93;
+    const double x110 = x33 * x109;
+    const double x111 = x108 + x110;
     const double x99 = 0.15 * x84;
     const double x115 = 0.03075 * x84;
-    const double x91 = x89 - x90;
+    const double x98 = 9.81 * x29;
     const double x100 = x98 + x99;
-    const double x117 = x115 + x116;
-    const double x92 = 2.0 * x91;
     const double x101 = x33 * x100;
-    const double x93 = x84 + x92;
+    const double x95 = 9.81 * x37;
+    const double x96 = x70 - x95;
+    const double x97 = x30 * x96;
     const double x102 = x97 - x101;
-    const double x94 = 0.1 * x93;
     const double x103 = 0.3 * x102;
-    const double x109 = 0.3 * x93;
     const double x104 = x94 - x103;
-    const double x110 = x33 * x109;
     const double x105 = 2.0 * x104;
-    const double x111 = x108 + x110;
     const double x112 = x33 * x105;
-    const double x106 = x30 * x105;
     const double x113 = x111 - x112;
     const double x114 = 0.15 * x113;
+    const double x106 = x30 * x105;
+    const double x116 = 2.133675 * x29;
+    const double x117 = x115 + x116;
     const double x118 = x114 + x117;
     const double x119 = x32 * x118;
     const double x120 = x33 * x119;
-    const double x123 = x30 * x119;
     const double x121 = x106 - x120;
+    const double x123 = x30 * x119;
     const double x124 = x112 + x123;
+    const double x134 = x33 * x32;
+    const double x136 = x30 * x32;
     const double x122 = x29 * x121;
     const double x128 = x37 * x121;
     const double x125 = x37 * x124;
-    const double x129 = x29 * x124;
     const double x126 = x122 - x125;
-    const double x130 = x128 + x129;
     const double x127 = x9 * x126;
+    const double x129 = x29 * x124;
+    const double x130 = x128 + x129;
     const double x131 = x11 * x130;
     const double x132 = x127 + x131;
+    const double x5 = 3.00186 * x4;
+    const double x6 = 0.10404 * x2;
+    const double x7 = x5 + x6;
     const double x133 = x7 + x132;
+    const double x135 = x29 * x134;
+    const double x140 = x37 * x134;
+    const double x137 = x37 * x136;
+    const double x138 = x135 + x137;
+    const double x139 = x9 * x138;
+    const double x141 = x29 * x136;
+    const double x142 = x140 - x141;
+    const double x143 = x11 * x142;
+    const double x144 = x139 + x143;
+    pivot[1] = x144;
+    double sum1 = x144;
     const double x145 = x133 / x144;
     u[0] = x145;
     double sum2 = x145;
@@ -10077,8 +12496,7 @@ int four_bar_inverse_dynamics_platform(
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
     double pivot[2] = {0.0};
-    const double total = four_bar_inverse_dynamics_platform_lane(1, 1, pose, rate, gain, u, sine, cosine,
-        pivot);
+    const double total = four_bar_inverse_dynamics_platform_lane(pose, rate, gain, u, sine, cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-10 || fabs(pivot[1]) <= 4.813897755635771e-09 ? 1 :
         !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -10087,7 +12505,175 @@ int four_bar_inverse_dynamics_platform(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_inverse_dynamics_platform_wide(
+    size_t stride,
+    const double *restrict pose,
+    const double *restrict rate,
+    const double *restrict gain,
+    double *restrict u,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)pose;
+    const four_bar_wide x4 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x11 = 0.51 * x4;
+    const four_bar_wide x12 = 0.64 - x11;
+    const four_bar_wide x13 = x12 * x12;
+    const four_bar_wide x8 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x9 = 0.51 * x8;
+    const four_bar_wide x10 = x9 * x9;
+    const four_bar_wide x14 = x10 + x13;
+    const four_bar_wide x16 = x14 - 0.2725;
+    const four_bar_wide x20 = 0.5 * x16;
+    const four_bar_wide x21 = x20 * x20;
+    const four_bar_wide x22 = 0.005625 - x21;
+    const four_bar_wide x23 = four_bar_wide_sqrt(x22);
+    const four_bar_wide x24 = -x23;
+    const four_bar_wide x25 = four_bar_wide_select(0.0 - FOUR_BAR_ZERO, x24 - FOUR_BAR_ZERO, x23 -
+        FOUR_BAR_ZERO);
+    const four_bar_wide x26 = 6.666666666666667 * x25;
+    const four_bar_wide x35 = x12 * x26;
+    const four_bar_wide x27 = x9 * x26;
+    const four_bar_wide x17 = 3.3333333333333335 * x16;
+    const four_bar_wide x18 = 0.15 + x17;
+    const four_bar_wide x19 = x12 * x18;
+    const four_bar_wide x28 = x19 - x27;
+    const four_bar_wide x34 = x9 * x18;
+    const four_bar_wide x36 = x34 + x35;
+    const four_bar_wide x33 = 6.666666666666667 * x16;
+    const four_bar_wide x15 = 1.0 / x14;
+    const four_bar_wide x37 = x15 * x36;
+    const four_bar_wide x29 = x15 * x28;
+    const four_bar_wide x75 = x14 + 0.2275;
+    const four_bar_wide x1 = FOUR_BAR_READ(rate[0]);
+    const four_bar_wide x56 = 0.51 * x1;
+    const four_bar_wide x57 = x4 * x56;
+    const four_bar_wide x59 = x8 * x56;
+    const four_bar_wide x58 = x37 * x57;
+    const four_bar_wide x63 = x29 * x57;
+    const four_bar_wide x60 = x29 * x59;
+    const four_bar_wide x61 = x58 + x60;
+    const four_bar_wide x64 = x37 * x59;
+    const four_bar_wide x65 = x63 - x64;
+    const four_bar_wide x62 = x33 * x61;
+    const four_bar_wide x30 = 13.333333333333334 * x25;
+    const four_bar_wide x31 = 2.0 * x25;
+    four_bar_wide sum0 = x31;
+    const four_bar_wide x32 = 1.0 / x31;
+    const four_bar_wide x72 = x30 * x61;
+    const four_bar_wide x66 = x30 * x65;
+    const four_bar_wide x67 = x62 - x66;
+    const four_bar_wide x68 = x67 * x32;
+    const four_bar_wide x73 = x33 * x65;
+    const four_bar_wide x74 = x72 + x73;
+    const four_bar_wide x76 = x75 * x68;
+    const four_bar_wide x77 = x74 + x76;
+    const four_bar_wide x78 = 2.0 * x77;
+    const four_bar_wide x79 = x68 - x78;
+    const four_bar_wide x80 = x79 * x79;
+    const four_bar_wide x69 = x68 * x68;
+    const four_bar_wide x70 = 0.15 * x69;
+    const four_bar_wide x81 = 0.5 * x80;
+    const four_bar_wide x107 = 0.3 * x80;
+    const four_bar_wide x108 = x30 * x107;
+    const four_bar_wide x71 = x33 * x70;
+    const four_bar_wide x82 = x71 + x81;
+    const four_bar_wide x38 = x1 * x1;
+    const four_bar_wide x39 = 0.51 * x38;
+    const four_bar_wide x40 = x8 * x39;
+    const four_bar_wide x45 = x4 * x39;
+    const four_bar_wide x2 = FOUR_BAR_READ(gain[0]);
+    const four_bar_wide x41 = 0.51 * x2;
+    const four_bar_wide x42 = x4 * x41;
+    const four_bar_wide x43 = x40 - x42;
+    const four_bar_wide x46 = x8 * x41;
+    const four_bar_wide x47 = x45 + x46;
+    const four_bar_wide x44 = x37 * x43;
+    const four_bar_wide x51 = x29 * x43;
+    const four_bar_wide x48 = x29 * x47;
+    const four_bar_wide x49 = x44 - x48;
+    const four_bar_wide x52 = x37 * x47;
+    const four_bar_wide x53 = x51 + x52;
+    const four_bar_wide x50 = x33 * x49;
+    const four_bar_wide x86 = x30 * x49;
+    const four_bar_wide x54 = x30 * x53;
+    const four_bar_wide x55 = x50 - x54;
+    const four_bar_wide x83 = x55 - x82;
+    const four_bar_wide x84 = x32 * x83;
+    const four_bar_wide x90 = x75 * x84;
+    const four_bar_wide x87 = x33 * x53;
+    const four_bar_wide x88 = x86 + x87;
+    const four_bar_wide x85 = x30 * x70;
+    const four_bar_wide x89 = x85 - x88;
+    const four_bar_wide x91 = x89 - x90;
+    const four_bar_wide x92 = 2.0 * x91;
+    const four_bar_wide x93 = x84 + x92;
+    const four_bar_wide x94 = 0.1 * x93;
+    const four_bar_wide x109 = 0.3 * x93;
+    const four_bar_wide x110 = x33 * x109;
+    const four_bar_wide x111 = x108 + x110;
+    const four_bar_wide x99 = 0.15 * x84;
+    const four_bar_wide x115 = 0.03075 * x84;
+    const four_bar_wide x98 = 9.81 * x29;
+    const four_bar_wide x100 = x98 + x99;
+    const four_bar_wide x101 = x33 * x100;
+    const four_bar_wide x95 = 9.81 * x37;
+    const four_bar_wide x96 = x70 - x95;
+    const four_bar_wide x97 = x30 * x96;
+    const four_bar_wide x102 = x97 - x101;
+    const four_bar_wide x103 = 0.3 * x102;
+    const four_bar_wide x104 = x94 - x103;
+    const four_bar_wide x105 = 2.0 * x104;
+    const four_bar_wide x112 = x33 * x105;
+    const four_bar_wide x113 = x111 - x112;
+    const four_bar_wide x114 = 0.15 * x113;
+    const four_bar_wide x106 = x30 * x105;
+    const four_bar_wide x116 = 2.133675 * x29;
+    const four_bar_wide x117 = x115 + x116;
+    const four_bar_wide x118 = x114 + x117;
+    const four_bar_wide x119 = x32 * x118;
+    const four_bar_wide x120 = x33 * x119;
+    const four_bar_wide x121 = x106 - x120;
+    const four_bar_wide x123 = x30 * x119;
+    const four_bar_wide x124 = x112 + x123;
+    const four_bar_wide x134 = x33 * x32;
+    const four_bar_wide x136 = x30 * x32;
+    const four_bar_wide x122 = x29 * x121;
+    const four_bar_wide x128 = x37 * x121;
+    const four_bar_wide x125 = x37 * x124;
+    const four_bar_wide x126 = x122 - x125;
+    const four_bar_wide x127 = x9 * x126;
+    const four_bar_wide x129 = x29 * x124;
+    const four_bar_wide x130 = x128 + x129;
+    const four_bar_wide x131 = x11 * x130;
+    const four_bar_wide x132 = x127 + x131;
+    const four_bar_wide x5 = 3.00186 * x4;
+    const four_bar_wide x6 = 0.10404 * x2;
+    const four_bar_wide x7 = x5 + x6;
+    const four_bar_wide x133 = x7 + x132;
+    const four_bar_wide x135 = x29 * x134;
+    const four_bar_wide x140 = x37 * x134;
+    const four_bar_wide x137 = x37 * x136;
+    const four_bar_wide x138 = x135 + x137;
+    const four_bar_wide x139 = x9 * x138;
+    const four_bar_wide x141 = x29 * x136;
+    const four_bar_wide x142 = x140 - x141;
+    const four_bar_wide x143 = x11 * x142;
+    const four_bar_wide x144 = x139 + x143;
+    four_bar_wide sum1 = x144;
+    const four_bar_wide x145 = x133 / x144;
+    FOUR_BAR_WRITTEN(u[0]) = x145;
+    four_bar_wide sum2 = x145;
+    FOUR_BAR_WRITTEN(total[0]) = (four_bar_wide)((four_bar_wide_mask)((sum0 + sum1) + sum2) |
+        ((four_bar_wide_mask)(x31 <= 3.01689e-10) & (four_bar_wide_mask)(x31 >= -3.01689e-10)) |
+        ((four_bar_wide_mask)(x144 <= 4.813897755635771e-09) & (four_bar_wide_mask)(x144 >=
+        -4.813897755635771e-09)));
+}
+
 static void four_bar_inverse_dynamics_platform_block(
     size_t stride,
     const double *restrict pose,
@@ -10097,24 +12683,14 @@ static void four_bar_inverse_dynamics_platform_block(
     double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_inverse_dynamics_platform_angles(stride, 8, pose + lane, rate + lane, gain + lane, angle +
             lane);
     }
     four_bar_sincos_block(8, angle, sine, cosine);
-    double pivot[16];
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_inverse_dynamics_platform_lane(stride, 8, pose + lane, rate + lane, gain +
-            lane, u + lane, sine + lane, cosine + lane, pivot + lane);
-    }
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        double sum = total[lane];
-        sum = fabs(pivot[0 + lane]) <= 3.01689e-10 ? (double)NAN : sum;
-        sum = fabs(pivot[8 + lane]) <= 4.813897755635771e-09 ? (double)NAN : sum;
-        total[lane] = sum;
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_dynamics_platform_wide(stride, pose + lane, rate + lane, gain + lane, u + lane, sine
+            + lane, cosine + lane, total + lane);
     }
 }
 #endif
@@ -10162,10 +12738,10 @@ static int four_bar_inverse_dynamics_platform_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(1, stride, pose + first + 8);
                 four_bar_prefetch(1, stride, rate + first + 8);
@@ -10256,7 +12832,7 @@ int four_bar_inverse_dynamics_platform_batch_soa(
         gain, u, status);
 }
 
-static inline void four_bar_assemble_step_angles(
+static inline FOUR_BAR_INLINE void four_bar_assemble_step_angles(
     size_t stride,
     size_t pitch,
     const double *restrict q,
@@ -10276,9 +12852,7 @@ static inline void four_bar_assemble_step_angles(
     angle[2 * pitch] = x16;
 }
 
-static inline double four_bar_assemble_step_lane(
-    size_t stride,
-    size_t pitch,
+static inline FOUR_BAR_INLINE double four_bar_assemble_step_lane(
     const double *restrict q,
     const double *restrict y,
     double *restrict q_next,
@@ -10289,19 +12863,17 @@ static inline double four_bar_assemble_step_lane(
     const double *restrict cosine,
     double *restrict pivot)
 {
-    (void)stride;
-    (void)pitch;
     const double x5 = sine[0];
-    const double x7 = cosine[pitch];
+    const double x7 = cosine[1];
     const double x8 = x5 * x7;
     const double x9 = cosine[0];
-    const double x10 = sine[pitch];
+    const double x10 = sine[1];
     const double x11 = x9 * x10;
     const double x12 = x8 + x11;
     const double x14 = 0.5 * x12;
     const double x13 = 0.15 * x5;
     const double x15 = x13 + x14;
-    const double x17 = sine[2 * pitch];
+    const double x17 = sine[2];
     const double x18 = 0.51 * x17;
     const double x19 = 0.64 - x18;
     const double x20 = x15 - x19;
@@ -10313,7 +12885,7 @@ static inline double four_bar_assemble_step_lane(
     const double x26 = 0.5 * x24;
     const double x25 = 0.15 * x9;
     const double x27 = x25 - x26;
-    const double x28 = cosine[2 * pitch];
+    const double x28 = cosine[2];
     const double x29 = 0.51 * x28;
     const double x30 = x27 - x29;
     const double x31 = x24 * x30;
@@ -10374,14 +12946,14 @@ static inline double four_bar_assemble_step_lane(
     q_next[0] = x68;
     double sum3 = x68;
     const double x69 = x58 * x66;
-    const double x1 = q[stride];
+    const double x1 = q[1];
     const double x70 = x1 + x69;
-    q_next[stride] = x70;
+    q_next[1] = x70;
     sum0 = sum0 + x70;
     const double x71 = x41 * x66;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     const double x72 = x2 + x71;
-    q_next[2 * stride] = x72;
+    q_next[2] = x72;
     sum1 = sum1 + x72;
     return (sum0 + sum1) + (sum2 + sum3);
 }
@@ -10399,7 +12971,7 @@ static int four_bar_assemble_step(
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
     double pivot[1] = {0.0};
-    const double total = four_bar_assemble_step_lane(1, 1, q, y, q_next, residual_, step, orientation_, sine,
+    const double total = four_bar_assemble_step_lane(q, y, q_next, residual_, step, orientation_, sine,
         cosine, pivot);
     const int outcome = fabs(pivot[0]) <= 3.01689e-13 ? 1 : !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
@@ -10580,23 +13152,19 @@ static inline FOUR_BAR_INLINE void four_bar_limb_margins_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_limb_margins_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)cosine;
-    (void)stride;
-    (void)pitch;
     const double x4 = sine[0];
     const double x5 = 0.8240286515629687 * x4;
     margins[0] = x5;
     double sum0 = x5;
     const double x0 = q[0];
     double sum1 = x0;
-    const double x2 = q[2 * stride];
+    const double x2 = q[2];
     double sum2 = x2;
     return (sum0 + sum1) + sum2;
 }
@@ -10611,7 +13179,7 @@ int four_bar_limb_margins(
     angle[2] = angle[0];
     angle[3] = angle[0];
     four_bar_sincos(1, angle, sine, cosine);
-    const double total = four_bar_limb_margins_lane(1, 1, q, margins, sine, cosine);
+    const double total = four_bar_limb_margins_lane(q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(margins, 1);
@@ -10619,7 +13187,29 @@ int four_bar_limb_margins(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_limb_margins_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict margins,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)cosine;
+    const four_bar_wide x4 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x5 = 0.8240286515629687 * x4;
+    FOUR_BAR_WRITTEN(margins[0]) = x5;
+    four_bar_wide sum0 = x5;
+    const four_bar_wide x0 = FOUR_BAR_READ(q[0]);
+    four_bar_wide sum1 = x0;
+    const four_bar_wide x2 = FOUR_BAR_READ(q[2 * stride]);
+    four_bar_wide sum2 = x2;
+    FOUR_BAR_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
+}
+
 static void four_bar_limb_margins_block(
     size_t stride,
     const double *restrict q,
@@ -10627,14 +13217,12 @@ static void four_bar_limb_margins_block(
     double *restrict total)
 {
     double angle[8], sine[8], cosine[8];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_limb_margins_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(8, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_limb_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine +
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_limb_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total +
             lane);
     }
 }
@@ -10670,10 +13258,10 @@ static int four_bar_limb_margins_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, margins + first + 8);
@@ -10768,50 +13356,46 @@ static inline FOUR_BAR_INLINE void four_bar_constraint_margin_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_constraint_margin_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
-    const double x8 = sine[pitch];
+    const double x8 = sine[1];
     const double x4 = sine[0];
     const double x9 = x8 * x4;
-    const double x10 = cosine[pitch];
+    const double x10 = cosine[1];
     const double x11 = cosine[0];
     const double x12 = x10 * x11;
+    const double x13 = x9 - x12;
+    const double x15 = cosine[2];
+    const double x16 = 0.51 * x15;
+    const double x17 = x13 * x16;
     const double x18 = x8 * x11;
     const double x19 = x10 * x4;
-    const double x15 = cosine[2 * pitch];
-    const double x16 = 0.51 * x15;
-    const double x21 = sine[2 * pitch];
-    const double x22 = 0.51 * x21;
-    const double x31 = 0.15 * x11;
-    const double x7 = 0.4972007597227609 * x4;
-    const double x5 = 0.8240286515629687 * x4;
-    const double x13 = x9 - x12;
     const double x20 = x18 + x19;
-    const double x32 = 0.5 + x31;
-    const double x6 = x5 * x5;
-    const double x17 = x13 * x16;
-    const double x28 = x13 * x22;
     const double x27 = x20 * x16;
+    const double x21 = sine[2];
+    const double x22 = 0.51 * x21;
     const double x23 = x20 * x22;
-    const double x33 = 3.3146717314850727 * x32;
-    const double x29 = x27 - x28;
     const double x24 = x17 + x23;
-    const double x30 = 3.3146717314850727 * x29;
+    const double x28 = x13 * x22;
+    const double x29 = x27 - x28;
     const double x25 = 3.3146717314850727 * x24;
-    const double x38 = 5.4935243437531245 * x29;
-    const double x34 = x30 * x33;
+    const double x7 = 0.4972007597227609 * x4;
     const double x26 = x7 * x25;
+    const double x30 = 3.3146717314850727 * x29;
+    const double x38 = 5.4935243437531245 * x29;
     const double x39 = x38 * x38;
+    const double x31 = 0.15 * x11;
+    const double x32 = 0.5 + x31;
+    const double x33 = 3.3146717314850727 * x32;
+    const double x34 = x30 * x33;
     const double x35 = x26 + x34;
     const double x36 = x35 * x35;
+    const double x5 = 0.8240286515629687 * x4;
+    const double x6 = x5 * x5;
     const double x37 = x6 + x36;
     const double x40 = x37 + x39;
     margins[0] = x40;
@@ -10827,7 +13411,7 @@ int four_bar_constraint_margin(
     four_bar_constraint_margin_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_constraint_margin_lane(1, 1, q, margins, sine, cosine);
+    const double total = four_bar_constraint_margin_lane(q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(margins, 1);
@@ -10835,7 +13419,59 @@ int four_bar_constraint_margin(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_constraint_margin_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict margins,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x4 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x9 = x8 * x4;
+    const four_bar_wide x10 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x11 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x12 = x10 * x11;
+    const four_bar_wide x13 = x9 - x12;
+    const four_bar_wide x15 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x16 = 0.51 * x15;
+    const four_bar_wide x17 = x13 * x16;
+    const four_bar_wide x18 = x8 * x11;
+    const four_bar_wide x19 = x10 * x4;
+    const four_bar_wide x20 = x18 + x19;
+    const four_bar_wide x27 = x20 * x16;
+    const four_bar_wide x21 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x22 = 0.51 * x21;
+    const four_bar_wide x23 = x20 * x22;
+    const four_bar_wide x24 = x17 + x23;
+    const four_bar_wide x28 = x13 * x22;
+    const four_bar_wide x29 = x27 - x28;
+    const four_bar_wide x25 = 3.3146717314850727 * x24;
+    const four_bar_wide x7 = 0.4972007597227609 * x4;
+    const four_bar_wide x26 = x7 * x25;
+    const four_bar_wide x30 = 3.3146717314850727 * x29;
+    const four_bar_wide x38 = 5.4935243437531245 * x29;
+    const four_bar_wide x39 = x38 * x38;
+    const four_bar_wide x31 = 0.15 * x11;
+    const four_bar_wide x32 = 0.5 + x31;
+    const four_bar_wide x33 = 3.3146717314850727 * x32;
+    const four_bar_wide x34 = x30 * x33;
+    const four_bar_wide x35 = x26 + x34;
+    const four_bar_wide x36 = x35 * x35;
+    const four_bar_wide x5 = 0.8240286515629687 * x4;
+    const four_bar_wide x6 = x5 * x5;
+    const four_bar_wide x37 = x6 + x36;
+    const four_bar_wide x40 = x37 + x39;
+    FOUR_BAR_WRITTEN(margins[0]) = x40;
+    four_bar_wide sum0 = x40;
+    FOUR_BAR_WRITTEN(total[0]) = sum0;
+}
+
 static void four_bar_constraint_margin_block(
     size_t stride,
     const double *restrict q,
@@ -10843,15 +13479,13 @@ static void four_bar_constraint_margin_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_constraint_margin_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_constraint_margin_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
-            + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_constraint_margin_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total +
+            lane);
     }
 }
 #endif
@@ -10886,10 +13520,10 @@ static int four_bar_constraint_margin_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, margins + first + 8);
@@ -10985,30 +13619,26 @@ static inline FOUR_BAR_INLINE void four_bar_actuation_margins_angles(
 }
 
 static inline FOUR_BAR_INLINE double four_bar_actuation_margins_lane(
-    size_t stride,
-    size_t pitch,
     const double *restrict q,
     double *restrict margins,
     const double *restrict sine,
     const double *restrict cosine)
 {
     (void)q;
-    (void)stride;
-    (void)pitch;
     const double x3 = sine[0];
-    const double x5 = cosine[pitch];
+    const double x5 = cosine[1];
     const double x6 = x3 * x5;
     const double x7 = cosine[0];
-    const double x8 = sine[pitch];
+    const double x8 = sine[1];
     const double x9 = x7 * x8;
     const double x10 = x6 + x9;
-    const double x12 = cosine[2 * pitch];
+    const double x12 = cosine[2];
     const double x13 = 0.51 * x12;
     const double x14 = x10 * x13;
     const double x15 = x3 * x8;
     const double x16 = x7 * x5;
     const double x17 = x15 - x16;
-    const double x18 = sine[2 * pitch];
+    const double x18 = sine[2];
     const double x19 = 0.51 * x18;
     const double x20 = x17 * x19;
     const double x21 = x14 - x20;
@@ -11026,7 +13656,7 @@ int four_bar_actuation_margins(
     four_bar_actuation_margins_angles(1, 1, q, angle);
     angle[3] = angle[2];
     four_bar_sincos(3, angle, sine, cosine);
-    const double total = four_bar_actuation_margins_lane(1, 1, q, margins, sine, cosine);
+    const double total = four_bar_actuation_margins_lane(q, margins, sine, cosine);
     const int outcome = !isfinite(total) ? 2 : 0;
     if (outcome != 0) {
         four_bar_set_nan(margins, 1);
@@ -11034,7 +13664,41 @@ int four_bar_actuation_margins(
     return outcome;
 }
 
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+__attribute__((noinline))
+static void four_bar_actuation_margins_wide(
+    size_t stride,
+    const double *restrict q,
+    double *restrict margins,
+    const double *restrict sine,
+    const double *restrict cosine,
+    double *restrict total)
+{
+    (void)stride;
+    (void)q;
+    const four_bar_wide x3 = FOUR_BAR_READ(sine[0]);
+    const four_bar_wide x5 = FOUR_BAR_READ(cosine[8]);
+    const four_bar_wide x6 = x3 * x5;
+    const four_bar_wide x7 = FOUR_BAR_READ(cosine[0]);
+    const four_bar_wide x8 = FOUR_BAR_READ(sine[8]);
+    const four_bar_wide x9 = x7 * x8;
+    const four_bar_wide x10 = x6 + x9;
+    const four_bar_wide x12 = FOUR_BAR_READ(cosine[2 * 8]);
+    const four_bar_wide x13 = 0.51 * x12;
+    const four_bar_wide x14 = x10 * x13;
+    const four_bar_wide x15 = x3 * x8;
+    const four_bar_wide x16 = x7 * x5;
+    const four_bar_wide x17 = x15 - x16;
+    const four_bar_wide x18 = FOUR_BAR_READ(sine[2 * 8]);
+    const four_bar_wide x19 = 0.51 * x18;
+    const four_bar_wide x20 = x17 * x19;
+    const four_bar_wide x21 = x14 - x20;
+    const four_bar_wide x22 = 5.4935243437531245 * x21;
+    FOUR_BAR_WRITTEN(margins[0]) = x22;
+    four_bar_wide sum0 = x22;
+    FOUR_BAR_WRITTEN(total[0]) = sum0;
+}
+
 static void four_bar_actuation_margins_block(
     size_t stride,
     const double *restrict q,
@@ -11042,15 +13706,13 @@ static void four_bar_actuation_margins_block(
     double *restrict total)
 {
     double angle[24], sine[24], cosine[24];
-    FOUR_BAR_VECTORISE
     for (size_t lane = 0; lane < 8; ++lane) {
         four_bar_actuation_margins_angles(stride, 8, q + lane, angle + lane);
     }
     four_bar_sincos_block(24, angle, sine, cosine);
-    FOUR_BAR_VECTORISE
-    for (size_t lane = 0; lane < 8; ++lane) {
-        total[lane] = four_bar_actuation_margins_lane(stride, 8, q + lane, margins + lane, sine + lane, cosine
-            + lane);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_actuation_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total +
+            lane);
     }
 }
 #endif
@@ -11085,10 +13747,10 @@ static int four_bar_actuation_margins_some(
     int *restrict status)
 {
     int worst = 0;
-#if !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
     if (some > 2) {
         double total[8];
-        if (some == 8 && stride != 0 && FOUR_BAR_IN_PLACE) {
+        if (some == 8 && stride != 0) {
             if (first + 16 <= stride) {
                 four_bar_prefetch(3, stride, q + first + 8);
                 four_bar_prefetch(1, stride, margins + first + 8);

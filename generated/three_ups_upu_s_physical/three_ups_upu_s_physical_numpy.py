@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s_physical, two rotations about O, four driven sliders; inertias scaled to plausible ones
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: a08bc516b829566f
+Programs: de49a4adb84ffd61
 Note: operation mode of the reference configuration: the other coordinates determine limb3_U.0;
   one_mode makes code for it only
 Note: independent coordinates y: limb5_S.qx, limb5_S.qy
@@ -3308,7 +3308,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 236 (add 83, mul 107, div 7, trig 16, compare 23)
+    Operations: 228 (add 83, mul 107, div 7, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("velocity", {"q": 16, "y_dot": 2}, arguments)
@@ -3506,7 +3506,7 @@ def velocity(*arguments):
         x207 = x206 * x83
         x208 = x205 + x207
         x209 = x203 + x208
-        return _finish(batch, ((x94, x99, x101, x117, x126, x129, x145, x153, x156, x172, x181, x183, x195, x200, x209),), ((x132, 6.62327e-10), (x104, 6.62327e-10), (x159, 6.62327e-10), (x36, 6.62327e-10), (x133, 6.62327e-10), (x105, 6.62327e-10), (x160, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x82, 1.0e-09)), (x40, x63, x71, x82, x94, x99, x101, x105, x117, x126, x129, x133, x145, x153, x156, x160, x172, x181, x183, x195, x200, x209))
+        return _finish(batch, ((x94, x99, x101, x117, x126, x129, x145, x153, x156, x172, x181, x183, x195, x200, x209),), ((x133, 6.62327e-10), (x105, 6.62327e-10), (x160, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x82, 1.0e-09)), (x40, x63, x71, x82, x94, x99, x101, x105, x117, x126, x129, x133, x145, x153, x156, x160, x172, x181, x183, x195, x200, x209))
 
 
 def null_space(*arguments):
@@ -3532,7 +3532,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 322 (add 120, mul 156, div 7, trig 16, compare 23)
+    Operations: 314 (add 120, mul 156, div 7, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("null_space", {"q": 16}, arguments)
@@ -3801,7 +3801,7 @@ def null_space(*arguments):
         x276 = x201 * x205
         x277 = x275 - x276
         x278 = x274 + x277
-        return _finish(batch, ((x89, x94, x96, x112, x121, x124, x140, x148, x151, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278),), ((x127, 6.62327e-10), (x99, 6.62327e-10), (x154, 6.62327e-10), (x36, 6.62327e-10), (x128, 6.62327e-10), (x100, 6.62327e-10), (x155, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x78, 1.0e-09)), (x40, x63, x71, x78, x89, x94, x96, x100, x112, x121, x124, x128, x140, x148, x151, x155, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278))
+        return _finish(batch, ((x89, x94, x96, x112, x121, x124, x140, x148, x151, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278),), ((x128, 6.62327e-10), (x100, 6.62327e-10), (x155, 6.62327e-10), (x40, 6.62327e-10), (x63, 1.0e-09), (x71, 1.0e-09), (x78, 1.0e-09)), (x40, x63, x71, x78, x89, x94, x96, x100, x112, x121, x124, x128, x140, x148, x151, x155, x167, x176, x178, x190, x195, x204, x216, x221, x222, x228, x234, x236, x243, x248, x250, x256, x262, x263, x268, x273, x278))
 
 
 def acceleration(*arguments):
@@ -3829,7 +3829,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 520 (add 190, mul 284, div 7, trig 16, compare 23)
+    Operations: 512 (add 190, mul 284, div 7, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("acceleration", {"q": 16, "v": 15, "y_ddot": 2}, arguments)
@@ -4311,7 +4311,7 @@ def acceleration(*arguments):
         x506 = x504 - x505
         x507 = x114 * x496
         x508 = x506 - x507
-        return _finish(batch, ((x255, x264, x273, x316, x337, x347, x390, x410, x419, x462, x483, x492, x498, x503, x508),), ((x350, 6.62327e-10), (x276, 6.62327e-10), (x422, 6.62327e-10), (x51, 6.62327e-10), (x351, 6.62327e-10), (x277, 6.62327e-10), (x423, 6.62327e-10), (x55, 6.62327e-10), (x78, 1.0e-09), (x86, 1.0e-09), (x237, 1.0e-09)), (x55, x78, x86, x237, x255, x264, x273, x277, x316, x337, x347, x351, x390, x410, x419, x423, x462, x483, x492, x498, x503, x508))
+        return _finish(batch, ((x255, x264, x273, x316, x337, x347, x390, x410, x419, x462, x483, x492, x498, x503, x508),), ((x351, 6.62327e-10), (x277, 6.62327e-10), (x423, 6.62327e-10), (x55, 6.62327e-10), (x78, 1.0e-09), (x86, 1.0e-09), (x237, 1.0e-09)), (x55, x78, x86, x237, x255, x264, x273, x277, x316, x337, x347, x351, x390, x410, x419, x423, x462, x483, x492, x498, x503, x508))
 
 
 def momentum_screws(*arguments):
@@ -7832,7 +7832,7 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 571 (add 199, mul 326, div 7, trig 16, compare 23)
+    Operations: 563 (add 199, mul 326, div 7, trig 16, compare 15)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -8377,7 +8377,7 @@ def inverse_dynamics(*arguments):
         x581 = x110 * x571
         x582 = x139 * x568
         x583 = x581 - x582
-        return _finish(batch, ((x574, x577, x580, x583),), ((x320, 6.3211e-10), (x321, 5.4232e-10), (x238, 6.4044e-10), (x239, 5.480600000000001e-10), (x156, 6.284e-10), (x157, 5.3975e-10), (x65, 6.233100000000001e-10), (x66, 5.362000000000001e-10), (x97, 4.0171000000000005e-10), (x134, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x66, x97, x134, x157, x239, x321, x567, x574, x577, x580, x583))
+        return _finish(batch, ((x574, x577, x580, x583),), ((x321, 6.3211e-10), (x239, 6.4044e-10), (x157, 6.284e-10), (x66, 6.233100000000001e-10), (x97, 4.0171000000000005e-10), (x134, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x66, x97, x134, x157, x239, x321, x567, x574, x577, x580, x583))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -8400,7 +8400,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1033 (add 359, mul 619, div 10, trig 16, compare 29)
+    Operations: 1025 (add 359, mul 619, div 10, trig 16, compare 21)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -9398,7 +9398,7 @@ def inverse_dynamics_independent(*arguments):
         x1008 = x116 * x995
         x1009 = x89 * x999
         x1010 = x1008 - x1009
-        return _finish(batch, ((x1001, x1004, x1007, x1010),), ((x492, 6.62327e-10), (x646, 6.62327e-10), (x131, 6.62327e-10), (x41, 6.62327e-10), (x495, 6.62327e-10), (x649, 6.62327e-10), (x134, 6.62327e-10), (x42, 6.62327e-10), (x142, 1.0e-09), (x149, 1.0e-09), (x158, 1.0e-09), (x69, 4.0171000000000005e-10), (x114, 4.881397689000001e-10), (x994, 4.904060840999999e-10)), (x42, x69, x114, x134, x142, x149, x158, x495, x649, x994, x1001, x1004, x1007, x1010))
+        return _finish(batch, ((x1001, x1004, x1007, x1010),), ((x495, 6.62327e-10), (x649, 6.62327e-10), (x134, 6.62327e-10), (x42, 6.62327e-10), (x142, 1.0e-09), (x149, 1.0e-09), (x158, 1.0e-09), (x69, 4.0171000000000005e-10), (x114, 4.881397689000001e-10), (x994, 4.904060840999999e-10)), (x42, x69, x114, x134, x142, x149, x158, x495, x649, x994, x1001, x1004, x1007, x1010))
 
 
 def inverse_dynamics_preload(*arguments):
@@ -9431,7 +9431,7 @@ def inverse_dynamics_preload(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 615 (add 215, mul 342, div 11, trig 16, compare 31)
+    Operations: 607 (add 215, mul 342, div 11, trig 16, compare 23)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -10008,7 +10008,7 @@ def inverse_dynamics_preload(*arguments):
         x621 = x127 * x608
         x622 = x620 - x621
         x623 = x53 - x622
-        return _finish(batch, ((x611, x615, x619, x623),), ((x340, 6.3211e-10), (x341, 5.4232e-10), (x258, 6.4044e-10), (x259, 5.480600000000001e-10), (x176, 6.284e-10), (x177, 5.3975e-10), (x76, 6.233100000000001e-10), (x77, 5.362000000000001e-10), (x104, 4.0171000000000005e-10), (x157, 4.881397689000001e-10), (x603, 4.904060840999999e-10), (x46, 0.0), (x47, 0.0), (x48, 0.0), (x49, 0.0)), (x77, x104, x157, x177, x259, x341, x603, x611, x615, x619, x623, x46, x47, x48, x49))
+        return _finish(batch, ((x611, x615, x619, x623),), ((x341, 6.3211e-10), (x259, 6.4044e-10), (x177, 6.284e-10), (x77, 6.233100000000001e-10), (x104, 4.0171000000000005e-10), (x157, 4.881397689000001e-10), (x603, 4.904060840999999e-10), (x46, 0.0), (x47, 0.0), (x48, 0.0), (x49, 0.0)), (x77, x104, x157, x177, x259, x341, x603, x611, x615, x619, x623, x46, x47, x48, x49))
 
 
 def joint_reactions(*arguments):
@@ -10057,7 +10057,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 1239 (add 534, mul 659, div 7, trig 16, compare 23)
+    Operations: 1231 (add 534, mul 659, div 7, trig 16, compare 15)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -11212,7 +11212,7 @@ def joint_reactions(*arguments):
         x1191 = x103 * x1127
         x1192 = x1111 + x1191
         x1193 = x1190 - x1192
-        return _finish(batch, ((x575, x578, x581, x585), (x609, x633, x637, x664, x671, x674, x675, x680, x685, x696, x714, x723, x728, x733, x738, x743, x750, x757, x775, x778, x781, x802, x805, x809, x814, x815, x819, x837, x845, x855, x861, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x934, x939, x944, x955, x970, x979, x983, x989, x995, x998, x1001, x1004, x1022, x1025, x1028, x1048, x1052, x1055, x1060, x1061, x1065, x1083, x1091, x1100, x1107, x1110, x1115, x1118, x1121, x1124, x1157, x1176, x1193, 0.0, 0.0, 0.0)), ((x320, 6.3211e-10), (x321, 5.4232e-10), (x238, 6.4044e-10), (x239, 5.480600000000001e-10), (x156, 6.284e-10), (x157, 5.3975e-10), (x67, 6.233100000000001e-10), (x68, 5.362000000000001e-10), (x95, 4.0171000000000005e-10), (x140, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x68, x95, x140, x157, x239, x321, x567, x575, x585, x609, x637, x664, x671, x674, x680, x685, x696, x714, x723, x728, x743, x750, x757, x775, x778, x802, x805, x809, x814, x837, x845, x855, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x939, x944, x955, x970, x979, x989, x995, x998, x1001, x1004, x1022, x1025, x1048, x1052, x1055, x1060, x1083, x1091, x1100, x1107, x1118, x1121, x1124, x1157, x1176, x1193))
+        return _finish(batch, ((x575, x578, x581, x585), (x609, x633, x637, x664, x671, x674, x675, x680, x685, x696, x714, x723, x728, x733, x738, x743, x750, x757, x775, x778, x781, x802, x805, x809, x814, x815, x819, x837, x845, x855, x861, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x934, x939, x944, x955, x970, x979, x983, x989, x995, x998, x1001, x1004, x1022, x1025, x1028, x1048, x1052, x1055, x1060, x1061, x1065, x1083, x1091, x1100, x1107, x1110, x1115, x1118, x1121, x1124, x1157, x1176, x1193, 0.0, 0.0, 0.0)), ((x321, 6.3211e-10), (x239, 6.4044e-10), (x157, 6.284e-10), (x68, 6.233100000000001e-10), (x95, 4.0171000000000005e-10), (x140, 4.881397689000001e-10), (x567, 4.904060840999999e-10)), (x68, x95, x140, x157, x239, x321, x567, x575, x585, x609, x637, x664, x671, x674, x680, x685, x696, x714, x723, x728, x743, x750, x757, x775, x778, x802, x805, x809, x814, x837, x845, x855, x865, x871, x874, x878, x881, x891, x902, x906, x924, x930, x933, x939, x944, x955, x970, x979, x989, x995, x998, x1001, x1004, x1022, x1025, x1048, x1052, x1055, x1060, x1083, x1091, x1100, x1107, x1118, x1121, x1124, x1157, x1176, x1193))
 
 
 def _forward_dynamics_first(*arguments):
@@ -11994,7 +11994,7 @@ def _forward_dynamics_first(*arguments):
         x806 = x804 + x805
         x807 = x92 * x738
         x808 = x806 - x807
-        return _finish(batch, ((x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808),), ((x227, 6.62327e-06), (x248, 6.62327e-06), (x192, 6.62327e-06), (x53, 6.62327e-06), (x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05)), (x57, x80, x196, x231, x252, x717, x732, x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808))
+        return _finish(batch, ((x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808),), ((x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05)), (x57, x80, x196, x231, x252, x717, x732, x744, x750, x753, x759, x764, x766, x772, x778, x780, x786, x791, x793, x798, x803, x808))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -12764,7 +12764,7 @@ def forward_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 818 (add 303, mul 469, div 7, trig 16, compare 23)
+    Operations where no pivot is small: 810 (add 303, mul 469, div 7, trig 16, compare 15)
     """
     settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
     return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
@@ -12790,7 +12790,7 @@ def forward_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 902 (add 312, mul 538, div 9, trig 16, compare 27)
+    Operations: 894 (add 312, mul 538, div 9, trig 16, compare 19)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 16, "y_dot": 2, "u": 4}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, = entries
@@ -13660,7 +13660,7 @@ def forward_dynamics_independent(*arguments):
         x884 = x882 - x883
         x885 = x879 - x884
         x886 = 0.5 * x885
-        return _finish(batch, ((x868, x886),), ((x245, 6.62327e-10), (x265, 6.62327e-10), (x285, 6.62327e-10), (x40, 6.62327e-10), (x249, 6.62327e-10), (x269, 6.62327e-10), (x289, 6.62327e-10), (x44, 6.62327e-10), (x67, 1.0e-09), (x75, 1.0e-09), (x86, 1.0e-09), (x415, 2.8035e-09), (x825, 2.7975000000000003e-09)), (x44, x67, x75, x86, x249, x269, x289, x415, x825, x868, x886))
+        return _finish(batch, ((x868, x886),), ((x249, 6.62327e-10), (x269, 6.62327e-10), (x289, 6.62327e-10), (x44, 6.62327e-10), (x67, 1.0e-09), (x75, 1.0e-09), (x86, 1.0e-09), (x415, 2.8035e-09), (x825, 2.7975000000000003e-09)), (x44, x67, x75, x86, x249, x269, x289, x415, x825, x868, x886))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -15357,7 +15357,7 @@ def _forward_dynamics_reactions_first(*arguments):
         x1721 = x1712 + x1720
         x1722 = x1710 - x1721
         x1723 = x1708 - x1722
-        return _finish(batch, ((x744, x750, x753, x759, x765, x768, x774, x780, x782, x788, x794, x796, x802, x808, x814), (x1152, x1175, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1270, x1276, x1282, x1287, x1295, x1302, x1316, x1320, x1323, x1343, x1346, x1349, x1354, x1356, x1360, x1377, x1385, x1394, x1400, x1403, x1409, x1412, x1416, x1419, x1427, x1436, x1440, x1457, x1463, x1466, x1467, x1471, x1475, x1487, x1501, x1510, x1515, x1520, x1525, x1529, x1533, x1536, x1550, x1553, x1556, x1576, x1579, x1583, x1587, x1588, x1593, x1609, x1618, x1627, x1633, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723, 0.0, 0.0, 0.0)), ((x227, 6.62327e-06), (x248, 6.62327e-06), (x192, 6.62327e-06), (x53, 6.62327e-06), (x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05), (x839, 4.017100000000001e-06)), (x57, x80, x196, x231, x252, x717, x732, x750, x753, x765, x768, x780, x794, x802, x808, x814, x839, x1152, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1276, x1282, x1287, x1295, x1302, x1320, x1343, x1346, x1349, x1354, x1356, x1377, x1385, x1394, x1409, x1412, x1416, x1419, x1427, x1440, x1457, x1463, x1466, x1487, x1501, x1510, x1515, x1529, x1533, x1536, x1553, x1576, x1579, x1583, x1593, x1609, x1618, x1627, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723))
+        return _finish(batch, ((x744, x750, x753, x759, x765, x768, x774, x780, x782, x788, x794, x796, x802, x808, x814), (x1152, x1175, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1270, x1276, x1282, x1287, x1295, x1302, x1316, x1320, x1323, x1343, x1346, x1349, x1354, x1356, x1360, x1377, x1385, x1394, x1400, x1403, x1409, x1412, x1416, x1419, x1427, x1436, x1440, x1457, x1463, x1466, x1467, x1471, x1475, x1487, x1501, x1510, x1515, x1520, x1525, x1529, x1533, x1536, x1550, x1553, x1556, x1576, x1579, x1583, x1587, x1588, x1593, x1609, x1618, x1627, x1633, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723, 0.0, 0.0, 0.0)), ((x231, 6.62327e-06), (x252, 6.62327e-06), (x196, 6.62327e-06), (x57, 6.62327e-06), (x80, 1.0e-05), (x717, 2.8035000000000002e-05), (x732, 2.7975000000000002e-05), (x839, 4.017100000000001e-06)), (x57, x80, x196, x231, x252, x717, x732, x750, x753, x765, x768, x780, x794, x802, x808, x814, x839, x1152, x1179, x1207, x1214, x1217, x1219, x1224, x1229, x1240, x1256, x1266, x1276, x1282, x1287, x1295, x1302, x1320, x1343, x1346, x1349, x1354, x1356, x1377, x1385, x1394, x1409, x1412, x1416, x1419, x1427, x1440, x1457, x1463, x1466, x1487, x1501, x1510, x1515, x1529, x1533, x1536, x1553, x1576, x1579, x1583, x1593, x1609, x1618, x1627, x1637, x1643, x1647, x1651, x1654, x1687, x1706, x1723))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -17007,7 +17007,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 1787 (add 755, mul 983, div 8, trig 16, compare 25)
+    Operations where no pivot is small: 1779 (add 755, mul 983, div 8, trig 16, compare 17)
     """
     settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
     return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense, _forward_dynamics_reactions_wrenches, arguments, *settings)
@@ -17034,7 +17034,7 @@ def close_position(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 589 (add 233, mul 307, div 8, sqrt 2, trig 16, compare 23)
+    Operations: 581 (add 233, mul 307, div 8, sqrt 2, trig 16, compare 15)
     """
     entries, batch = _entries("close_position", {"q": 16}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, = entries
@@ -17584,7 +17584,7 @@ def close_position(*arguments):
         x558 = x557 * x557
         x559 = x556 + x558
         x560 = np.sqrt(x559)
-        return _finish(batch, ((x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522), (x560,)), ((x196, 6.62327e-10), (x144, 6.62327e-10), (x119, 6.62327e-10), (x18, 6.62327e-10), (x197, 6.62327e-10), (x148, 6.62327e-10), (x124, 6.62327e-10), (x19, 6.62327e-10), (x84, 1.0e-09), (x165, 5.4106e-09), (x424, 5.4385e-09)), (x19, x84, x165, x197, x424, x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522, x560))
+        return _finish(batch, ((x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522), (x560,)), ((x197, 6.62327e-10), (x148, 6.62327e-10), (x124, 6.62327e-10), (x19, 6.62327e-10), (x84, 1.0e-09), (x165, 5.4106e-09), (x424, 5.4385e-09)), (x19, x84, x165, x197, x424, x432, x435, x438, x443, x448, x453, x457, x460, x463, x468, x473, x478, x517, x518, x520, x522, x560))
 
 
 def close_velocity(*arguments):
@@ -17610,7 +17610,7 @@ def close_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 364 (add 140, mul 178, div 7, trig 16, compare 23)
+    Operations: 356 (add 140, mul 178, div 7, trig 16, compare 15)
     """
     entries, batch = _entries("close_velocity", {"q": 16, "v": 15}, arguments)
     x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19, x20, x21, x22, x23, x24, x25, x26, x27, x28, x29, x30, = entries
@@ -17937,7 +17937,7 @@ def close_velocity(*arguments):
         x350 = x348 + x349
         x351 = x347 + x350
         x352 = -x351
-        return _finish(batch, ((x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352),), ((x161, 6.62327e-10), (x117, 6.62327e-10), (x92, 6.62327e-10), (x33, 6.62327e-10), (x162, 6.62327e-10), (x121, 6.62327e-10), (x97, 6.62327e-10), (x34, 6.62327e-10), (x79, 1.0e-09), (x138, 5.4106e-09), (x298, 5.4385e-09)), (x34, x79, x138, x162, x298, x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352))
+        return _finish(batch, ((x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352),), ((x162, 6.62327e-10), (x121, 6.62327e-10), (x97, 6.62327e-10), (x34, 6.62327e-10), (x79, 1.0e-09), (x138, 5.4106e-09), (x298, 5.4385e-09)), (x34, x79, x138, x162, x298, x304, x306, x308, x311, x314, x317, x320, x322, x323, x327, x330, x333, x340, x346, x352))
 
 
 def inverse_kinematics(*arguments):
@@ -19967,7 +19967,7 @@ def _assemble_step(*arguments):
         x700 = x116 * x699
         x701 = x135 * x700
         x702 = -x701
-        return _finish(batch, ((x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x451, x442, x653, x453), (x691,), (x398,), (x702,)), ((x218, 6.62327e-13), (x287, 6.62327e-13), (x150, 6.62327e-13), (x36, 6.62327e-13), (x250, 6.62327e-13), (x317, 6.62327e-13), (x183, 6.62327e-13), (x40, 6.62327e-13), (x63, 1.0e-12), (x116, 1.0e-12), (x135, 1.0e-12)), (x398, x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x653, x691, x702))
+        return _finish(batch, ((x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x451, x442, x653, x453), (x691,), (x398,), (x702,)), ((x250, 6.62327e-13), (x317, 6.62327e-13), (x183, 6.62327e-13), (x40, 6.62327e-13), (x63, 1.0e-12), (x116, 1.0e-12), (x135, 1.0e-12)), (x398, x489, x512, x513, x544, x564, x565, x589, x607, x608, x633, x651, x652, x653, x691, x702))
 
 
 def assemble(*arguments):
@@ -19993,8 +19993,8 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 723 (add 264, mul 369, div 17, sqrt 11, trig
-    28, compare 34)
+    Operations of one Newton step (at most 25 per substep): 715 (add 264, mul 369, div 17, sqrt 11, trig
+    28, compare 26)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     return _iterate_batch(arguments, _assemble_step, [13, 14], 1.0e-13, 25, 64)

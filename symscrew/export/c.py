@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from symscrew.export import c_angles, c_batch, c_lanes, c_parts
+from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_wide
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_parameters import parameter_type
@@ -177,7 +177,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         else:
             lines += ["", *_lane(printed[name]), "", *_one_state(printed[name], program)]
         if name in blocks:
-            lines += ["", f"#if {c_batch.guard(model.name)}", *c_batch.block(printed[name]), "#endif"]
+            lines += ["", f"#if {c_wide.guard(model.name)}", *c_batch.block(printed[name]), "#endif"]
         if batches:
             lines += ["", *c_batch.batch(model.name, symbol, program, precision, lanes=name in blocks)]
     return "\n".join([*lines, ""])

@@ -3,39 +3,23 @@
     int <symbol>_batch(count, inputs ..., outputs ..., status)               one state after the other
     int <symbol>_batch_soa(count, stride, inputs ..., outputs ..., status)   entry k of state i at k * stride + i
 
-`<symbol>_wide` has the statements of a function on vector types of GCC and clang, as many states as the widest vector
-of the machine holds; `<symbol>_block` takes eight states that lie side by side with it. Full blocks are read and
-written where they are; states one after the other, and less than eight, are copied into arrays [entry][8] and the
+`<symbol>_block` takes eight states that lie side by side in vectors (see `c_wide`). Full blocks are read and written
+where they are; states one after the other, and less than eight, are copied into arrays [entry][8] and the
 results out of them. A state whose check fails is given to the function of one state, which takes the second path, or
 writes NaN and says why: statuses and results are those of single calls. With OpenMP, blocks are shared among threads.
 Functions that repeat a step, those with functions of computed angles, and long ones (see `c_parts`) run state by state.
-
-Vectors that a compiler makes of a loop over states are no substitute: GCC computes the places of all entries in front
-of the loop, more than there are registers (a fifth of the time of all reactions of the seed), and clang gives up.
-No vector type crosses a function's boundary but those of small functions that are inlined.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 
-from symscrew.export import c_parts
-from symscrew.export.c_function import (
-    Form,
-    Printed,
-    argument_names,
-    arguments,
-    declare,
-    sines,
-    statements,
-    unread,
-    wrapped_code,
-)
+from symscrew.export import c_parts, c_wide
+from symscrew.export.c_function import Printed, argument_names, arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
-from symscrew.export.listing import checked_slots
+from symscrew.export.c_wide import LANES
 from symscrew.program import COUNTED, Iteration, Port, Program
 
-LANES = 8
 MOST_ENTRIES = 4096  # of all arrays of a function: blocks of more would take too much of the stack
 FEW = 2  # states that are as fast one by one
 VOID = "static void "
@@ -51,7 +35,7 @@ def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, ang
     upper, real = model.upper(), precision.real
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
-        *(_vectors(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
+        *(c_wide.types(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
         "",
         "/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */",
         f"static inline void {model}_prefetch(size_t size, size_t stride, const {real} *array)",
@@ -114,56 +98,6 @@ def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, ang
     ]
 
 
-def _vectors(model: str, precision: Precision, operations: Set[str]) -> list[str]:
-    """Vectors of states, how they are read and written where they are, and what has no sign in C."""
-    upper, real, size = model.upper(), precision.real, _size(precision)
-    wide, mask, zero = f"{model}_wide", f"({model}_wide_mask)", f"{upper}_ZERO"
-    integer = "int" if precision.suffix else "long long"
-
-    def inline(name: str, given: Sequence[str], body: Sequence[str]) -> list[str]:
-        return [f"static inline {wide} {wide}_{name}({', '.join(f'{wide} {x}' for x in given)})", "{", *body, "}"]
-
-    bits = f"return ({wide})"
-    routines = {
-        "sqrt": inline("sqrt", "x", [
-            f"    {wide} root = x;",
-            f"    for (int k = 0; k < {upper}_WIDE; ++k) {{",
-            f"        root[k] = {precision.function('sqrt')}(x[k]);",
-            "    }",
-            "    return root;",
-        ]),
-        "abs": inline("abs", "x", [f"    {bits}({mask}x & ~{mask}(-{zero}));"]),
-        "less": inline("less", "ab", [f"    {bits}({mask}(a < b) & {mask}({zero} + {precision.number(1.0)}));"]),
-        "select": inline("select", "cab", [
-            f"    const {model}_wide_mask other = {mask}(c == {zero});",
-            f"    {bits}(({mask}a & ~other) | ({mask}b & other));",
-        ]),
-    }  # fmt: skip
-    return [
-        f"#if {guard(model)}",
-        "#if defined(__AVX512F__)",
-        f"#define {upper}_WIDE {min(LANES, 64 // size)}",
-        "#elif defined(__AVX__)",
-        f"#define {upper}_WIDE {min(LANES, 32 // size)}",
-        "#else",
-        f"#define {upper}_WIDE {16 // size}",
-        "#endif",
-        f"typedef {real} {wide} __attribute__((vector_size({upper}_WIDE * {size})));",
-        f"typedef {integer} {wide}_mask __attribute__((vector_size({upper}_WIDE * {size})));",
-        f"typedef {real} {wide}_there",
-        f"    __attribute__((vector_size({upper}_WIDE * {size}), aligned({size}), may_alias));",
-        f"#define {upper}_READ(place) (*(const {wide}_there *)&(place))",
-        f"#define {upper}_WRITTEN(place) (*({wide}_there *)&(place))",
-        f"#define {zero} (({wide}){{{precision.number(0.0)}}})",
-        *(line for op, lines in routines.items() if op in operations for line in lines),
-        "#endif",
-    ]
-
-
-def _size(precision: Precision) -> int:
-    return 32 // precision.group
-
-
 def _sincos_block(model: str, precision: Precision) -> list[str]:
     """Sines and cosines of `size` angles; the vector functions of eight have the bits of those of four."""
     upper, real = model.upper(), precision.real
@@ -202,12 +136,6 @@ def _sincos_block(model: str, precision: Precision) -> list[str]:
     ]
 
 
-def guard(model: str) -> str:
-    """The condition of the preprocessor for blocks: vectors of GCC and clang, on machines that have them."""
-    machine = "defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))"
-    return f"{machine} && !defined({model.upper()}_SCALAR) && !defined({model.upper()}_STATE_BY_STATE)"
-
-
 def by_lanes(printed: Printed) -> bool:
     """Whether the lanes of a function can run side by side: arithmetic only, not in parts, blocks of a fair size."""
     ports = (*printed.program.inputs, *printed.program.outputs)
@@ -215,49 +143,12 @@ def by_lanes(printed: Printed) -> bool:
     return small and not c_parts.long(printed) and all(i.op in BY_LANES for i in printed.angles.rest)
 
 
-def _form(printed: Printed) -> Form:
-    """How several states are written in vectors."""
-    upper, wide = printed.model.upper(), f"{printed.model}_wide"
-    vector = f"{{}} - {upper}_ZERO"  # of a number, too; the difference is folded
-    table = dict(printed.precision.table)
-    table["sqrt"] = f"{wide}_sqrt({{0}})"
-    for op, count in (("abs", 1), ("less", 2), ("select", 3)):
-        table[op] = f"{wide}_{op}({', '.join(vector.format(f'{{{k}}}') for k in range(count))})"
-    read, written = f"{upper}_READ({{}})", f"{upper}_WRITTEN({{}})"
-    return Form(wide, table, "stride", str(LANES), read, written, vector)
-
-
 def block(printed: Printed) -> list[str]:
     """`<symbol>_wide` and `<symbol>_block`: results of states side by side, and of each the sum of what must be finite.
 
     That sum is NaN at a small pivot.
     """
-    return [*_wide(printed), "", *_eight(printed)]
-
-
-def _wide(printed: Printed) -> list[str]:
-    program, precision, form = printed.program, printed.precision, _form(printed)
-    mask = f"({printed.model}_wide_mask)"
-    given = ["size_t stride", *arguments(program, precision), *sines(printed), f"{precision.real} *restrict total"]
-    found, total = statements(printed, form, printed.stored)
-    if not checked_slots(program):
-        total = form.constant.format(total)
-    small = []
-    for slot, threshold in program.guards:
-        pivot, limit = printed.operand(slot), precision.threshold(threshold)
-        small.append(f"({mask}({pivot} <= {limit}) & {mask}({pivot} >= -{limit}))")
-    if small:  # all bits set are a NaN
-        total = f"({form.real})({mask}({total}) | {' | '.join(small)})"
-    return [
-        "__attribute__((noinline))",
-        declare(f"{printed.symbol}_wide", given, VOID),
-        "{",
-        "    (void)stride;",
-        *unread(printed),
-        *(line for statement in found for line in wrapped_code(statement)),
-        *wrapped_code(f"{form.written.format('total[0]')} = {total};"),
-        "}",
-    ]
+    return [*c_wide.function(printed), "", *_eight(printed)]
 
 
 def _eight(printed: Printed) -> list[str]:
@@ -378,7 +269,7 @@ def _some(model: str, symbol: str, program: Program | Iteration, precision: Prec
     one = f"{symbol}_one(first + lane, stride, {', '.join(names)})"
     lines = [declare(f"{symbol}_some", given, "static int "), "{", "    int worst = 0;"]
     if lanes:
-        lines += [f"#if {guard(model)}", *_blocked(model, symbol, program, precision, one), "#endif"]
+        lines += [f"#if {c_wide.guard(model)}", *_blocked(model, symbol, program, precision, one), "#endif"]
     return [
         *lines,
         "    for (size_t lane = 0; lane < some; ++lane) {",

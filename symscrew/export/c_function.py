@@ -19,7 +19,7 @@ from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
 from symscrew.packs import Packing, packed
-from symscrew.program import Iteration, Port, Program
+from symscrew.program import Instruction, Iteration, Port, Program
 
 NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
 NAMES_OF_MATH += " sinf cosf tanf sqrtf expf atan2f fabsf"
@@ -113,6 +113,11 @@ class Printed:
         live, _ = live_instructions(self.program)
         kept = {s for slots in self.program.results for s in slots if isinstance(s, int)}
         return gather(live, kept | {slot for slot, _ in self.program.guards})
+
+    @cached_property
+    def order(self) -> list[Instruction]:
+        """Everything else, in an order that suits registers."""
+        return short_lived(self.angles.rest)
 
     @cached_property
     def prefix(self) -> str:
@@ -233,9 +238,8 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
             lines.append(f"{name} = {name} + {text};" if terms >= SUMS else f"{form.real} {name} = {text};")
             terms += 1
 
-    instructions = short_lived(printed.angles.rest)
-    texts = expressions(instructions, form.table, operand)
-    for instruction, (target, text) in zip(instructions, texts, strict=True):
+    texts = expressions(printed.order, form.table, operand)
+    for instruction, (target, text) in zip(printed.order, texts, strict=True):
         for arg in instruction.args:
             first_read(arg)
         known.add(target)
