@@ -86,8 +86,7 @@ def fewest_operations(system: System, effects: Sequence[Effect], independent: Se
     plain = Loops(system, independent)
     if len(system.tree.v) > SMALL:
         return Ways(plain, plain)
-    contacts = Loops(system, independent, by_contacts=True)
-    return _fewest([plain] if contacts.rows == plain.rows else [plain, contacts], effects)
+    return _chosen([plain, Loops(system, independent, by_contacts=True)], effects)
 
 
 def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
@@ -97,10 +96,12 @@ def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independe
         return found
     ways = [Loops(loops.system, independent, by_contacts=by, of_mode=(loops, mode)) for by in (False, True)]
     ways = [way for way in ways if way.free == loops.free]
-    return _fewest(ways, effects) if ways else found
+    return _chosen(ways, effects) if ways else found
 
 
-def _fewest(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
+def _chosen(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
+    """Of loops with different rows those with the fewest operations, for rates and for dynamics."""
+
     def of_rates(loops: Loops) -> int:
         gains = loops.accelerations_from(loops.inputs("yddot"), loops.bias(loops.system))
         return loops.operations([*loops.rates_from(loops.inputs("ydot")), *gains])
@@ -108,6 +109,7 @@ def _fewest(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
     def of_dynamics(loops: Loops) -> int:
         return loops.operations(solved(loops.system, effects, loops).a)
 
+    ways = [way for k, way in enumerate(ways) if all(way.rows != other.rows for other in ways[:k])]
     if len(ways) == 1:
         return Ways(ways[0], ways[0])
     rates = min(ways, key=of_rates)

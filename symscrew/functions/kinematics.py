@@ -133,12 +133,12 @@ def _points(system: System, motion: Motion) -> list[Function]:
     motions = "Positions, velocities and accelerations of the named points in absolute axes."
     q = [(q_port(system), system.inputs.q)]
     return [
-        _fewest([function(system, "forward_kinematics", positions, q, way[:1]) for way in ways]),
-        _fewest([function(system, "point_motion", motions, _full_state(system), way) for way in ways]),
+        _shortest([function(system, "forward_kinematics", positions, q, way[:1]) for way in ways]),
+        _shortest([function(system, "point_motion", motions, _full_state(system), way) for way in ways]),
     ]
 
 
-def _fewest(ways: Sequence[Function]) -> Function:
+def _shortest(ways: Sequence[Function]) -> Function:
     """Of equal functions the one with the fewest operations."""
     return min(ways, key=lambda way: lower(way).operations["total"])
 
