@@ -312,9 +312,12 @@ def _strongest(guards: Mapping[int, float], instructions: Sequence[Instruction])
     for instruction in reversed(instructions):
         if instruction.op != "mul" or instruction.target not in found:
             continue
-        for factor, pivot in (instruction.args, instruction.args[::-1]):
+        one, other = instruction.args
+        if isinstance(one, float) or isinstance(other, float):  # the constant 2.0 is not slot 2
+            continue
+        for factor, pivot in ((one, other), (other, one)):
             if factor in turns and pivot in found:
-                found[instruction.target] = max(found[instruction.target], found.pop(pivot))  # type: ignore[arg-type]
+                found[instruction.target] = max(found[instruction.target], found.pop(pivot))
     return found
 
 

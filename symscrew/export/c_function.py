@@ -2,7 +2,7 @@
 
 `<symbol>_lane` has the operations of one state. Sines and cosines of input angles come ready, from `<symbol>_angles`
 and `c_angles`. Where equal limbs make it pay, one state has a second form with limbs side by side (see `c_lanes`);
-several states side by side are another one (see `c_batch`): a `Form` says what is different in the text.
+several states side by side are another one (see `c_wide`): a `Form` says what is different in the text.
 """
 
 from __future__ import annotations
@@ -217,8 +217,7 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
     places: dict[str, list[str]] = {}  # by the text of what goes there: as keys the constant 1.0 and slot 1 are one
     slots: dict[str, int | float] = {}
     for array, k, slot in stored:
-        at = place(array, k, form.pitch if array == "pivot" else form.stride)
-        places.setdefault(operand(slot), []).append(form.written.format(at))
+        places.setdefault(operand(slot), []).append(form.written.format(place(array, k, form.stride)))
         slots[operand(slot)] = slot
     waiting = dict.fromkeys(checked_slots(printed.program))
     terms = 0

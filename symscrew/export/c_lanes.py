@@ -23,13 +23,9 @@ SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
 def condition(model: str, width: int, precision: Precision) -> str:
     """The condition of the preprocessor for packs of this width."""
-    unit = "__AVX512F__" if width * _bytes(precision) > 32 else "__AVX2__"
+    unit = "__AVX512F__" if width * precision.size > 32 else "__AVX2__"
     upper = model.upper()
     return f"defined(__GNUC__) && defined({unit}) && !defined({upper}_SCALAR) && !defined({upper}_LIMB_BY_LIMB)"
-
-
-def _bytes(precision: Precision) -> int:
-    return 32 // precision.group
 
 
 def prologue(model: str, packings: Iterable[Packing], precision: Precision) -> list[str]:
@@ -46,21 +42,11 @@ def _type(model: str, width: int, precision: Precision, *, root: bool) -> list[s
     lines = [
         "",
         f"#if {condition(model, width, precision)}",
-        f"typedef {precision.real} {name} __attribute__((vector_size({width * _bytes(precision)})));",
-        f"typedef {'int' if precision.suffix else 'long long'} {name}_mask "
-        f"__attribute__((vector_size({width * _bytes(precision)})));",
+        f"typedef {precision.real} {name} __attribute__((vector_size({width * precision.size})));",
+        f"typedef {precision.integer} {name}_mask __attribute__((vector_size({width * precision.size})));",
     ]
     if root:
-        lines += [
-            f"static inline {name} {name}_sqrt({name} x)",
-            "{",
-            f"    {name} root = x;",
-            f"    for (int k = 0; k < {width}; ++k) {{",
-            f"        root[k] = {precision.function('sqrt')}(x[k]);",
-            "    }",
-            "    return root;",
-            "}",
-        ]
+        lines += precision.vector_root(name, width)
     return [*lines, "#endif"]
 
 

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
-from symscrew.export.c_function import Printed, angles_function, arguments, declare, wrapped_code
+from symscrew.export.c_function import Printed, angles_function, arguments, declare, sines, wrapped_code
 from symscrew.export.c_loops import Entry, Loop, loop_statements
 from symscrew.export.c_repeats import Run, runs
 from symscrew.export.listing import balanced_sum, checked_slots, expressions
@@ -220,8 +220,7 @@ def lane_in_parts(printed: Printed) -> list[str]:
     program, precision = printed.program, printed.precision
     real, gathered = precision.real, bool(printed.angles.gathered)
     parts = Parts(printed)
-    given = arguments(program, precision)
-    given += [f"const {real} *restrict sine", f"const {real} *restrict cosine"] if gathered else []
+    given = [*arguments(program, precision), *sines(printed)]
     given += [f"{real} *restrict pivot"] if program.guards else []
     handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.guards else [])]
     lines, sums = angles_function(printed), []

@@ -42,6 +42,29 @@ class Precision:
     digits: float
 
     @property
+    def size(self) -> int:
+        """Bytes of a number."""
+        return 32 // self.group
+
+    @property
+    def integer(self) -> str:
+        """The type of a whole number of as many bytes, of which masks are made."""
+        return "int" if self.suffix else "long long"
+
+    def vector_root(self, vector: str, width: int | str) -> list[str]:
+        """The definition of `<vector>_sqrt`, square roots of a vector type."""
+        return [
+            f"static inline {vector} {vector}_sqrt({vector} x)",
+            "{",
+            f"    {vector} root = x;",
+            f"    for (int k = 0; k < {width}; ++k) {{",
+            f"        root[k] = {self.function('sqrt')}(x[k]);",
+            "    }",
+            "    return root;",
+            "}",
+        ]
+
+    @property
     def table(self) -> Mapping[str, str]:
         """Operation to format string."""
         words = {name.upper(): f"{name}{self.suffix}" for name in FUNCTIONS}

@@ -27,22 +27,15 @@ def guard(model: str) -> str:
 
 def types(model: str, precision: Precision, operations: Set[str]) -> list[str]:
     """Vectors of states, how they are read and written where they are, and what has no sign in C."""
-    upper, real, size = model.upper(), precision.real, _size(precision)
+    upper, real, size = model.upper(), precision.real, precision.size
     wide, mask, zero = f"{model}_wide", f"({model}_wide_mask)", f"{upper}_ZERO"
-    integer = "int" if precision.suffix else "long long"
 
     def inline(name: str, given: Sequence[str], body: Sequence[str]) -> list[str]:
         return [f"static inline {wide} {wide}_{name}({', '.join(f'{wide} {x}' for x in given)})", "{", *body, "}"]
 
     bits = f"return ({wide})"
     routines = {
-        "sqrt": inline("sqrt", "x", [
-            f"    {wide} root = x;",
-            f"    for (int k = 0; k < {upper}_WIDE; ++k) {{",
-            f"        root[k] = {precision.function('sqrt')}(x[k]);",
-            "    }",
-            "    return root;",
-        ]),
+        "sqrt": precision.vector_root(wide, f"{upper}_WIDE"),
         "abs": inline("abs", "x", [f"    {bits}({mask}x & ~{mask}(-{zero}));"]),
         "less": inline("less", "ab", [f"    {bits}({mask}(a < b) & {mask}({zero} + {precision.number(1.0)}));"]),
         "select": inline("select", "cab", [
@@ -60,7 +53,7 @@ def types(model: str, precision: Precision, operations: Set[str]) -> list[str]:
         f"#define {upper}_WIDE {16 // size}",
         "#endif",
         f"typedef {real} {wide} __attribute__((vector_size({upper}_WIDE * {size})));",
-        f"typedef {integer} {wide}_mask __attribute__((vector_size({upper}_WIDE * {size})));",
+        f"typedef {precision.integer} {wide}_mask __attribute__((vector_size({upper}_WIDE * {size})));",
         f"typedef {real} {wide}_there",
         f"    __attribute__((vector_size({upper}_WIDE * {size}), aligned({size}), may_alias));",
         f"#define {upper}_READ(place) (*(const {wide}_there *)&(place))",
@@ -69,10 +62,6 @@ def types(model: str, precision: Precision, operations: Set[str]) -> list[str]:
         *(line for op, lines in routines.items() if op in operations for line in lines),
         "#endif",
     ]
-
-
-def _size(precision: Precision) -> int:
-    return 32 // precision.group
 
 
 def _form(printed: Printed) -> Form:
