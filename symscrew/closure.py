@@ -237,16 +237,26 @@ def carry_before(tree: Tree, placed: Sequence[Placement], source: int, target: i
     return carry(tree, placed, tree.links[source].parent, target, transform(placed[source].rotation, vector))
 
 
-def carry_point(tree: Tree, placed: Sequence[Placement], source: int, target: int, point: Vector) -> Vector:
-    """A point from the coordinates of one link to those of another, along the tree's path between them."""
+def carry_point(
+    tree: Tree, placed: Sequence[Placement], source: int, target: int, point: Vector, *, before: bool = False
+) -> Vector:
+    """A point from the coordinates of one link to those of another, along the tree's path between them.
+
+    With `before` in the axes that the target has before its own motion.
+    """
     down, up = tree.path(source), tree.path(target)
     common = set(down) & set(up)
     for link in down:
         if link in common:
             break
         point = add(placed[link].inwards(point), placed[link].offset)
+    if target in common or target == GROUND:
+        return placed[target].before(point) if before else point
     for link in reversed([u for u in up if u not in common]):
-        point = placed[link].outwards(subtract(point, placed[link].offset))
+        point = subtract(point, placed[link].offset)
+        if before and link == target:
+            return transform(transpose(placed[link].rotation), point)
+        point = placed[link].outwards(point)
     return point
 
 

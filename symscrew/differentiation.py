@@ -229,16 +229,31 @@ def _promising(graph: Graph) -> list[str]:
     return [name for name in ORDERS if counts[name] <= PROMISING * min(counts.values())]
 
 
-def count_operations(results: Sequence[Node]) -> int:
-    """Nodes that the results need, without inputs and constants."""
-    seen: set[int] = set()
+def needed(results: Sequence[Node]) -> set[Node]:
+    """Operations that the results need, themselves included."""
+    return {node for node in _reached(results) if node.value is None and node.op != "symbol"}
+
+
+def inputs_of(results: Sequence[Node]) -> set[Node]:
+    """Inputs on which the results depend."""
+    return {node for node in _reached(results) if node.op == "symbol"}
+
+
+def _reached(results: Sequence[Node]) -> set[Node]:
+    found: set[Node] = set()
     stack = list(results)
     while stack:
         node = stack.pop()
-        if node.index not in seen and node.value is None and node.op != "symbol":
-            seen.add(node.index)
-            stack.extend(node.args)
-    return len(seen)
+        if node not in found:
+            found.add(node)
+            if node.value is None and node.op != "symbol":
+                stack.extend(node.args)
+    return found
+
+
+def count_operations(results: Sequence[Node]) -> int:
+    """How many operations the results take."""
+    return len(needed(results))
 
 
 def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int]:

@@ -21,8 +21,21 @@ from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND, Link, Tree
 
 ONE: Column = "1"
-Wrenches = dict[Column, tuple[Vector, Vector]]
-Projection = Callable[[tuple[Vector, Vector]], Node]
+Wrench = tuple[Vector, Vector]
+Wrenches = dict[Column, Wrench]
+Projection = Callable[[Wrench], Node]
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A limb's last body, at a cut joint, as a bar that bears tension: see `symscrew.rods`.
+
+    `ends`: link -> what it must supply for the bar per unit of tension, and for the bar's inertia; in the axes before
+    its motion, at its origin. `links` are the bar's own links, which are left out then.
+    """
+
+    links: frozenset[int]
+    ends: Mapping[int, tuple[Wrench, Wrench]]
 
 
 @dataclass(frozen=True)
@@ -42,17 +55,18 @@ class Setting:
         (),
     )  # forces, couples it cannot bear
     joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
+    bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
 
     def row_scale(self, v_index: int | None) -> float:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
         return 1.0 if v_index is None or self.tree.v[v_index].kind == "length" else 1.0 / self.length
 
     def multipliers(self) -> dict[Column, float]:
-        """All multiplier columns with their unit scale."""
+        """All multiplier columns with their unit scale; a bar has its tension per length."""
         return {
-            ("multiplier", c, r): (1.0 if row.unit == "N" else self.length)
+            ("multiplier", c, r): 1.0 / self.length if c in self.bars else 1.0 if row.unit == "N" else self.length
             for c, cut in enumerate(self.cuts)
-            for r, row in enumerate(cut.rows)
+            for r, row in enumerate(cut.rows[:1] if c in self.bars else cut.rows)
         }
 
     def cut_wrench(self, c: int, multipliers: Mapping[Column, Affine], drive: Callable[[int], Affine]) -> Wrenches:
@@ -82,11 +96,20 @@ class Setting:
             force, moment = loads[link.index]
             accumulate(result, ONE, scale(-1, force), scale(-1, moment))
         for c, cut in enumerate(self.cuts):
-            if cut.hub != link.index:
+            if cut.hub != link.index or c in self.bars:
                 continue
             for column, (f, m) in at_cut(c).items():
                 accumulate(result, column, *on_hub(cut, self.tree, self.placed, f, m))
         return result
+
+    def add_bars(self, link: Link, before: Wrenches, multipliers: Mapping[Column, Affine]) -> None:
+        """Add to `before` what a link must supply for the bars that end on it."""
+        for c, bar in self.bars.items():
+            if link.index in bar.ends:
+                (pull, couple), inertia = bar.ends[link.index]
+                accumulate(before, ONE, *inertia)
+                for column, factor in multipliers["multiplier", c, 0].items():
+                    accumulate(before, column, scale(factor, pull), scale(factor, couple))
 
 
 @dataclass
@@ -104,13 +127,17 @@ def balance(
     setting: Setting,
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
+    *,
+    drives_last: bool = False,
 ) -> Balance:
     """Eliminate all multipliers, limb by limb.
 
     `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
-    `loads` are further wrenches that act on a link, in the axes before its motion.
+    `loads` are further wrenches that act on a link, in the axes before its motion. With `drives_last` the rows of
+    driven freedoms are used for no multiplier that other rows give: the drives follow from the multipliers then, and
+    their levers, which vanish where a limb is stretched, are no pivots.
     """
-    return _Elimination(setting, wrench, loads).run()
+    return _Elimination(setting, wrench, loads, drives_last=drives_last).run()
 
 
 class _Elimination:
@@ -121,14 +148,16 @@ class _Elimination:
         setting: Setting,
         wrench: Callable[[Link], tuple[Vector, Vector]],
         loads: Mapping[int, tuple[Vector, Vector]],
+        *,
+        drives_last: bool,
     ) -> None:
-        self.setting, self.wrench, self.loads = setting, wrench, loads
+        self.setting, self.wrench, self.loads, self.drives_last = setting, wrench, loads, drives_last
         tape = setting.tape
         self.scales = setting.multipliers()
         self.solved: dict[Column, Affine] = {c: {c: tape.one} for c in self.scales}
         self.waiting: dict[int, Wrenches] = {link.index: {} for link in setting.tree.links}
         for c, cut in enumerate(setting.cuts):
-            if cut.tip != GROUND:
+            if cut.tip != GROUND and c not in setting.bars:
                 here = self.waiting[cut.tip]
                 for column, (f, m) in self._cut_wrench(c).items():
                     accumulate(here, column, scale(-1, f), scale(-1, add(cross(cut.tip_point, f), m)))
@@ -137,7 +166,8 @@ class _Elimination:
 
     def run(self) -> Balance:
         tree = self.setting.tree
-        pending = {link.index for link in tree.links[1:]}
+        left_out = {index for bar in self.setting.bars.values() for index in bar.links}
+        pending = {link.index for link in tree.links[1:]} - left_out
         while pending:
             ready = [i for i in pending if not any(tree.links[j].parent == i for j in pending)]
             index = min(ready, key=lambda i: (self._open_tips(i, pending), self._unknowns(i), i))
@@ -157,8 +187,8 @@ class _Elimination:
     def _unknowns(self, index: int) -> int:
         columns = {c for c in self.waiting[index] if c in self.scales}
         for c, cut in enumerate(self.setting.cuts):
-            if cut.hub == index:
-                for r in range(len(cut.rows)):
+            if index in (cut.hub, *(self.setting.bars[c].ends if c in self.setting.bars else ())):
+                for r in range(1 if c in self.setting.bars else len(cut.rows)):
                     columns |= {k for k in self.solved["multiplier", c, r] if k in self.scales}
         return len(columns)
 
@@ -168,6 +198,7 @@ class _Elimination:
         force, moment = self.wrench(link)
         accumulate(here, ONE, force, moment)
         before = setting.before_motion(link, here, self.loads, self._cut_wrench)
+        setting.add_bars(link, before, self.solved)
         screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
         before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
         if link.joint == setting.tree.virtual and link.parent == GROUND:
@@ -208,6 +239,9 @@ class _Elimination:
         A row whose pivots are all small at some sample state waits until all links are done.
         """
         waiting = dict(enumerate(zip(v_indices, screws, strict=True)))
+        if self.drives_last:
+            later = [k for k, (v, _) in waiting.items() if v in self.setting.drives or self._of_platform(v)]
+            self.deferred += [(v, self._row(v, screw, before)) for v, screw in (waiting.pop(k) for k in later)]
         while waiting:
             rows = {k: self._row(v, screw, before) for k, (v, screw) in waiting.items()}
             found = {k: self._pivot(rows[k], v) for k, (v, _) in waiting.items()}
@@ -219,6 +253,10 @@ class _Elimination:
             before = _substitute_wrench(before, pivot.column, self._solve(rows[best], pivot.column))
             del waiting[best]
         return before
+
+    def _of_platform(self, v_index: int | None) -> bool:
+        """Whether a row is one of a hub on a virtual joint, all of whose rows are compared at once."""
+        return v_index is None or self.setting.tree.v[v_index].joint == self.setting.tree.virtual
 
     def _row(self, v_index: int | None, screw: Projection, before: Wrenches) -> Affine:
         """S . W per column, less the drive of a driven freedom."""
@@ -260,7 +298,8 @@ class _Elimination:
         """Rows that waited: best pivots first, what has none is an equation for the drives."""
         while self.deferred:
             found = [self._pivot(row, v) for v, row in self.deferred]
-            sizes = [pivot.size if pivot else -1.0 for pivot in found]
+            passive = [v not in self.setting.drives for v, _ in self.deferred]
+            sizes = [(passive[k], pivot.size if pivot else -1.0) for k, pivot in enumerate(found)]
             best = sizes.index(max(sizes))
             v_index, row = self.deferred.pop(best)
             pivot = found[best]

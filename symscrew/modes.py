@@ -10,13 +10,13 @@ What follows what is certified numerically: at every sample state, for coordinat
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from symscrew.differentiation import substitute
+from symscrew.differentiation import inputs_of, needed, substitute
 from symscrew.program import Function, roots_of, with_roots
 from symscrew.system import System
 from symscrew.tape import Node
@@ -65,14 +65,16 @@ class Mode:
         solved = any(function.name == name or function.name.startswith(f"{name}_") for name in SOLVED)
         if not solved or not self.q or not known >= set(self.system.inputs.q):
             return function
+        whole = known >= set(self.system.inputs.a)  # what is not read of a whole motion cannot matter
+        read = inputs_of([node for values in function.results for node in values]) if whole else known
         found = with_roots(function, substitute(self.system.tape, roots_of(function), self.nodes))
+        used = needed([node for values in found.results for node in values])
         guards: dict[Node, float] = {}
         for pivot, threshold in found.guards:
-            if pivot.value is None:
+            if (pivot.args[0] if pivot.op == "neg" else pivot) in used:  # nothing is divided by the others
                 guards[pivot] = max(threshold, guards.get(pivot, 0.0))
-        guards[self._configuration] = HALF
-        if known >= set(self.system.inputs.v):
-            guards[self._rates] = HALF
+        tests = [self._configuration(read), *([self._rates(read)] if known >= set(self.system.inputs.v) else [])]
+        guards |= {test: HALF for test in tests if test.value is None}
         return replace(found, guards=tuple(guards.items()))
 
     @cached_property
@@ -100,33 +102,34 @@ class Mode:
                 found.append((f.index, {f.index: tape.one, f.leader: -tape.one if f.sign > 0 else tape.one}))
         return found
 
-    @cached_property
-    def _configuration(self) -> Node:
-        """1 at a configuration of this mode, else 0."""
-        tape, length = self.system.tape, self.system.length
+    def _configuration(self, read: Set[Node]) -> Node:
+        """1 at a configuration of this mode, else 0: of what is read."""
+        tape, length, inputs = self.system.tape, self.system.length, self.system.inputs.q
+        followers = [f for f in self.q if inputs[f.index] in read]
         total = tape.zero
-        for f in self.q:
-            node = self.system.inputs.q[f.index]
+        for f in followers:
+            node = inputs[f.index]
             off = node - self.nodes[node]
             if self.system.tree.q[f.index].kind == "length":
                 off = off * tape.constant(1.0 / length)
             total = total + off * off
-        return tape.function("less", total, tape.constant(OFF * OFF))
+        return tape.function("less", total, tape.constant(OFF * OFF)) if followers else tape.one
 
-    @cached_property
-    def _rates(self) -> Node:
-        """1 if the rates are of this mode, else 0."""
+    def _rates(self, read: Set[Node]) -> Node:
+        """1 if the rates are of this mode, else 0: of what is read."""
         tape, nodes = self.system.tape, self.system.inputs.v
         shorter = tape.constant(1.0 / self.system.length)
         off, size = tape.constant(NOTHING * NOTHING), tape.zero
-        for f in self.v:
+        followers = [f for f in self.v if nodes[f.index] in read]
+        for f in followers:
             apart = nodes[f.index] - self.nodes[nodes[f.index]]
             apart = apart * shorter if self.system.tree.v[f.index].kind == "length" else apart
             off = off + apart * apart
         for k in self.free:
             rate = nodes[k] * shorter if self.system.tree.v[k].kind == "length" else nodes[k]
             size = size + rate * rate
-        return tape.function("less", off, tape.constant(OFF * OFF) * size + tape.constant(2 * NOTHING * NOTHING))
+        limit = tape.constant(OFF * OFF) * size + tape.constant(2 * NOTHING * NOTHING)
+        return tape.function("less", off, limit) if followers else tape.one
 
 
 def operation_mode(system: System, free: Sequence[int]) -> Mode:

@@ -230,7 +230,7 @@ def link_inertias(mechanism: Mechanism, tree: Tree, frames: Sequence[Frame], geo
     for link, frame in zip(tree.links, frames, strict=True):
         total = Inertia(geometry.tape.zero, ZERO, ((0, 0, 0),) * 3)
         for name in link.bodies if link.index else ():
-            total = _sum(geometry, total, body_inertia(mechanism.bodies[name], frame, geometry))
+            total = combined(geometry, total, body_inertia(mechanism.bodies[name], frame, geometry))
         result.append(total)
     return tuple(result)
 
@@ -258,7 +258,8 @@ def _half(geometry: Geometry, node: Node) -> Node:
     return node * geometry.tape.reciprocal(geometry.tape.node(2))
 
 
-def _sum(geometry: Geometry, a: Inertia, b: Inertia) -> Inertia:
+def combined(geometry: Geometry, a: Inertia, b: Inertia) -> Inertia:
+    """The inertia of two bodies on one link, about the same origin."""
     second = tuple(add(x, y) for x, y in zip(a.second, b.second, strict=True))
     return Inertia(a.mass + b.mass, geometry.settle(add(a.first, b.first)), geometry.settle_matrix(second))  # type: ignore[arg-type]
 
@@ -297,7 +298,7 @@ def regrouped(
             result[link.index] = Inertia(zero, own.first, own.second)
         else:
             continue
-        result[link.parent] = _sum(geometry, result[link.parent], moved)
+        result[link.parent] = combined(geometry, result[link.parent], moved)
     return tuple(result)
 
 

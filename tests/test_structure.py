@@ -36,6 +36,7 @@ STAGES = (
     (
         "equilibrium",
         "drives",
+        "rods",
         "reactions",
         "tree_dynamics",
         "articulated",

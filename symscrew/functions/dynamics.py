@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 
+from symscrew.differentiation import count_operations
 from symscrew.drives import DriveSolution, solve_drives
 from symscrew.effects import Acting, Effect
 from symscrew.elimination import Guard
@@ -23,9 +25,10 @@ from symscrew.functions.ports import (
     v_port,
     y_port,
 )
-from symscrew.loops import Loops
+from symscrew.loops import SMALL, Loops
 from symscrew.program import Function, Port
 from symscrew.reactions import Reactions, joint_wrenches, numeric_multipliers, solve_reactions
+from symscrew.rods import bars, thin_rods, with_end_masses
 from symscrew.screws import ZERO, Vector
 from symscrew.system import System
 from symscrew.tape import Node
@@ -71,13 +74,49 @@ class Equations:
 
     @cached_property
     def balance(self) -> Balance:
-        """Multipliers and the equations at the hub."""
-        return balance(self.setting, self.lean_wrench, self.forces.loads)
+        """Multipliers and the equations at the hub, in the order of elimination that takes fewer operations."""
+        return self._fewest(self.setting, self.lean_wrench)
 
     @cached_property
     def solution(self) -> DriveSolution:
         """The drives of smallest sum of squares."""
-        return self.drives()
+        return self.drives(self.balance)
+
+    @cached_property
+    def lean_balance(self) -> Balance:
+        """The equations at the hub for drives alone, with thin rods as masses at their ends where that is shorter."""
+        rods = thin_rods(self.system, self.forces)
+        if not rods:
+            return self.balance
+        inertia = with_end_masses(self.system, list(rods.values()))
+        setting = replace(self.setting, bars=bars(self.system, rods, self.rates))
+
+        def wrench(link: Link) -> tuple[Vector, Vector]:
+            return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
+
+        ways = [self.balance, self._fewest(setting, wrench)]
+        return min(ways, key=lambda way: count_operations(self._drives_and_pivots(way)))
+
+    @cached_property
+    def lean_solution(self) -> DriveSolution:
+        """The drives of smallest sum of squares, without what only reactions need."""
+        return self.drives(self.lean_balance)
+
+    def _fewest(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> Balance:
+        """The balance with the rows of the drives in their places or last, by operations."""
+        either = setting.drives and setting.cuts and len(setting.tree.v) <= SMALL
+        orders = (False, True) if either else (False,)
+        ways = [balance(setting, wrench, self.forces.loads, drives_last=last) for last in orders]
+
+        def operations(way: Balance) -> int:
+            multipliers = [entry for affine in way.multipliers.values() for entry in affine.values()]
+            return count_operations([*self._drives_and_pivots(way), *multipliers])
+
+        return min(ways, key=operations) if either else ways[0]
+
+    def _drives_and_pivots(self, way: Balance) -> list[Node]:
+        solution = self.drives(way)
+        return [*solution.u, *(guard.pivot for guard in (*way.guards, *solution.guards))]
 
     def lean_wrench(self, link: Link) -> tuple[Vector, Vector]:
         """Inertial wrench with regrouped inertias: right for drives and cut joints, not inside the tree."""
@@ -98,15 +137,22 @@ class Equations:
         return self.forces.drive_port(u_port(self.system)), self.forces.drive_commands(solution.u)
 
     @property
+    def lean_guards(self) -> tuple[Guard, ...]:
+        """Pivots of the drives alone."""
+        return (*self.lean_balance.guards, *self.lean_solution.guards)
+
+    @property
     def drive_scales(self) -> dict[int, float]:
         """Unit scale of every drive's column."""
         return {
             k: 1.0 if drive_is_force(self.system, k) else self.system.length for k in range(len(self.system.drives))
         }
 
-    def drives(self, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None) -> DriveSolution:
+    def drives(
+        self, way: Balance, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None
+    ) -> DriveSolution:
         """Drives from the equations at the hub."""
-        return solve_drives(self.system.tape, self.balance.finals, self.drive_scales, weights=weights, preload=preload)
+        return solve_drives(self.system.tape, way.finals, self.drive_scales, weights=weights, preload=preload)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -149,14 +195,13 @@ def _inputs(equations: Equations) -> list[tuple[Port, Sequence[Node]]]:
 def _inverse_dynamics(equations: Equations) -> Function:
     system = equations.system
     text = "Drives from a consistent state of the tree, by the rates of the momentum screws."
-    guards = guarded((*equations.balance.guards, *equations.solution.guards))
     return function(
         system,
         "inverse_dynamics",
         text,
         _inputs(equations),
-        [equations.command(equations.solution)],
-        guards,
+        [equations.command(equations.lean_solution)],
+        guarded(equations.lean_guards),
         equations.notes,
     )
 
@@ -174,9 +219,9 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
         (y_port(loops, "y_ddot", 2), y_ddot),
         *equations.forces.inputs,
     ]
-    guards = guarded((*loops.guards, *equations.balance.guards, *equations.solution.guards))
+    guards = guarded((*loops.guards, *equations.lean_guards))
     text = "Drives from the configuration and the rates and second rates of the independent coordinates."
-    output = [equations.command(equations.solution)]
+    output = [equations.command(equations.lean_solution)]
     return function(system, "inverse_dynamics_independent", text, inputs, output, guards, equations.notes)
 
 
@@ -190,7 +235,7 @@ def _with_preload(equations: Equations) -> Function:
         )
         for name, unit, what in (("weight", "1", "weight"), ("preload", "N", "preload"))
     )
-    solution = equations.drives(weights, preload)
+    solution = equations.drives(equations.lean_balance, weights, preload)
     labels = tuple(drive_label(system, k) for k in range(count))
     units = u_port(system).units
     inputs = [
@@ -202,7 +247,7 @@ def _with_preload(equations: Equations) -> Function:
         ),
     ]
     text = "Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives."
-    guards = guarded((*equations.balance.guards, *solution.guards))
+    guards = guarded((*equations.lean_balance.guards, *solution.guards))
     guards += [(weight, 0.0) for weight in weights]  # a weight of 0, NaN or infinity is an error, not a choice
     return function(
         system,

@@ -60,9 +60,9 @@ def platform_functions(system: System, effects: Sequence[Effect]) -> list[Functi
     if system.drives:
         equations = Equations(system.at(found.q, found.turns, v, a), effects)
         inputs = [(pose, q_in), (rate, v_in), (gain, a_in), *equations.forces.inputs]
-        every = [*guards, *guarded((*equations.balance.guards, *equations.solution.guards))]
+        every = [*guards, *guarded(equations.lean_guards)]
         text = "Drives from the platform's own coordinates, rates and accelerations, limbs in closed form."
-        output = [equations.command(equations.solution)]
+        output = [equations.command(equations.lean_solution)]
         result.append(function(system, "inverse_dynamics_platform", text, inputs, output, every, equations.notes))
     return result
 
