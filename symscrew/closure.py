@@ -253,10 +253,10 @@ def carry_point(
     if target in common or target == GROUND:
         return placed[target].before(point) if before else point
     for link in reversed([u for u in up if u not in common]):
-        point = subtract(point, placed[link].offset)
         if before and link == target:
-            return transform(transpose(placed[link].rotation), point)
-        point = placed[link].outwards(point)
+            back = transpose(placed[link].rotation)
+            return subtract(transform(back, point), transform(back, placed[link].offset))
+        point = placed[link].outwards(subtract(point, placed[link].offset))
     return point
 
 

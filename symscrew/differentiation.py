@@ -22,6 +22,8 @@ Direction = str
 Vertex = int | tuple[str, int | Direction]
 Edges = dict[Vertex, Node]
 ORDERS = ("forward", "reverse", "markowitz")
+WAITS = frozenset(("reciprocal", "sqrt"))
+WAIT = 8  # operations that a machine does while a division waits for another one
 PROMISING = 1.3  # an order is built and counted exactly if its rough count is within this factor of the best
 
 
@@ -254,6 +256,14 @@ def _reached(results: Sequence[Node]) -> set[Node]:
 def count_operations(results: Sequence[Node]) -> int:
     """How many operations the results take."""
     return len(needed(results))
+
+
+def cost(results: Sequence[Node]) -> int:
+    """Operations of the results, and what divisions and roots take that wait for each other."""
+    chain: dict[Node, int] = {}
+    for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
+        chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
+    return len(chain) + WAIT * max(chain.values(), default=0)
 
 
 def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int]:

@@ -27,6 +27,7 @@ def solve_drives(
     *,
     weights: Sequence[Node] | None = None,
     preload: Sequence[Node] | None = None,
+    several: bool = False,
 ) -> DriveSolution:
     """u from finals: sum of entries = 0.
 
@@ -54,7 +55,8 @@ def solve_drives(
     inverse_weights = [1 / w for w in weights] if weights is not None else [tape.one] * len(columns)
     scaled = [[a * w for a, w in zip(row, inverse_weights, strict=True)] for row in matrix]
     normal = [[_sum(tape, (x * y for x, y in zip(s, row, strict=True))) for row in matrix] for s in scaled]
-    multipliers, guards = solve_symmetric(tape, normal, target, [s * s for s in (row_scales[i] for i in independent)])
+    sizes = [row_scales[i] * row_scales[i] for i in independent]
+    multipliers, guards = solve_symmetric(tape, normal, target, sizes, at_once=not several)
     u = tuple(
         _sum(tape, (scaled[i][j] * multipliers[i] for i in range(len(matrix))))
         + (preload[j] if preload is not None else tape.zero)
@@ -64,14 +66,29 @@ def solve_drives(
 
 
 def solve_symmetric(
-    tape: Tape, matrix: Sequence[Sequence[Node]], right: Sequence[Node], scales: Sequence[float]
+    tape: Tape,
+    matrix: Sequence[Sequence[Node]],
+    right: Sequence[Node],
+    scales: Sequence[float],
+    *,
+    at_once: bool = False,
 ) -> tuple[list[Node], tuple[Guard, ...]]:
-    """x from a symmetric positive definite matrix by L D L^T; `scales` are the unit scales of the diagonal."""
+    """x from a symmetric positive definite matrix by L D L^T; `scales` are the unit scales of the diagonal.
+
+    Two unknowns `at_once`, by their determinant: one division for two of which one would wait for the other. That is
+    not stable backwards: not for mass matrices, which are much larger along some motions than along others.
+    """
     n = len(matrix)
+    if at_once and n == 2 and matrix[1][0] is not tape.zero:
+        (a, _), (b, c) = matrix
+        determinant = a * c - b * b
+        over = 1 / determinant
+        guarded = () if determinant.value is not None else (Guard(determinant, scales[0] * scales[1]),)
+        return [(c * right[0] - b * right[1]) * over, (a * right[1] - b * right[0]) * over], guarded
     lower: list[list[Node]] = [[tape.zero] * n for _ in range(n)]
     filled: list[list[int]] = [[] for _ in range(n)]  # places of a row of `lower` that are not zero
     diagonal: list[Node] = []
-    guards = []
+    guards: list[Guard] = []
     for j in range(n):
         d = matrix[j][j] - _sum(tape, (lower[j][k] * (lower[j][k] * diagonal[k]) for k in filled[j]))
         diagonal.append(d)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.screws import Vector, cross, dot
 from symscrew.tape import Node, Tape
 
 NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
@@ -96,6 +97,43 @@ def substitute(row: Mapping[Column, Node], pivot: Column, solution: Mapping[Colu
     """`row` with the pivot's unknown replaced by its solution."""
     rest = {c: entry for c, entry in row.items() if c != pivot}
     return combine(rest, row[pivot], solution) if pivot in row else rest
+
+
+def solve_block(rows: Sequence[Mapping[Column, Node]], columns: Sequence[Column]) -> tuple[list[Affine], Node]:
+    """Two or three unknowns from as many rows, sum(row) = 0, by Cramer's rule, and the determinant.
+
+    Every unknown is an affine combination of the other columns. One division instead of as many as unknowns, which
+    would wait for each other; the determinant is the product of their pivots.
+    """
+    others = list(dict.fromkeys(c for row in rows for c in row if c not in columns))
+    tape = rows[0][columns[0]].tape
+    matrix = [[row.get(c, tape.zero) for row in rows] for c in columns]
+    rests = [[row.get(c, tape.zero) for row in rows] for c in others]
+    if len(columns) == 2:
+        (a, b), (c, d) = matrix
+        determinant = a * d - b * c
+        over = 1 / determinant
+        found = [[(c * y - d * x) * over, (b * x - a * y) * over] for x, y in rests]
+    else:
+        first, second, third = (_three(column) for column in matrix)
+        across = cross(second, third)
+        determinant = tape.node(dot(first, across))
+        over = 1 / determinant
+        found = []
+        for rest in rests:
+            turned = cross(_three(rest), first)
+            numerators = -tape.node(dot(_three(rest), across)), dot(turned, third), -tape.node(dot(turned, second))
+            found.append([n * over for n in numerators])
+    solutions = [
+        {c: values[k] for c, values in zip(others, found, strict=True) if values[k] is not tape.zero}
+        for k in range(len(columns))
+    ]
+    return solutions, determinant
+
+
+def _three(values: Sequence[Node]) -> Vector:
+    x, y, z = values
+    return (x, y, z)
 
 
 @dataclass

@@ -13,7 +13,18 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symscrew.closure import Cut, Row, on_hub
-from symscrew.elimination import SAFE, Affine, Column, Guard, Pivot, choose_pivot, magnitude, solve_for, substitute
+from symscrew.elimination import (
+    SAFE,
+    Affine,
+    Column,
+    Guard,
+    Pivot,
+    choose_pivot,
+    magnitude,
+    solve_block,
+    solve_for,
+    substitute,
+)
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
 from symscrew.screws import Vector, add, cross, dot, scale, transform
@@ -129,15 +140,17 @@ def balance(
     loads: Mapping[int, tuple[Vector, Vector]],
     *,
     drives_last: bool = False,
+    blocks: bool = False,
 ) -> Balance:
     """Eliminate all multipliers, limb by limb.
 
     `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
     `loads` are further wrenches that act on a link, in the axes before its motion. With `drives_last` the rows of
     driven freedoms are used for no multiplier that other rows give: the drives follow from the multipliers then, and
-    their levers, which vanish where a limb is stretched, are no pivots.
+    their levers, which vanish where a limb is stretched, are no pivots. With `blocks` two or three multipliers whose
+    pivots would wait for each other are solved at once.
     """
-    return _Elimination(setting, wrench, loads, drives_last=drives_last).run()
+    return _Elimination(setting, wrench, loads, drives_last=drives_last, blocks=blocks).run()
 
 
 class _Elimination:
@@ -150,8 +163,10 @@ class _Elimination:
         loads: Mapping[int, tuple[Vector, Vector]],
         *,
         drives_last: bool,
+        blocks: bool,
     ) -> None:
-        self.setting, self.wrench, self.loads, self.drives_last = setting, wrench, loads, drives_last
+        self.setting, self.wrench, self.loads = setting, wrench, loads
+        self.drives_last, self.blocks = drives_last, blocks
         tape = setting.tape
         self.scales = setting.multipliers()
         self.solved: dict[Column, Affine] = {c: {c: tape.one} for c in self.scales}
@@ -286,27 +301,74 @@ class _Elimination:
             _, largest = magnitude(self.setting.tape, row[pivot], 1.0)
             self.result.guards.append(Guard(row[pivot], 1.0 / largest if largest > 0 else 1.0))
         solution = solve_for(row, pivot)
+        self._put_in(pivot, solution)
+        return solution
+
+    def _put_in(self, pivot: Column, solution: Affine) -> None:
+        """Replace a multiplier by its solution everywhere."""
         for key, affine in self.solved.items():
             if pivot in affine:
                 self.solved[key] = substitute(affine, pivot, solution)
         for index, here in self.waiting.items():
             self.waiting[index] = _substitute_wrench(here, pivot, solution)
         self.deferred = [(v, substitute(r, pivot, solution)) for v, r in self.deferred]
-        return solution
 
     def _finish(self) -> None:
         """Rows that waited: best pivots first, what has none is an equation for the drives."""
         while self.deferred:
-            found = [self._pivot(row, v) for v, row in self.deferred]
-            passive = [v not in self.setting.drives for v, _ in self.deferred]
-            sizes = [(passive[k], pivot.size if pivot else -1.0) for k, pivot in enumerate(found)]
-            best = sizes.index(max(sizes))
-            v_index, row = self.deferred.pop(best)
-            pivot = found[best]
+            best, pivot = self._best(self.deferred)
             if pivot is None:
-                self._keep(v_index, row)
+                self._keep(*self.deferred.pop(best))
+                continue
+            block = self._block(best, pivot.column) if self.blocks else [(best, pivot.column)]
+            rows = [self.deferred[k][1] for k, _ in block]
+            self.deferred = [entry for k, entry in enumerate(self.deferred) if k not in dict(block)]
+            if len(block) == 1:
+                self._solve(rows[0], pivot.column)
             else:
-                self._solve(row, pivot.column)
+                self._solve_block(rows, [column for _, column in block])
+
+    def _best(self, waiting: Sequence[tuple[int | None, Affine]]) -> tuple[int, Pivot | None]:
+        """The row with the best pivot: those of the drives last, then those without one."""
+        found = [self._pivot(row, v) for v, row in waiting]
+        passive = [v not in self.setting.drives for v, _ in waiting]
+        sizes = [(passive[k], pivot.size if pivot else -1.0) for k, pivot in enumerate(found)]
+        best = sizes.index(max(sizes))
+        return best, found[best]
+
+    def _block(self, first: int, column: Column) -> list[tuple[int, Column]]:
+        """Rows that wait and their unknowns, to be solved at once: three or two whose pivots would all wait for each
+        other, else the first alone."""
+        found = [(first, column)]
+        left = dict(enumerate(self.deferred))
+        v_index, row = left.pop(first)
+        while len(found) < 3 and left and v_index not in self.setting.drives:
+            if row[column].value is not None:
+                break
+            solution = solve_for(row, column)
+            left = {k: (v, substitute(r, column, solution)) for k, (v, r) in left.items()}
+            places = list(left)
+            best, pivot = self._best(list(left.values()))
+            v_index, row = left.pop(places[best])
+            if pivot is None or v_index in self.setting.drives or row[pivot.column].value is not None:
+                break
+            column = pivot.column
+            found.append((places[best], column))
+        for count in (3, 2):
+            some = found[:count]
+            full = all(column in self.deferred[k][1] for k, _ in some for _, column in some)
+            if len(some) == count and full:
+                return some
+        return found[:1]
+
+    def _solve_block(self, rows: Sequence[Affine], columns: Sequence[Column]) -> None:
+        """Solve several multipliers at once and put them in everywhere."""
+        solutions, determinant = solve_block(rows, columns)
+        if determinant.value is None:
+            _, largest = magnitude(self.setting.tape, determinant, 1.0)
+            self.result.guards.append(Guard(determinant, 1.0 / largest if largest > 0 else 1.0))
+        for pivot, solution in zip(columns, solutions, strict=True):
+            self._put_in(pivot, solution)
 
     def _cost(self) -> dict[Column, int]:
         """In how many places a multiplier still stands."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.closure_rows import closure_rows, closure_rows_bias
-from symscrew.differentiation import count_operations, substitute
+from symscrew.differentiation import cost, count_operations, substitute
 from symscrew.elimination import NEGLIGIBLE, Affine, Column, Elimination, Guard, eliminate
 from symscrew.errors import DescriptionError
 from symscrew.modes import Mode
@@ -154,6 +154,10 @@ class Loops:
     def operations(self, nodes: Sequence[Node]) -> int:
         """How many operations it takes to compute nodes, in the operation mode if there is one."""
         return count_operations(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
+
+    def cost(self, nodes: Sequence[Node]) -> int:
+        """The same, and what divisions take that wait for each other."""
+        return cost(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
 
     # -- linear solutions --------------------------------------------------------------------------------
 

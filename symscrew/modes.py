@@ -104,32 +104,32 @@ class Mode:
 
     def _configuration(self, read: Set[Node]) -> Node:
         """1 at a configuration of this mode, else 0: of what is read."""
-        tape, length, inputs = self.system.tape, self.system.length, self.system.inputs.q
-        followers = [f for f in self.q if inputs[f.index] in read]
-        total = tape.zero
-        for f in followers:
-            node = inputs[f.index]
-            off = node - self.nodes[node]
-            if self.system.tree.q[f.index].kind == "length":
-                off = off * tape.constant(1.0 / length)
-            total = total + off * off
+        tape, inputs = self.system.tape, self.system.inputs.q
+        followers = [f.index for f in self.q if inputs[f.index] in read]
+        off = [inputs[k] - self.nodes[inputs[k]] for k in followers]
+        total = self._size(off, [self.system.tree.q[k].kind for k in followers])
         return tape.function("less", total, tape.constant(OFF * OFF)) if followers else tape.one
 
     def _rates(self, read: Set[Node]) -> Node:
         """1 if the rates are of this mode, else 0: of what is read."""
-        tape, nodes = self.system.tape, self.system.inputs.v
-        shorter = tape.constant(1.0 / self.system.length)
-        off, size = tape.constant(NOTHING * NOTHING), tape.zero
-        followers = [f for f in self.v if nodes[f.index] in read]
-        for f in followers:
-            apart = nodes[f.index] - self.nodes[nodes[f.index]]
-            apart = apart * shorter if self.system.tree.v[f.index].kind == "length" else apart
-            off = off + apart * apart
-        for k in self.free:
-            rate = nodes[k] * shorter if self.system.tree.v[k].kind == "length" else nodes[k]
-            size = size + rate * rate
-        limit = tape.constant(OFF * OFF) * size + tape.constant(2 * NOTHING * NOTHING)
+        tape, inputs = self.system.tape, self.system.inputs.v
+        kinds = [c.kind for c in self.system.tree.v]
+        followers = [f.index for f in self.v if inputs[f.index] in read]
+        off = self._size([inputs[k] - self.nodes[inputs[k]] for k in followers], [kinds[k] for k in followers])
+        size = self._size([inputs[k] for k in self.free], [kinds[k] for k in self.free])
+        limit = tape.constant(OFF * OFF) * size + tape.constant(NOTHING * NOTHING)
         return tape.function("less", off, limit) if followers else tape.one
+
+    def _size(self, values: Sequence[Node], kinds: Sequence[str]) -> Node:
+        """The sum of squares, lengths divided by the characteristic length."""
+        tape = self.system.tape
+        lengths, others = tape.zero, tape.zero
+        for value, kind in zip(values, kinds, strict=True):
+            if kind == "length":
+                lengths = lengths + value * value
+            else:
+                others = others + value * value
+        return others + lengths * tape.constant(1.0 / self.system.length**2)
 
 
 def operation_mode(system: System, free: Sequence[int]) -> Mode:

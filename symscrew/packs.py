@@ -24,7 +24,7 @@ ENOUGH = 0.8  # the part of the cost that is worth packing at most
 HOPELESS = 1.1  # and of what is tried to be improved
 FAR = 1.3  # times the least cost: other ways are not tried to be improved
 MOST_JOINED = 6  # lanes of ways that are joined
-OTHERS = 2  # ways that are joined with the best one
+OTHERS = 5  # ways that are joined with the best one
 PASSES = 2
 
 Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane

@@ -102,42 +102,69 @@ def _point_mass(mass: Node, at: Vector) -> Inertia:
 
 
 def bars(system: System, rods: Mapping[int, Rod], moving: Sequence[Rates]) -> dict[int, Bar]:
-    """What the parent and the hub of every rod must supply for it, by its cut joint."""
-    first: dict[tuple[int, int], tuple[Rod, Vector]] = {}
-    result = {}
+    """What the parent and the hub of every rod must supply for it, by its cut joint.
+
+    Of several rods between the same two links the first one's unknown is all their tension, the others' are shares of
+    it that these bear instead: where rods are parallel, a share is a couple alone. Their inertia is the first one's.
+    """
+    together: dict[tuple[int, int], list[int]] = {}
     for c, rod in rods.items():
-        ends = rod.parent, rod.hub
-        n = _parallel(system, rod, *first[ends]) if ends in first else _line(system, rod)
-        first.setdefault(ends, (rod, n))
-        result[c] = _bar(system, rod, n, moving)
+        together.setdefault((rod.parent, rod.hub), []).append(c)
+    result = {}
+    for cuts in together.values():
+        first = rods[cuts[0]]
+        line = _line(system, first)
+        for c in cuts:
+            inertia = [_inertia(system, rods[k], moving) for k in cuts] if c == cuts[0] else []
+            ends = {
+                link: (_pull(system, rods[c], first, line, link), _sum([wrenches[link] for wrenches in inertia]))
+                for link in {first.parent, first.hub} - {GROUND}
+            }
+            result[c] = Bar(frozenset(link.index for link in rods[c].links), ends)
     return result
+
+
+def _sum(wrenches: Sequence[Wrench]) -> Wrench:
+    total = (ZERO, ZERO)
+    for force, moment in wrenches:
+        total = add(total[0], force), add(total[1], moment)
+    return total
 
 
 def _line(system: System, rod: Rod) -> Vector:
     """From the near to the far end, in the axes before the parent's motion."""
-    far = carry_point(system.tree, system.placed, rod.hub, rod.parent, rod.far, before=True)
-    return subtract(far, _before(system, rod.parent, rod.near))
+    origin = carry_point(system.tree, system.placed, rod.hub, rod.parent, ZERO, before=True)
+    far = _across(system, rod.hub, rod.parent, _before(system, rod.hub, rod.far))
+    return add(origin, subtract(far, _before(system, rod.parent, rod.near)))
 
 
-def _parallel(system: System, rod: Rod, other: Rod, line: Vector) -> Vector:
-    """The same by the line of another rod between the same links: equal where both are parallel."""
-    far = _before(system, rod.hub, subtract(rod.far, other.far))
-    near = _before(system, rod.parent, subtract(rod.near, other.near))
-    return add(line, subtract(_across(system, rod.hub, rod.parent, far), near))
+def _pull(system: System, rod: Rod, first: Rod, line: Vector, link: int) -> Wrench:
+    """What a link must supply per unit of a rod's unknown, axes before its motion; `line` is that of the first rod."""
+    sign = -1 if link == rod.parent else 1
+    at, beside = (_before(system, link, x) for x in (_end(rod, link), subtract(_end(rod, link), _end(first, link))))
+    along = scale(sign, _across(system, rod.parent, link, line))
+    if rod is first:
+        return along, cross(at, along)
+    far, near = (_before(system, k, subtract(_end(rod, k), _end(first, k))) for k in (rod.hub, rod.parent))
+    apart = subtract(_across(system, rod.hub, rod.parent, far), near)  # of the lines: nothing where they are parallel
+    share = scale(sign, _across(system, rod.parent, link, apart))
+    return share, add(cross(beside, along), cross(at, share))
 
 
-def _bar(system: System, rod: Rod, n: Vector, moving: Sequence[Rates]) -> Bar:
-    coupling = rod.masses[1]
-    near, far = _before(system, rod.parent, rod.near), _before(system, rod.hub, rod.far)
-    ends: dict[int, tuple[Wrench, Wrench]] = {}
-    for link, other, at, beyond, pull in (
-        (rod.parent, rod.hub, near, rod.far, scale(-1, n)),
-        (rod.hub, rod.parent, far, rod.near, _across(system, rod.parent, rod.hub, n)),
-    ):
+def _inertia(system: System, rod: Rod, moving: Sequence[Rates]) -> dict[int, Wrench]:
+    """What the two links must supply for the mass that couples a rod's ends, axes before their motions."""
+    result = {}
+    for link, other in ((rod.parent, rod.hub), (rod.hub, rod.parent)):
         if link != GROUND:
-            force = scale(coupling, _across(system, other, link, _acceleration(system, moving, other, beyond)))
-            ends[link] = ((pull, cross(at, pull)), (force, cross(at, force)))
-    return Bar(frozenset(link.index for link in rod.links), ends)
+            acceleration = _acceleration(system, moving, other, _end(rod, other))
+            force = scale(rod.masses[1], _across(system, other, link, acceleration))
+            result[link] = force, cross(_before(system, link, _end(rod, link)), force)
+    return result
+
+
+def _end(rod: Rod, link: int) -> Vector:
+    """The rod's end on its parent or its hub, in the coordinates of that link."""
+    return rod.near if link == rod.parent else rod.far
 
 
 def _before(system: System, link: int, vector: Vector) -> Vector:
@@ -146,6 +173,8 @@ def _before(system: System, link: int, vector: Vector) -> Vector:
 
 def _across(system: System, source: int, target: int, vector: Vector) -> Vector:
     """A vector from the axes that one link has before its motion to those that another one has."""
+    if source == target:
+        return vector
     tree, placed = system.tree, system.placed
     if source != GROUND:
         vector = transform(placed[source].rotation, vector)

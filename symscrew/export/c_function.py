@@ -209,7 +209,7 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
     """The statements of a function in a form, and the sum of all that must be finite.
 
     What is read is read where it is first needed, results are written and summed where they are known, so that few
-    values live at once.
+    values live at once. What is only summed comes first: at the end it would wait for the results in its sum.
     """
     prefix, operand, entered = printed.prefix, printed.operand, printed.entered(form)
     lines: list[str] = []
@@ -237,6 +237,11 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
             lines.append(f"{name} = {name} + {text};" if terms >= SUMS else f"{form.real} {name} = {text};")
             terms += 1
 
+    used = {s for i in printed.order for s in (i.target, *i.args) if isinstance(s, int)}
+    used |= {slot for slot in slots.values() if isinstance(slot, int)}
+    for slot in [s for s in waiting if s not in used]:
+        first_read(slot)
+        ready(slot)
     texts = expressions(printed.order, form.table, operand)
     for instruction, (target, text) in zip(printed.order, texts, strict=True):
         for arg in instruction.args:

@@ -340,7 +340,7 @@ class Drives:
             final: Affine = {("drive", u): e for u, e in enumerate(row) if e is not system.tape.zero}
             finals.append({**final, ONE: -value})
         scales = {u: 1.0 if drive_is_force(system, u) else system.length for u in sorted(self.places)}
-        found = solve_drives(system.tape, finals, scales)
+        found = solve_drives(system.tape, finals, scales, several=True)
         if found.unreachable or len(scales) - found.redundancy != len(right):
             return None
         return list(found.u), found.guards

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import product
 
-from symscrew.differentiation import count_operations
+from symscrew.differentiation import cost
 from symscrew.drives import DriveSolution, solve_drives
 from symscrew.effects import Acting, Effect
 from symscrew.elimination import Guard
@@ -43,14 +44,20 @@ class Equations:
     """Equilibrium of a system under effects, eliminated once for all dynamic functions."""
 
     def __init__(
-        self, system: System, effects: Sequence[Effect], loads: Loads | None = None, *, unloaded: bool = False
+        self,
+        system: System,
+        effects: Sequence[Effect],
+        loads: Loads | None = None,
+        *,
+        unloaded: bool = False,
+        cost: Callable[[Sequence[Node]], int] = cost,
     ) -> None:
-        """Equations at the system's present nodes.
+        """Equations at the system's present nodes; `cost` of nodes is what is kept low.
 
         `loads` are the joints' reactions for load-dependent effects; by default those that the same equations
         have without these effects (`unloaded`).
         """
-        self.system = system
+        self.system, self.cost = system, cost
         self.forces = Acting(system, effects, loads)
         if self.forces.needs_reactions and loads is None and not unloaded:
             before = Equations(system, effects, unloaded=True)
@@ -95,7 +102,7 @@ class Equations:
             return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
 
         ways = [self.balance, self._fewest(setting, wrench)]
-        return min(ways, key=lambda way: count_operations(self._drives_and_pivots(way)))
+        return min(ways, key=lambda way: self.cost(self._drives_and_pivots(way)))
 
     @cached_property
     def lean_solution(self) -> DriveSolution:
@@ -105,14 +112,16 @@ class Equations:
     def _fewest(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> Balance:
         """The balance with the rows of the drives in their places or last, by operations."""
         either = setting.drives and setting.cuts and len(setting.tree.v) <= SMALL
-        orders = (False, True) if either else (False,)
-        ways = [balance(setting, wrench, self.forces.loads, drives_last=last) for last in orders]
+        if not either:
+            return balance(setting, wrench, self.forces.loads)
+        orders = product((False, True), repeat=2)
+        ways = [balance(setting, wrench, self.forces.loads, drives_last=k, blocks=m) for k, m in orders]
 
-        def operations(way: Balance) -> int:
+        def found(way: Balance) -> list[Node]:
             multipliers = [entry for affine in way.multipliers.values() for entry in affine.values()]
-            return count_operations([*self._drives_and_pivots(way), *multipliers])
+            return [*self._drives_and_pivots(way), *multipliers]
 
-        return min(ways, key=operations) if either else ways[0]
+        return min(ways, key=lambda way: self.cost(found(way)))
 
     def _drives_and_pivots(self, way: Balance) -> list[Node]:
         solution = self.drives(way)
@@ -171,7 +180,7 @@ class Equations:
 
 def dynamic_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Mass matrix, bias and, where there are drives, inverse dynamics and reactions."""
-    equations = Equations(system, effects)
+    equations = Equations(system, effects, cost=loops.cost)
     functions = [_mass_matrix(system, equations.forces.reflected_inertia), _bias(system, effects)]
     if system.drives:
         functions.append(_inverse_dynamics(equations))
@@ -212,7 +221,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     v = system.tree_rates(loops.rates_from(y_dot))
     moving = system.at(system.inputs.q, {}, v)
     a = system.tree_rates(loops.accelerations_from(y_ddot, loops.bias(moving), moving.joint_rates(v)))
-    equations = Equations(system.at(system.inputs.q, {}, v, a), effects)
+    equations = Equations(system.at(system.inputs.q, {}, v, a), effects, cost=loops.cost)
     inputs = [
         (q_port(system), system.inputs.q),
         (y_port(loops, "y_dot", 1), y_dot),
