@@ -11,7 +11,7 @@ which needs no multipliers and no inverse of the tree's mass matrix. For a tree 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +23,7 @@ from symscrew.effects.acting import Acting
 from symscrew.elimination import Guard, magnitude
 from symscrew.loops import SMALL, Loops
 from symscrew.projection import Projection
+from symscrew.rods import rod_forces, rod_matrix, thin_rods
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
@@ -30,6 +31,7 @@ from symscrew.tree_dynamics import generalised_forces, in_joint_rates, mass_matr
 LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
 MASSLESS = 1e-13  # least eigenvalue, without units, of an inertia that counts
 
+Matrix = Sequence[Sequence[Node]]
 Accelerations = tuple[list[Node], list[Node], list[Guard]]
 
 
@@ -72,31 +74,41 @@ class Admissible:
     def accelerations(self, acting: Acting) -> Accelerations:
         """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots.
 
-        Of two ways, equal but for rounding, the one with fewer operations.
+        Of the `ways`, equal but for rounding, the one with the fewest operations.
         """
+        return min(self.ways(acting), key=lambda way: self.loops.operations(way[1]))
+
+    def ways(self, acting: Acting) -> list[Accelerations]:
+        """By the columns of N and handed on from rate to rate; both again with thin rods as masses at their ends."""
         if not self.system.cuts and len(self.system.tree.v) > LONG:
             a, guards = articulated_accelerations(self.system, acting)
             gains = self.system.joint_rates(a)
-            return [gains[k] for k in self.loops.free], a, guards
-        ways = [self._by_columns(acting)]
-        if self.system.cuts and len(self.system.tree.v) <= SMALL:
-            ways.append(self._handed_on(acting))
-        return min(ways, key=lambda way: self.loops.operations(way[1]))
+            return [([gains[k] for k in self.loops.free], a, guards)]
+        system, tree = self.system, mass_matrix(self.system, self.reflected)
+        ways = [self._by_columns(tree, lambda a: generalised_forces(system, acting, a))]
+        if system.cuts and len(system.tree.v) <= SMALL:
+            ways.append(self._handed_on(tree, still_forces(system, acting, tree)))
+            rods = thin_rods(system, acting)
+            if rods:
+                lean = rod_matrix(system, rods, self.reflected)
+                still = rod_forces(system, acting, rods, [system.tape.zero] * len(system.tree.v))
+                ways.append(self._by_columns(lean, lambda a: rod_forces(system, acting, rods, a)))
+                ways.append(self._handed_on(lean, still))
+        return ways
 
-    def _by_columns(self, acting: Acting) -> Accelerations:
-        """With the columns of N, and the recursion at the accelerations p."""
+    def _by_columns(self, tree: Matrix, forces: Callable[[Sequence[Node]], list[Node]]) -> Accelerations:
+        """With the columns of N, and the forces (for v) that the tree of this mass matrix needs at accelerations p."""
         start = self.curvature()
-        right = [-value for value in self.residual(self.system.tree_rates(start), acting)]
-        free, guards = self.solve(right)
+        missing = forces(self.system.tree_rates(start))
+        right = [-_inner(self.system, column, missing) for column in self.tree_columns]
+        free, guards = self._solved(self._projected(tree), right)
         return free, self.system.tree_rates(self.moved(start, free)), guards
 
-    def _handed_on(self, acting: Acting) -> Accelerations:
+    def _handed_on(self, tree: Matrix, still: Sequence[Node]) -> Accelerations:
         """With inertia and forces handed on from the dependent rates to the free ones, limb by limb."""
         system, free = self.system, self.loops.free
-        matrix = mass_matrix(system, self.reflected)
-        missing = system.joint_rates(still_forces(system, acting, matrix))
-        opening = self.loops.bias(system)
-        projection = Projection(system.tape, self.loops.elimination, in_joint_rates(system, matrix))
+        missing, opening = system.joint_rates(still), self.loops.bias(system)
+        projection = Projection(system.tape, self.loops.elimination, in_joint_rates(system, tree))
         right = [-value for value in projection.forces(missing, opening, free)]
         found, guards = self._solved(projection.inertia(free), right)
         gains = projection.accelerations(dict(zip(free, found, strict=True)), opening)
@@ -110,8 +122,10 @@ class Admissible:
     @cached_property
     def inertia(self) -> list[list[Node]]:
         """N^T M N; only the lower half counts."""
-        system, tree = self.system, mass_matrix(self.system, self.reflected)
-        rows = []
+        return self._projected(mass_matrix(self.system, self.reflected))
+
+    def _projected(self, tree: Matrix) -> list[list[Node]]:
+        system, rows = self.system, []
         sparse = [_entries(system, column) for column in self.tree_columns]
         for k, column in enumerate(sparse):
             pushed = [_paired(system, column, row) for row in tree]

@@ -8,12 +8,13 @@ of the characteristic length).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from symscrew.differentiation import needed
 from symscrew.screws import Vector, cross, dot
 from symscrew.tape import Node, Tape
 
@@ -31,6 +32,14 @@ class Guard:
 
     pivot: Node
     scale: float
+
+
+def divides(pivot: Node, used: Set[Node]) -> bool:
+    """Whether one of the operations `used` divides by a pivot; only then its smallness does harm."""
+    if pivot.value is not None:
+        return False
+    inverses = {node for node in needed([1 / pivot]) - needed([pivot]) if node.op == "reciprocal"}
+    return not inverses or bool(inverses & used)
 
 
 def magnitude(tape: Tape, entry: Node, scale: float) -> tuple[float, float]:

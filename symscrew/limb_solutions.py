@@ -6,17 +6,20 @@ two signs: those of a guess, so that the limb stays on the guess's branch.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass
 
+from symscrew.closure import Cut, carry_point
+from symscrew.crank_limbs import CrankLimb, RodLimb, crank_limb, rod_limb
 from symscrew.planar_limbs import PlanarLimb, Turn, planar_limb
-from symscrew.recursion import placements, poses
+from symscrew.recursion import placements
+from symscrew.screws import ZERO
 from symscrew.spoke_limbs import SpokeLimb, spoke_limb
 from symscrew.system import System
 from symscrew.tape import Node
-from symscrew.tree import Link
+from symscrew.tree import GROUND, Link
 
-Limb = SpokeLimb | PlanarLimb
+Limb = SpokeLimb | PlanarLimb | CrankLimb | RodLimb
 
 
 @dataclass(frozen=True)
@@ -37,20 +40,44 @@ def hub_links(system: System) -> tuple[Link, ...] | None:
 
 
 def closed_limbs(system: System) -> tuple[Limb, ...] | None:
-    """All limbs, if the platform hangs on one joint and every other link belongs to a limb with a closed form."""
+    """All limbs, if the platform hangs on one joint and every other link belongs to a limb with a closed form.
+
+    A limb comes after those that carry it: the further rods of a crank after the first, which turns the crank.
+    """
     hub = hub_links(system)
     if hub is None:
         return None
     limbs: list[Limb] = []
-    covered = [link.index for link in hub]
+    covered = {GROUND}
     for cut in system.cuts:
-        limb = spoke_limb(system, cut) or planar_limb(system, cut)
-        forces = sum(row.unit == "N" for row in cut.rows)
+        limb = _limb(system, cut, covered)
+        forces = sum(row.unit == "N" and row.couple is ZERO for row in cut.rows)
         if limb is None or cut.hub != hub[-1].index or forces != 3:
             return None
         limbs.append(limb)
-        covered += [link.index for link in limb.links]
-    return tuple(limbs) if sorted(covered) == list(range(1, len(system.tree.links))) else None
+        covered |= {link.index for link in limb.links}
+    free = set(range(len(system.tree.links))) - covered
+    return tuple(limbs) if free == {link.index for link in hub} else None
+
+
+def met_rows(limbs: Sequence[Limb]) -> frozenset[str]:
+    """Labels of the rows of the closure that the closed forms meet whatever the platform's coordinates are."""
+    forces = ((limb.left_open, [row for row in limb.cut.rows if row.unit == "N"]) for limb in limbs)
+    return frozenset(row.label for left, rows in forces for k, row in enumerate(rows) if k not in left)
+
+
+def has_rods(limbs: Sequence[Limb]) -> bool:
+    """Whether there are rods among the limbs, with or without a crank."""
+    return any(isinstance(limb, CrankLimb | RodLimb) for limb in limbs)
+
+
+def _limb(system: System, cut: Cut, covered: Set[int]) -> Limb | None:
+    """The cut joint's limb, all links of which are new and hang on one that is covered, if it has a closed form."""
+    ways = (way(system, cut) for way in (spoke_limb, planar_limb, crank_limb, rod_limb))
+    for limb in ways:
+        if limb and limb.links[0].parent in covered and not covered & {link.index for link in limb.links}:
+            return limb
+    return None
 
 
 def limb_coordinates(
@@ -65,11 +92,11 @@ def limb_coordinates(
     q = [hub_q.get(k, zero) for k in range(len(system.tree.q))]
     turning = [link.index for link in system.tree.links[1:] if link.motion.kind in "RH"]
     own = {link.index for limb in limbs for link in limb.links}
-    placed = placements(tape, system.tree, system.frames, q, {i: (tape.one, zero) for i in turning if i in own})
-    pose = poses(system.tree, placed)
-    turns: dict[int, Turn] = {}
+    turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
     for limb in limbs:
-        found, slides = limb.solve(system, pose[limb.cut.hub].point(limb.cut.hub_point), near)
+        placed = placements(tape, system.tree, system.frames, q, turns)
+        target = carry_point(system.tree, placed, limb.cut.hub, limb.links[0].parent, limb.cut.hub_point)
+        found, slides = limb.solve(system, target, near)
         turns |= found
         for k, value in slides.items():
             q[k] = value

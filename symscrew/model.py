@@ -131,7 +131,7 @@ def derive(
         *dynamic_functions(system, effects, ways.rates),
         *forward_functions(system, effects, ways.dynamics),
         *closing_functions(system, loops),
-        *platform_functions(system, effects),
+        *platform_functions(system, effects, loops),
         *effect_functions(system, effects, loops),
     ]
     if regressor:

@@ -17,6 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from symscrew.differentiation import inputs_of, needed, substitute
+from symscrew.elimination import divides
 from symscrew.program import Function, roots_of, with_roots
 from symscrew.system import System
 from symscrew.tape import Node
@@ -26,8 +27,8 @@ SAME = 1e-9  # samples that agree to this, in radians or characteristic lengths,
 OFF = 1e-6  # a state this far off the mode, in the same units, is not of it; and rates, beside independent rates
 HALF = 0.5  # between what a comparison gives, 0 and 1
 NOTHING = 1e-12  # rates [rad/s, or characteristic lengths per second] below this are none
-SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "joint_reactions", "forward_dynamics",
-          "linearisation")  # fmt: skip
+SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "inverse_kinematics", "inverse_velocity",
+          "joint_reactions", "forward_dynamics", "linearisation")  # fmt: skip
 """Functions (and those named after them) that take closed loops for granted. Others are true of open loops too."""
 
 
@@ -61,19 +62,26 @@ class Mode:
 
     def alone(self, function: Function) -> Function:
         """The function for states of this mode only; unchanged if it does not rest on closed loops."""
+        inputs = self.system.inputs
         known = {node for nodes in function.arguments for node in nodes}
         solved = any(function.name == name or function.name.startswith(f"{name}_") for name in SOLVED)
-        if not solved or not self.q or not known >= set(self.system.inputs.q):
+        moving = bool(known & set(inputs.v))
+        if not solved or not known & {inputs.q[f.index] for f in self.q}:
             return function
-        whole = known >= set(self.system.inputs.a)  # what is not read of a whole motion cannot matter
-        read = inputs_of([node for values in function.results for node in values]) if whole else known
-        found = with_roots(function, substitute(self.system.tape, roots_of(function), self.nodes))
+        if moving and not known >= {inputs.v[k] for k in self.free}:
+            return function
+        # What is not read cannot matter: of a whole motion, and of the platform's from which the rest follows.
+        given = known >= set(inputs.a) or not known >= set(inputs.q)
+        read = inputs_of([node for values in function.results for node in values]) if given else known
+        followed = {node: leader for node, leader in self.nodes.items() if inputs_of([leader]) <= known}
+        found = with_roots(function, substitute(self.system.tape, roots_of(function), followed))
         used = needed([node for values in found.results for node in values])
         guards: dict[Node, float] = {}
         for pivot, threshold in found.guards:
-            if (pivot.args[0] if pivot.op == "neg" else pivot) in used:  # nothing is divided by the others
+            if divides(pivot, used):
                 guards[pivot] = max(threshold, guards.get(pivot, 0.0))
-        tests = [self._configuration(read), *([self._rates(read)] if known >= set(self.system.inputs.v) else [])]
+        read = {node for node in read if node in followed}
+        tests = [self._configuration(read), *([self._rates(read)] if moving else [])]
         guards |= {test: HALF for test in tests if test.value is None}
         return replace(found, guards=tuple(guards.items()))
 

@@ -55,6 +55,11 @@ class PlanarLimb:
         """The limb's links from the ground."""
         return (self.first, self.second)
 
+    @property
+    def left_open(self) -> tuple[int, ...]:
+        """Components of the tip's place, in its axes, that the closed form leaves to the closure: across the plane."""
+        return (2,)
+
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine by link, and slider coordinates by index into q, on the branch of the guess."""
         return {"RR": _two_turns, "PR": _slide_turn, "RP": _turn_slide}[self.kinds](system, self, target, guess)

@@ -11,15 +11,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product as pairs_of
 
 from symscrew.closure import Cut, carry, carry_point
 from symscrew.effects import Acting
 from symscrew.equilibrium import Bar, Wrench
 from symscrew.recursion import Inertia, Rates, combined, regrouped
-from symscrew.screws import ZERO, Matrix, Vector, add, cross, dot, product, scale, subtract, transform, transpose
+from symscrew.screws import (
+    IDENTITY,
+    ZERO,
+    Matrix,
+    Vector,
+    add,
+    cross,
+    dot,
+    product,
+    scale,
+    subtract,
+    transform,
+    transpose,
+)
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import GROUND, Link
+from symscrew.tree_dynamics import balanced_forces, mass_matrix
 
 
 @dataclass(frozen=True)
@@ -86,6 +101,10 @@ def _rod(system: System, cut: Cut) -> Rod | None:
 
 def with_end_masses(system: System, rods: Sequence[Rod]) -> tuple[Inertia, ...]:
     """Regrouped inertias of the links, with the masses of the rods at their ends in place of the rods themselves."""
+    return regrouped(system.tree, system.frames, _end_masses(system, rods), system.geometry)
+
+
+def _end_masses(system: System, rods: Sequence[Rod]) -> list[Inertia]:
     result = list(system.inertia)
     for rod in rods:
         for own in rod.links:
@@ -93,7 +112,7 @@ def with_end_masses(system: System, rods: Sequence[Rod]) -> tuple[Inertia, ...]:
         for link, mass, at in ((rod.parent, rod.masses[0], rod.near), (rod.hub, rod.masses[2], rod.far)):
             if link != GROUND:
                 result[link] = combined(system.geometry, result[link], _point_mass(mass, at))
-    return regrouped(system.tree, system.frames, result, system.geometry)
+    return result
 
 
 def _point_mass(mass: Node, at: Vector) -> Inertia:
@@ -191,3 +210,57 @@ def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vec
     carried = transform(transpose(placed.rotation), moving[system.tree.links[link].parent].at(placed.offset))
     turned: Matrix = product(placed.turn, own.matrix)
     return add(carried, transform(turned, point))
+
+
+def rod_matrix(system: System, rods: Mapping[int, Rod], reflected: Mapping[int, Node] | None) -> list[list[Node]]:
+    """A mass matrix for v with the energy of the tree's for all rates that keep the loops closed.
+
+    The rods' own rates have no entries; the mass that couples a rod's ends has those of the rates that move them.
+    """
+    zero, coupled = system.tape.zero, dict[tuple[int, int], Node]()
+    for rod in rods.values():
+        near, far = _velocities(system, rod.parent, rod.near), _velocities(system, rod.hub, rod.far)
+        for (j, one), (k, other) in pairs_of(near.items(), far.items()):
+            entry = rod.masses[1] * system.tape.node(dot(one, other))
+            for pair in ((j, k), (k, j)):
+                coupled[pair] = coupled.get(pair, zero) + entry
+    matrix = mass_matrix(system, reflected, _end_masses(system, list(rods.values())))
+    for (j, k), entry in coupled.items():
+        matrix[j][k] = matrix[j][k] + entry
+    return matrix
+
+
+def _velocities(system: System, index: int, point: Vector) -> dict[int, Vector]:
+    """Velocity of a link's point per rate of the tree (index into v), axes of the ground."""
+    found = {}
+    while index != GROUND:
+        link, frame, placed = system.tree.links[index], system.frames[index], system.placed[index]
+        before = placed.before(point)
+        velocities: list[Vector] = []
+        if link.motion.kind == "S":
+            velocities = [placed.before(cross(axis, point)) for axis in IDENTITY]
+        elif link.motion.kind == "P":
+            velocities = [frame.axis]
+        elif link.motion.kind != "F":
+            velocities = [add(cross((0, 0, 1), before), (0, 0, frame.pitch or 0))]
+        for k, velocity in enumerate(velocities, start=link.v.start):
+            found[k] = _across(system, index, GROUND, velocity)
+        point = add(transform(placed.rotation, before), placed.offset)
+        index = link.parent
+    return found
+
+
+def rod_forces(system: System, acting: Acting, rods: Mapping[int, Rod], a: Sequence[Node]) -> list[Node]:
+    """Generalised forces (for v) that accelerations a of the tree need, less what acts, with rods as `rod_matrix`."""
+    moving, inertia = acting.link_rates(a), with_end_masses(system, list(rods.values()))
+    wrenches = {k: acting.inertial_wrench(k, inertia[k], moving) for k in range(1, len(inertia))}
+    coupled: dict[int, list[Wrench]] = {}
+    for rod in rods.values():
+        for link, wrench in _inertia(system, rod, moving).items():
+            coupled.setdefault(link, []).append(wrench)
+    for link, some in coupled.items():
+        back = transpose(system.placed[link].turn)
+        pairs = zip(wrenches[link], _sum(some), strict=True)
+        force, moment = (add(own, transform(back, other)) for own, other in pairs)
+        wrenches[link] = force, moment
+    return balanced_forces(system, acting, a, wrenches)

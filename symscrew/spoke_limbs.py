@@ -3,7 +3,7 @@ and UPU)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from symscrew.closure import Cut
@@ -29,26 +29,52 @@ class SpokeLimb:
         """The limb's links from the ground."""
         return (self.first, self.second, self.slider)
 
+    @property
+    def left_open(self) -> tuple[int, ...]:
+        """Components of the tip's place, in its axes, that the closed form leaves to the closure: none."""
+        return ()
+
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine of both angles by link, the slide by its index into q; the length is positive."""
-        tape, frames = system.tape, system.frames
-        first, second = frames[self.first.index], frames[self.second.index]
+        frames = system.frames
+        first = frames[self.first.index]
         d = transform(transpose(first.rotation), subtract(target, first.offset))
-        across = d[0] * d[0] + d[1] * d[1]
-        radius = tape.sqrt(across)
-        length = tape.sqrt(across + d[2] * d[2])
-        # The second axis b is perpendicular to d: turned by the first angle it is (-d_y, d_x)/radius.
-        bx, by = second.axis[0], second.axis[1]
-        side = _branch(system, self.first, (d[0] * by - d[1] * bx, d[0] * bx + d[1] * by), guess)
-        inverse, signed = side / radius, side * radius
-        cosine, sine = (d[0] * by - d[1] * bx) * inverse, (d[0] * bx + d[1] * by) * inverse
-        # After the first rotation, in the axes before the second: the leg's direction in the plane across b.
-        turned: Vector = (by * signed, -bx * signed, d[2])
-        flat = transform(transpose(second.rotation), turned)
         ex, ey = frames[self.slider.index].axis[0], frames[self.slider.index].axis[1]
-        shorter = 1 / length
-        other = ((flat[0] * ex + flat[1] * ey) * shorter, (flat[1] * ex - flat[0] * ey) * shorter)
-        return {self.first.index: (cosine, sine), self.second.index: other}, {self.slider.q.start: length - self.rest}
+        turns, length = pointing(system, (self.first, self.second), d, (ex, ey), guess)
+        return turns, {self.slider.q.start: length - self.rest}
+
+
+def pointing(
+    system: System,
+    links: tuple[Link, Link],
+    d: Vector,
+    pointer: Turn,
+    guess: Sequence[Node],
+    length: Node | None = None,
+) -> tuple[dict[int, Turn], Node]:
+    """Turns of two links on crossing axes by which a unit vector of the second is along d, and the length of d.
+
+    `d` is in the axes before the first link's motion, `pointer` in the second's axes, across its own. `length`: that
+    of d where it is known.
+    """
+    tape, (first, second) = system.tape, links
+    outer = system.frames[second.index]
+    across = d[0] * d[0] + d[1] * d[1]
+    radius = tape.sqrt(across)
+    length = tape.sqrt(across + d[2] * d[2]) if length is None else length
+    # The second axis b is perpendicular to d: turned by the first angle it is (-d_y, d_x)/radius.
+    bx, by = outer.axis[0], outer.axis[1]
+    wanted = d[0] * by - d[1] * bx, d[0] * bx + d[1] * by
+    side = side_of_guess(system, first, lambda turn: wanted[0] * turn[0] + wanted[1] * turn[1], guess)
+    inverse, signed = side / radius, side * radius
+    cosine, sine = wanted[0] * inverse, wanted[1] * inverse
+    # After the first rotation, in the axes before the second: the direction in the plane across b.
+    turned: Vector = (by * signed, -bx * signed, d[2])
+    flat = transform(transpose(outer.rotation), turned)
+    ex, ey = pointer
+    shorter = 1 / length
+    other = ((flat[0] * ex + flat[1] * ey) * shorter, (flat[1] * ex - flat[0] * ey) * shorter)
+    return {first.index: (cosine, sine), second.index: other}, length
 
 
 def spoke_limb(system: System, cut: Cut) -> SpokeLimb | None:
@@ -75,12 +101,12 @@ def spoke_limb(system: System, cut: Cut) -> SpokeLimb | None:
     return SpokeLimb(cut, first, second, slider, rest + frames[slider.index].phase)
 
 
-def _branch(system: System, link: Link, turn: Turn, guess: Sequence[Node]) -> Node:
-    """+1 or -1: which way round the first axis; constant where the guess is."""
+def side_of_guess(system: System, link: Link, measure: Callable[[Turn], Node], guess: Sequence[Node]) -> Node:
+    """+1 or -1: the sign of a measure of a link's turn at the guess; that in the reference if the guess is constant."""
     tape = system.tape
     angle = guess[link.q.start] + system.frames[link.index].phase
     c, s = tape.function("cos", angle), tape.function("sin", angle)
-    near = turn[0] * c + turn[1] * s
+    near = measure((c, s))
     if c.value is not None and s.value is not None:
         # a fixed guess: decide now, so that the generated code does not have to
         positive = float(system.numeric([near], (system.inputs.q, system.reference))[0]) > 0

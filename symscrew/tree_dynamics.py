@@ -67,13 +67,16 @@ def projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple
     return (moment[2],)
 
 
-def mass_matrix(system: System, reflected: Mapping[int, Node] | None = None) -> list[list[Node]]:
+def mass_matrix(
+    system: System, reflected: Mapping[int, Node] | None = None, inertia: Sequence[Inertia] | None = None
+) -> list[list[Node]]:
     """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint; for v.
 
-    `reflected` are inertias that move with one freedom only (index into v): they stand on the diagonal.
+    `reflected` are inertias that move with one freedom only (index into v): they stand on the diagonal. `inertia` is
+    what the links have in place of their own.
     """
     tree, tape = system.tree, system.tape
-    composite: list[Inertia] = list(regrouped(tree, system.frames, system.inertia, system.geometry))
+    composite: list[Inertia] = list(regrouped(tree, system.frames, inertia or system.inertia, system.geometry))
     n = len(tree.v)
     matrix = [[tape.zero] * n for _ in range(n)]
     for link in reversed(tree.links[1:]):
@@ -88,8 +91,8 @@ def mass_matrix(system: System, reflected: Mapping[int, Node] | None = None) -> 
                 add(composite[link.parent].first, moved.first),
                 tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
             )
-    for k, inertia in (reflected or {}).items():
-        matrix[k][k] = matrix[k][k] + inertia
+    for k, further in (reflected or {}).items():
+        matrix[k][k] = matrix[k][k] + further
     return matrix
 
 

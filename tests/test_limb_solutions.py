@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 from symscrew.builder import MechanismBuilder
+from symscrew.effects import Gravity
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
+from symscrew.optimisation.equations import PointEquations
+from symscrew.program import evaluate
 from symscrew.tree import spanning_tree
 
 LIMBS = {
@@ -79,3 +82,13 @@ def test_assembly_follows_the_guess_to_its_own_branch(found: Model) -> None:
     assert np.all(status == 0)
     expected = found.system.sample_states[0]
     assert np.abs(q - expected).max() < 1e-9
+
+
+def test_an_optimiser_closes_what_limbs_leave_open_across_their_planes(found: Model) -> None:
+    """Three rows across the planes, and the quaternion's length, for what is left of the platform's coordinates."""
+    equations = PointEquations(found.mechanism, (Gravity(),))
+    layout = equations.layout
+    assert layout.closed and len(layout.z) == 4
+    q, _, _ = equations.system.states(6, 2)
+    (got, closure), _ = evaluate(equations.closure, [q[:, list(layout.y)], q[:, list(layout.z)]])
+    assert np.abs(got - q).max() < 1e-12 and np.abs(closure).max() < 1e-12

@@ -212,7 +212,7 @@ def test_assembly_turns_a_crank_all_the_way_round() -> None:
 
 
 def test_which_mechanisms_have_closed_forms() -> None:
-    assert set(SPOKED) >= {"three_ups_upu_s", "three_ups_upu_s_physical", "stewart_6ups"}
+    assert set(SPOKED) >= {"three_ups_upu_s", "three_ups_upu_s_physical", "stewart_6ups", "delta"}
 
 
 @pytest.mark.parametrize("name", SPOKED)

@@ -13,7 +13,7 @@ from symscrew.cli import main
 from symscrew.compiled import load
 from symscrew.effects import Gravity
 from symscrew.mechanism import Mechanism
-from symscrew.model import Model, derive
+from symscrew.model import Model, derive, inputs_at
 from symscrew.modes import SOLVED
 
 PARALLELOGRAM = """
@@ -60,8 +60,10 @@ def states(model: Model, name: str) -> list[np.ndarray]:
     """Inputs of a function at other consistent states than those the mode was found at."""
     q, v, a = model.system.states(12, 5)
     random = np.random.default_rng(3)
-    known = {"q": q, "v": v, "a": a}
     ports = model.programs[name].inputs
+    known = {"q": q, "v": v, "a": a}
+    given = zip(ports, inputs_at(model.system, model.programs[name], (q, v, a)), strict=True)
+    known |= {p.name: values for p, values in given if p.name in ("pose", "rate", "gain")}
     return [known.get(p.name, random.uniform(-1, 1, (len(q), p.size))) for p in ports]
 
 

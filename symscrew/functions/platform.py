@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from symscrew.closure import closure_rate
+from symscrew.crank_limbs import CrankLimb
+from symscrew.crank_rates import LengthRow, length_rows
+from symscrew.differentiation import needed
 from symscrew.effects import Effect
-from symscrew.elimination import Elimination, eliminate
+from symscrew.elimination import Elimination, divides, eliminate
 from symscrew.functions.closure import guarded
 from symscrew.functions.dynamics import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
-from symscrew.program import Function, Port
+from symscrew.loops import Loops
+from symscrew.planar_limbs import Turn
+from symscrew.program import Function, Port, roots_of
 from symscrew.system import System
 from symscrew.tape import Node
 
 
-def platform_functions(system: System, effects: Sequence[Effect]) -> list[Function]:
+def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """`inverse_kinematics`, `inverse_velocity`, `inverse_dynamics_platform`; none without closed forms."""
     limbs, hub = closed_limbs(system), hub_links(system)
     if limbs is None or hub is None:
@@ -32,14 +38,11 @@ def platform_functions(system: System, effects: Sequence[Effect]) -> list[Functi
     )
     found = limb_coordinates(system, limbs, dict(zip(q_at, q_in, strict=True)))
     placed = system.at(found.q, found.turns)
-    solver, guards = _limb_elimination(placed, set(v_at))
-    hub_v = {k: system.inputs.v[k] for k in v_at}
-    hub_a = {k: system.inputs.a[k] for k in v_at}
-    alone = system.at(found.q, found.turns, _filled(system, hub_v))
-    opening = [value for cut in alone.cuts for value in closure_rate(cut, alone.tree, alone.placed, alone.twist)]
-    v = _all_rates(placed, solver, hub_v, opening)
-    moving = system.at(found.q, found.turns, v)
-    a = _all_rates(placed, solver, hub_a, moving.bias(moving.rates(_filled(system, hub_a))))
+    cranks = [limb for limb in limbs if isinstance(limb, CrankLimb)]
+    choices = [(), length_rows(placed, cranks)] if cranks else [()]
+    hub_v, hub_a = ({k: nodes[k] for k in v_at} for nodes in (system.inputs.v, system.inputs.a))
+    ways = [_motion(placed, found.turns, hub[-1].index, hub_v, hub_a, lengths) for lengths in choices]
+    shortest = min(ways, key=lambda way: loops.cost([*way.v, *(pivot for pivot, _ in way.guards)]))
     result = [
         function(
             system,
@@ -53,18 +56,66 @@ def platform_functions(system: System, effects: Sequence[Effect]) -> list[Functi
             "inverse_velocity",
             "Rates of the tree from the platform's own, limbs in closed form.",
             [(pose, q_in), (rate, v_in)],
-            [(v_port(system), v)],
-            guards,
+            [(v_port(system), shortest.v)],
+            shortest.guards,
         ),
     ]
     if system.drives:
-        equations = Equations(system.at(found.q, found.turns, v, a), effects)
-        inputs = [(pose, q_in), (rate, v_in), (gain, a_in), *equations.forces.inputs]
-        every = [*guards, *guarded(equations.lean_guards)]
-        text = "Drives from the platform's own coordinates, rates and accelerations, limbs in closed form."
-        output = [equations.command(equations.lean_solution)]
-        result.append(function(system, "inverse_dynamics_platform", text, inputs, output, every, equations.notes))
+        inputs = [(pose, q_in), (rate, v_in), (gain, a_in)]
+        dynamics = [
+            _drives(
+                Equations(system.at(found.q, found.turns, way.v, way.a), effects, cost=loops.cost), inputs, way.guards
+            )
+            for way in ways
+        ]
+        result.append(min(dynamics, key=lambda way: loops.cost(roots_of(way))))
     return result
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """Rates and accelerations of the tree, and the guarded pivots of the closure."""
+
+    v: Sequence[Node]
+    a: Sequence[Node]
+    guards: list[tuple[Node, float]]
+
+
+def _motion(
+    placed: System,
+    turns: dict[int, Turn],
+    hub: int,
+    hub_v: dict[int, Node],
+    hub_a: dict[int, Node],
+    lengths: Sequence[LengthRow],
+) -> _Motion:
+    """v and a of the tree from those of the platform, link `hub`, with rows of rods' lengths in place of others."""
+    solver, guards = _limb_elimination(placed, set(hub_v), lengths)
+    alone = placed.at(placed.inputs.q, turns, _filled(placed, hub_v))
+    opening = [value for cut in alone.cuts for value in closure_rate(cut, alone.tree, alone.placed, alone.twist)]
+    for row in lengths:
+        opening[row.index] = row.opening(alone)
+    v = _all_rates(placed, solver, hub_v, opening)
+    moving = placed.at(placed.inputs.q, turns, v)
+    rates = moving.rates(_filled(placed, hub_a))
+    bias = moving.bias(rates)
+    for row in lengths:
+        bias[row.index] = row.bias(moving, rates[hub])
+    return _Motion(v, _all_rates(placed, solver, hub_a, bias), guards)
+
+
+def _drives(
+    equations: Equations, inputs: list[tuple[Port, list[Node]]], guards: Sequence[tuple[Node, float]]
+) -> Function:
+    """`inverse_dynamics_platform` of a system that moves as the platform asks."""
+    port, drives = equations.command(equations.lean_solution)
+    used = needed(drives)  # thin rods' own rates are not
+    every = [*(guard for guard in guards if divides(guard[0], used)), *guarded(equations.lean_guards)]
+    text = "Drives from the platform's own coordinates, rates and accelerations, limbs in closed form."
+    ports = [*inputs, *equations.forces.inputs]
+    return function(
+        equations.system, "inverse_dynamics_platform", text, ports, [(port, drives)], every, equations.notes
+    )
 
 
 def _part(port: Port, name: str, entries: Sequence[int], description: str) -> Port:
@@ -73,11 +124,16 @@ def _part(port: Port, name: str, entries: Sequence[int], description: str) -> Po
     return Port(name, (len(entries),), units, labels, description)
 
 
-def _limb_elimination(system: System, hub: set[int]) -> tuple[Elimination, list[tuple[Node, float]]]:
+def _limb_elimination(
+    system: System, hub: set[int], lengths: Sequence[LengthRow]
+) -> tuple[Elimination, list[tuple[Node, float]]]:
     """The closure solved for the limbs' rates, the platform's being given."""
     unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(system.tree.v) if k not in hub}
     scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
-    solver = eliminate(system.tape, system.jacobian, unknowns, scales)
+    rows = list(system.jacobian)
+    for row in lengths:
+        rows[row.index], scales[row.index] = {row.column: row.entry}, scales[row.index] / system.length
+    solver = eliminate(system.tape, rows, unknowns, scales)
     return solver, guarded(solver.guards)
 
 

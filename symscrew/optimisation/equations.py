@@ -26,7 +26,7 @@ from symscrew.functions.forward import driven
 from symscrew.functions.kinematics import Motion, kinematic_functions
 from symscrew.functions.margins import margin_functions
 from symscrew.functions.ports import function
-from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
+from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates, met_rows
 from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
 from symscrew.program import Function, Port, Program, lower
@@ -117,11 +117,12 @@ class PointEquations:
         placed, _, loops = self._placed
         system, tape = self.system, self.system.tape
         redundant = set(loops.elimination.redundant)
+        met = met_rows(closed_limbs(system) or ()) if self.layout.closed else frozenset()
         rows = [row for cut in placed.cuts for row in cut.rows]
         values = []
         for k, (row, value) in enumerate(zip(rows, placed.residual, strict=True)):
-            if k in redundant or (self.layout.closed and row.unit == "N"):
-                continue  # the closed forms meet the rows of forces: where the limb's tip is
+            if k in redundant or row.label in met:
+                continue
             values.append(value * tape.constant(1.0 / system.length) if row.unit == "N" else value)
         for link in system.tree.links[1:]:
             if link.motion.kind == "S" and {*range(link.q.start, link.q.stop)} & {*self.layout.z, *self.layout.y}:

@@ -43,6 +43,7 @@ FLAGS = (
 )
 LEAN_SEED = 348.0  # recorded cycles of the first row
 ARMS = "arms' angles and the platform's coordinates"
+PLACE = "the platform's position"
 Measure = Callable[[], float]
 
 
@@ -99,6 +100,10 @@ ROWS = (
         Row("delta", function, form, f"lean_delta_{name}", None, ARMS, one_mode)
         for one_mode in (False, True)
         for function, name in (("inverse_dynamics", "drives"), ("velocity", "velocity"))
+        for form in (ONE, LANES)
+    ),
+    *(
+        Row("delta", "inverse_dynamics_platform", form, "lean_delta_platform", None, PLACE, True)
         for form in (ONE, LANES)
     ),
     Row("delta", "platform_jacobian", ONE, "lean_delta_jacobian"),

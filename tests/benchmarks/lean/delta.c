@@ -13,20 +13,21 @@
 
 static const double delta_c[3] = {1.0, -0.5, -0.5}, delta_s[3] = {0.0, ROOT3_2, -ROOT3_2};
 
-int lean_delta_drives(
-    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u)
+/* Platform at p with acceleration a; sines and cosines of the arms' angles, their rates and accelerations. */
+static inline __attribute__((always_inline)) int delta_drives(
+    const double *restrict p, const double *restrict a, lanes sine, lanes cosine, lanes rate, lanes gains,
+    double *restrict u)
 {
-    const lanes angle = {q[0], q[5], q[10], q[10]}, sine = _ZGVdN4v_sin(angle), cosine = _ZGVdN4v_cos(angle);
     const double g = 9.81, M = M_PLATFORM + 2.0 * M_ROD, ends = M_ROD / 3.0;
-    double f[3] = {M * a[15], M * a[16], M * a[17] + (M_PLATFORM + 3.0 * M_ROD) * g}, n[3][3];
+    double f[3] = {M * a[0], M * a[1], M * a[2] + (M_PLATFORM + 3.0 * M_ROD) * g}, n[3][3];
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
-        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k], w = v[5 * k], square = w * w;
-        const double gain = a[5 * k];
+        const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k], square = rate[k] * rate[k];
+        const double gain = gains[k];
         const double out = DELTA_RADII - lc, knee = -ends * (gain * ls + square * lc);
-        n[k][0] = q[15] + delta_c[k] * out;
-        n[k][1] = q[16] + delta_s[k] * out;
-        n[k][2] = q[17] + ls;
+        n[k][0] = p[0] + delta_c[k] * out;
+        n[k][1] = p[1] + delta_s[k] * out;
+        n[k][2] = p[2] + ls;
         f[0] += delta_c[k] * knee;
         f[1] += delta_s[k] * knee;
         f[2] += ends * (square * ls - gain * lc);
@@ -43,12 +44,41 @@ int lean_delta_drives(
     for (int k = 0; k < 3; ++k) {
         const double ls = DELTA_ARM * sine[k], lc = DELTA_ARM * cosine[k];
         /* force of the rods on the knee, radial and upwards */
-        const double fx = ends * (delta_c[k] * a[15] + delta_s[k] * a[16])
+        const double fx = ends * (delta_c[k] * a[0] + delta_s[k] * a[1])
                           + tension[k] * (delta_c[k] * n[k][0] + delta_s[k] * n[k][1]);
-        const double fz = ends * a[17] + tension[k] * n[k][2] + (0.5 * M_ARM + M_ROD) * g;
-        u[k] = (M_ARM + 2.0 * M_ROD) / 3.0 * DELTA_ARM * DELTA_ARM * a[5 * k] - ls * fx - lc * fz;
+        const double fz = ends * a[2] + tension[k] * n[k][2] + (0.5 * M_ARM + M_ROD) * g;
+        u[k] = (M_ARM + 2.0 * M_ROD) / 3.0 * DELTA_ARM * DELTA_ARM * gains[k] - ls * fx - lc * fz;
     }
     return 0;
+}
+
+int lean_delta_drives(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u)
+{
+    const lanes angle = {q[0], q[5], q[10], q[10]}, rate = {v[0], v[5], v[10], v[10]};
+    const lanes gain = {a[0], a[5], a[10], a[10]};
+    return delta_drives(q + 15, a + 15, _ZGVdN4v_sin(angle), _ZGVdN4v_cos(angle), rate, gain, u);
+}
+
+/* Drives from the platform's motion: the arms' angles by the law of cosines, knees outwards, all arms in lanes. */
+int lean_delta_platform(
+    const double *restrict p, const double *restrict v, const double *restrict a, double *restrict u)
+{
+    const lanes c = {1.0, -0.5, -0.5, -0.5}, s = {0.0, ROOT3_2, -ROOT3_2, -ROOT3_2};
+    const lanes x = c * p[0] + s * p[1] + DELTA_RADII, y = c * p[1] - s * p[0], z = p[2] + 0.0 * c;
+    const lanes vx = c * v[0] + s * v[1], vy = c * v[1] - s * v[0], vz = v[2] + 0.0 * c;
+    const lanes ax = c * a[0] + s * a[1], ay = c * a[1] - s * a[0], az = a[2] + 0.0 * c;
+    const lanes both = x * x + z * z;
+    const lanes k = (both + y * y + (DELTA_ARM * DELTA_ARM - DELTA_ROD_SQUARE)) * (0.5 / DELTA_ARM);
+    const lanes root = roots(both - k * k), over = 1.0 / both;
+    const lanes cosine = (x * k - z * root) * over, sine = (-z * k - x * root) * over;
+    /* x sine + z cosine is -root */
+    const lanes ls = DELTA_ARM * sine, lc = DELTA_ARM * cosine, nx = x - lc, nz = z + ls, lever = 1.0 / root;
+    const lanes rate = (nx * vx + y * vy + nz * vz) * lever * (1.0 / DELTA_ARM);
+    const lanes wx = vx + ls * rate, wz = vz + lc * rate;
+    const lanes bend = wx * wx + vy * vy + wz * wz + rate * rate * (nx * lc - nz * ls);
+    const lanes gain = (nx * ax + y * ay + nz * az + bend) * lever * (1.0 / DELTA_ARM);
+    return delta_drives(p, a, sine, cosine, rate, gain, u);
 }
 
 /* Rates of the tree from the platform's velocity. */
