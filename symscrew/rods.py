@@ -78,7 +78,7 @@ def _rod(system: System, cut: Cut) -> Rod | None:
     inside = {first.index, second.index}
     others = [link.parent for link in tree.links[1:] if link.index != second.index]
     others += [end for other in system.cuts if other is not cut for end in (other.tip, other.hub)]
-    if (first.motion.kind, second.motion.kind) != ("R", "R") or inside & {cut.hub, *others}:
+    if (first.motion.kind, second.motion.kind) != ("R", "R") or inside & {cut.hub, *others} or cut.hub == first.parent:
         return None
     outer, inertia, n = system.frames[second.index], system.inertia[second.index], cut.tip_point
     shorter = 1 / dot(n, n)
@@ -137,17 +137,17 @@ def bars(system: System, rods: Mapping[int, Rod], moving: Sequence[Rates]) -> di
             inertia = [_inertia(system, rods[k], moving) for k in cuts] if c == cuts[0] else []
             ends = {
                 link: (_pull(system, rods[c], first, line, link), _sum([wrenches[link] for wrenches in inertia]))
-                for link in {first.parent, first.hub} - {GROUND}
+                for link in sorted({first.parent, first.hub} - {GROUND})
             }
             result[c] = Bar(frozenset(link.index for link in rods[c].links), ends)
     return result
 
 
 def _sum(wrenches: Sequence[Wrench]) -> Wrench:
-    total = (ZERO, ZERO)
-    for force, moment in wrenches:
-        total = add(total[0], force), add(total[1], moment)
-    return total
+    force, moment = ZERO, ZERO
+    for more, other in wrenches:
+        force, moment = add(force, more), add(moment, other)
+    return force, moment
 
 
 def _line(system: System, rod: Rod) -> Vector:
@@ -259,8 +259,6 @@ def rod_forces(system: System, acting: Acting, rods: Mapping[int, Rod], a: Seque
         for link, wrench in _inertia(system, rod, moving).items():
             coupled.setdefault(link, []).append(wrench)
     for link, some in coupled.items():
-        back = transpose(system.placed[link].turn)
-        pairs = zip(wrenches[link], _sum(some), strict=True)
-        force, moment = (add(own, transform(back, other)) for own, other in pairs)
-        wrenches[link] = force, moment
+        back, (force, moment) = transpose(system.placed[link].turn), _sum(some)
+        wrenches[link] = add(wrenches[link][0], transform(back, force)), add(wrenches[link][1], transform(back, moment))
     return balanced_forces(system, acting, a, wrenches)

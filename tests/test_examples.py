@@ -58,7 +58,7 @@ def test_readme_names_only_commands_that_exist() -> None:
         assert command in commands.choices, command
 
 
-@pytest.mark.parametrize("name", ["three_ups_upu_s", "stewart_6ups", "ur5", "panda"])
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "stewart_6ups", "delta", "ur5", "panda"])
 def test_readme_operation_counts_are_those_of_the_code(name: str) -> None:
     from symscrew import catalogue
     from symscrew.model import derive

@@ -46,7 +46,7 @@ def kinematic_model(mechanism: Mechanism, independent: Sequence[str] | None = No
     system.use_samples()
     loops = Loops(system, independent)
     functions = [*kinematic_functions(system, Motion(system)), *closure_functions(system, loops)]
-    functions += [f for f in platform_functions(system, ()) if f.name == "inverse_kinematics"]
+    functions += [f for f in platform_functions(system, (), loops) if f.name == "inverse_kinematics"]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in [*functions, *margin_functions(system)]}
     if system.cuts:
         programs["assemble"] = assembly(system, loops)

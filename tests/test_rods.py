@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +12,12 @@ from model_states import body_states, relative
 from sympy import Matrix, Rational, cos, sin, sqrt
 
 from symscrew import catalogue, description
+from symscrew.admissible import Admissible
 from symscrew.builder import MechanismBuilder
 from symscrew.effects import Acting, Effect, Gravity, NoGyroscopicTerms, Payload, ViscousFriction, transformed
 from symscrew.elimination import solve_block
+from symscrew.functions.forward import driven
+from symscrew.loops import Loops
 from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
 from symscrew.newton_euler import newton_euler
@@ -81,6 +85,22 @@ def hung_platform() -> Mechanism:
     return builder.build()
 
 
+def braced_arm() -> Mechanism:
+    """A chain of three links in space with a rod from the first to the third: a loop that does not hold the ground."""
+    builder = MechanismBuilder("braced_arm", platform="top")
+    places = [Matrix(p) for p in ([0, 0, 0], [0, Rational(1, 10), Rational(1, 2)], [Rational(3, 5), 0, Rational(3, 5)])]
+    names = ("lower", "upper", "top")
+    for k, (name, place) in enumerate(zip(names, places, strict=True)):
+        builder.body(name, mass=k + 1, com=[Rational(k, 3), Rational(1, 10), Rational(k + 1, 4)],
+                     inertia=["1/50", "1/40", "1/30"])  # fmt: skip
+        axis = [[0, 0, 1], [0, 1, 0], [0, Rational(3, 5), Rational(4, 5)]][k]
+        builder.joint(f"R{k}", "R", parent=("base", *names)[k], child=name, point=list(place), axes=[axis],
+                      driven=k < 2)  # fmt: skip
+    near, far = Matrix([Rational(1, 5), Rational(1, 5), Rational(1, 5)]), Matrix([Rational(9, 10), Rational(1, 3), 1])
+    rod(builder, "brace", "lower", near, far)
+    return builder.build()
+
+
 def rods_of(mechanism: Mechanism, *effects: Effect) -> int:
     system = System(mechanism)
     system.use_samples()
@@ -95,11 +115,31 @@ def compare(found: Model, tolerance: float = 1e-10) -> None:
     assert relative(drives, expected) < tolerance
 
 
-@pytest.mark.parametrize("mechanism", [rotary_hexapod, hung_platform])
-def test_drives_of_rod_mechanisms_by_method_b(mechanism: object) -> None:
-    built = mechanism()  # type: ignore[operator]
-    assert rods_of(built) == (6 if built.name == "rotary_hexapod" else 3)
-    compare(derive(built))
+@pytest.mark.parametrize(("mechanism", "count"), [(rotary_hexapod, 6), (hung_platform, 3), (braced_arm, 1)])
+def test_rod_mechanisms_by_method_b(mechanism: Callable[[], Mechanism], count: int) -> None:
+    """Drives, and accelerations from them, by all ways."""
+    built = mechanism()
+    assert rods_of(built) == count
+    found = derive(built)
+    compare(found)
+    q, v, a = found.system.states(6, 12)
+    (u,), _ = found("inverse_dynamics", q, v, a)
+    (back,), status = found("forward_dynamics", q, v, u)
+    assert np.all(status == 0) and relative(back, a) < 1e-9
+
+
+@pytest.mark.parametrize("mechanism", [rotary_hexapod, hung_platform, braced_arm])
+def test_all_ways_to_accelerations_are_equal(mechanism: Callable[[], Mechanism]) -> None:
+    system = System(mechanism())
+    system.use_samples()
+    loops = Loops(system)
+    acting, drives = driven(system, [Gravity()])
+    system.tape.add_samples({node: np.full(6, 0.3 + 0.1 * k) for k, node in enumerate(drives[0][1])})
+    ways = Admissible(system, loops).ways(acting)
+    first, *others = ([system.tape.sample(node) for node in way[1]] for way in ways)
+    assert len(others) == 3
+    for other in others:
+        assert relative(np.array(other), np.array(first)) < 1e-9
 
 
 def test_drives_of_the_delta_by_method_b() -> None:

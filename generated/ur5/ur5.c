@@ -942,6 +942,8 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x5 = q[5];
+    double sum0 = x5;
     const double x14 = cosine[0];
     const double x35 = cosine[1];
     const double x36 = x14 * x35;
@@ -1027,7 +1029,7 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     const double x169 = x11 * x168;
     const double x170 = x124 + x169;
     twists[35] = x170;
-    double sum0 = x170;
+    double sum1 = x170;
     const double x50 = x26 * x49;
     const double x52 = x35 * x51;
     const double x53 = x50 + x52;
@@ -1078,13 +1080,13 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     twists[26] = x105;
     const double x149 = x105 - x148;
     twists[32] = x149;
-    double sum1 = x149;
+    double sum2 = x149;
     const double x159 = x132 * x154;
     const double x163 = x159 + x162;
     const double x164 = x11 * x163;
     const double x165 = x119 - x164;
     twists[34] = x165;
-    double sum2 = x165;
+    double sum3 = x165;
     const double x155 = x140 * x154;
     const double x156 = x152 + x155;
     const double x157 = x11 * x156;
@@ -1107,29 +1109,29 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     twists[27] = x112;
     const double x158 = x112 + x157;
     twists[33] = x158;
-    double sum3 = x158;
+    sum0 = sum0 + x158;
     const double x15 = x7 * x14;
     const double x16 = -x15;
     twists[7] = x16;
-    sum0 = sum0 + x16;
+    sum1 = sum1 + x16;
     const double x23 = x8 * x14;
     const double x24 = x15 + x23;
     const double x25 = -x24;
     twists[13] = x25;
-    sum1 = sum1 + x25;
+    sum2 = sum2 + x25;
     const double x46 = x9 * x14;
     const double x47 = x24 + x46;
     const double x96 = x47 - x95;
     const double x48 = -x47;
     twists[19] = x48;
-    sum2 = sum2 + x48;
+    sum3 = sum3 + x48;
     const double x142 = x96 + x141;
     const double x143 = -x142;
     twists[31] = x143;
-    sum3 = sum3 + x143;
+    sum0 = sum0 + x143;
     const double x97 = -x96;
     twists[25] = x97;
-    sum0 = sum0 + x97;
+    sum1 = sum1 + x97;
     const double x13 = x7 * x12;
     twists[6] = x13;
     const double x21 = x8 * x12;
@@ -1142,7 +1144,7 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     twists[24] = x88;
     const double x134 = x88 - x133;
     twists[30] = x134;
-    sum1 = sum1 + x134;
+    sum2 = sum2 + x134;
     twists[0] = 0.0;
     twists[1] = 0.0;
     twists[3] = 0.0;
@@ -1153,8 +1155,6 @@ static inline UR5_INLINE double ur5_body_twists_lane(
     twists[8] = x6;
     twists[14] = x6;
     twists[20] = x6;
-    const double x5 = q[5];
-    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -1190,6 +1190,8 @@ static void ur5_body_twists_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum0 = x5;
     const ur5_wide x14 = UR5_READ(cosine[0]);
     const ur5_wide x35 = UR5_READ(cosine[8]);
     const ur5_wide x36 = x14 * x35;
@@ -1275,7 +1277,7 @@ static void ur5_body_twists_wide(
     const ur5_wide x169 = x11 * x168;
     const ur5_wide x170 = x124 + x169;
     UR5_WRITTEN(twists[35 * stride]) = x170;
-    ur5_wide sum0 = x170;
+    ur5_wide sum1 = x170;
     const ur5_wide x50 = x26 * x49;
     const ur5_wide x52 = x35 * x51;
     const ur5_wide x53 = x50 + x52;
@@ -1326,13 +1328,13 @@ static void ur5_body_twists_wide(
     UR5_WRITTEN(twists[26 * stride]) = x105;
     const ur5_wide x149 = x105 - x148;
     UR5_WRITTEN(twists[32 * stride]) = x149;
-    ur5_wide sum1 = x149;
+    ur5_wide sum2 = x149;
     const ur5_wide x159 = x132 * x154;
     const ur5_wide x163 = x159 + x162;
     const ur5_wide x164 = x11 * x163;
     const ur5_wide x165 = x119 - x164;
     UR5_WRITTEN(twists[34 * stride]) = x165;
-    ur5_wide sum2 = x165;
+    ur5_wide sum3 = x165;
     const ur5_wide x155 = x140 * x154;
     const ur5_wide x156 = x152 + x155;
     const ur5_wide x157 = x11 * x156;
@@ -1355,29 +1357,29 @@ static void ur5_body_twists_wide(
     UR5_WRITTEN(twists[27 * stride]) = x112;
     const ur5_wide x158 = x112 + x157;
     UR5_WRITTEN(twists[33 * stride]) = x158;
-    ur5_wide sum3 = x158;
+    sum0 = sum0 + x158;
     const ur5_wide x15 = x7 * x14;
     const ur5_wide x16 = -x15;
     UR5_WRITTEN(twists[7 * stride]) = x16;
-    sum0 = sum0 + x16;
+    sum1 = sum1 + x16;
     const ur5_wide x23 = x8 * x14;
     const ur5_wide x24 = x15 + x23;
     const ur5_wide x25 = -x24;
     UR5_WRITTEN(twists[13 * stride]) = x25;
-    sum1 = sum1 + x25;
+    sum2 = sum2 + x25;
     const ur5_wide x46 = x9 * x14;
     const ur5_wide x47 = x24 + x46;
     const ur5_wide x96 = x47 - x95;
     const ur5_wide x48 = -x47;
     UR5_WRITTEN(twists[19 * stride]) = x48;
-    sum2 = sum2 + x48;
+    sum3 = sum3 + x48;
     const ur5_wide x142 = x96 + x141;
     const ur5_wide x143 = -x142;
     UR5_WRITTEN(twists[31 * stride]) = x143;
-    sum3 = sum3 + x143;
+    sum0 = sum0 + x143;
     const ur5_wide x97 = -x96;
     UR5_WRITTEN(twists[25 * stride]) = x97;
-    sum0 = sum0 + x97;
+    sum1 = sum1 + x97;
     const ur5_wide x13 = x7 * x12;
     UR5_WRITTEN(twists[6 * stride]) = x13;
     const ur5_wide x21 = x8 * x12;
@@ -1390,7 +1392,7 @@ static void ur5_body_twists_wide(
     UR5_WRITTEN(twists[24 * stride]) = x88;
     const ur5_wide x134 = x88 - x133;
     UR5_WRITTEN(twists[30 * stride]) = x134;
-    sum1 = sum1 + x134;
+    sum2 = sum2 + x134;
     UR5_WRITTEN(twists[0]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(twists[stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(twists[3 * stride]) = 0.0 - UR5_ZERO;
@@ -1401,8 +1403,6 @@ static void ur5_body_twists_wide(
     UR5_WRITTEN(twists[8 * stride]) = x6;
     UR5_WRITTEN(twists[14 * stride]) = x6;
     UR5_WRITTEN(twists[20 * stride]) = x6;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum2 = sum2 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -1578,6 +1578,8 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x5 = q[5];
+    double sum0 = x5;
     const double x20 = cosine[0];
     const double x61 = cosine[1];
     const double x62 = x20 * x61;
@@ -1773,7 +1775,7 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x366 = x11 * x365;
     const double x367 = x358 - x366;
     twist_rates[35] = x367;
-    double sum0 = x367;
+    double sum1 = x367;
     const double x149 = x136 * x104;
     const double x105 = x20 * x104;
     const double x6 = v[0];
@@ -1880,14 +1882,14 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x355 = x11 * x354;
     const double x356 = x345 + x355;
     twist_rates[34] = x356;
-    double sum1 = x356;
+    double sum2 = x356;
     const double x328 = x327 * x283;
     const double x333 = x328 - x332;
     const double x341 = x333 + x340;
     const double x342 = x11 * x341;
     const double x343 = x322 - x342;
     twist_rates[33] = x343;
-    double sum2 = x343;
+    double sum3 = x343;
     const double x211 = x194 * x203;
     const double x204 = x185 * x203;
     const double x212 = x177 * x187;
@@ -1908,14 +1910,14 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x312 = x11 * x311;
     const double x313 = x308 - x312;
     twist_rates[32] = x313;
-    double sum3 = x313;
+    sum0 = sum0 + x313;
     const double x25 = x6 * x18;
     const double x26 = x7 * x25;
     const double x24 = x13 * x20;
     const double x27 = x24 - x26;
     const double x28 = -x27;
     twist_rates[7] = x28;
-    sum0 = sum0 + x28;
+    sum1 = sum1 + x28;
     const double x43 = x14 * x20;
     const double x44 = x27 + x43;
     const double x45 = x8 * x25;
@@ -1923,13 +1925,13 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x100 = x9 * x25;
     const double x47 = -x46;
     twist_rates[13] = x47;
-    sum1 = sum1 + x47;
+    sum2 = sum2 + x47;
     const double x98 = x15 * x20;
     const double x99 = x46 + x98;
     const double x101 = x99 - x100;
     const double x102 = -x101;
     twist_rates[19] = x102;
-    sum2 = sum2 + x102;
+    sum3 = sum3 + x102;
     const double x199 = x16 * x194;
     const double x200 = x101 - x199;
     const double x195 = x6 * x194;
@@ -1942,7 +1944,7 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x178 = x16 * x177;
     const double x208 = -x207;
     twist_rates[25] = x208;
-    sum3 = sum3 + x208;
+    sum0 = sum0 + x208;
     const double x297 = x17 * x290;
     const double x298 = x207 + x297;
     const double x293 = x290 * x292;
@@ -1953,7 +1955,7 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x305 = x298 + x304;
     const double x306 = -x305;
     twist_rates[31] = x306;
-    sum0 = sum0 + x306;
+    sum1 = sum1 + x306;
     const double x276 = x17 * x275;
     const double x295 = x11 * x294;
     const double x21 = x6 * x20;
@@ -1977,7 +1979,7 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     const double x277 = x198 - x276;
     const double x296 = x277 + x295;
     twist_rates[30] = x296;
-    sum1 = sum1 + x296;
+    sum2 = sum2 + x296;
     twist_rates[0] = 0.0;
     twist_rates[1] = 0.0;
     twist_rates[3] = 0.0;
@@ -1986,8 +1988,6 @@ static inline UR5_INLINE double ur5_body_twist_rates_lane(
     twist_rates[11] = 0.0;
     twist_rates[2] = x12;
     twist_rates[8] = x12;
-    const double x5 = q[5];
-    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -2025,6 +2025,8 @@ static void ur5_body_twist_rates_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum0 = x5;
     const ur5_wide x20 = UR5_READ(cosine[0]);
     const ur5_wide x61 = UR5_READ(cosine[8]);
     const ur5_wide x62 = x20 * x61;
@@ -2220,7 +2222,7 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x366 = x11 * x365;
     const ur5_wide x367 = x358 - x366;
     UR5_WRITTEN(twist_rates[35 * stride]) = x367;
-    ur5_wide sum0 = x367;
+    ur5_wide sum1 = x367;
     const ur5_wide x149 = x136 * x104;
     const ur5_wide x105 = x20 * x104;
     const ur5_wide x6 = UR5_READ(v[0]);
@@ -2327,14 +2329,14 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x355 = x11 * x354;
     const ur5_wide x356 = x345 + x355;
     UR5_WRITTEN(twist_rates[34 * stride]) = x356;
-    ur5_wide sum1 = x356;
+    ur5_wide sum2 = x356;
     const ur5_wide x328 = x327 * x283;
     const ur5_wide x333 = x328 - x332;
     const ur5_wide x341 = x333 + x340;
     const ur5_wide x342 = x11 * x341;
     const ur5_wide x343 = x322 - x342;
     UR5_WRITTEN(twist_rates[33 * stride]) = x343;
-    ur5_wide sum2 = x343;
+    ur5_wide sum3 = x343;
     const ur5_wide x211 = x194 * x203;
     const ur5_wide x204 = x185 * x203;
     const ur5_wide x212 = x177 * x187;
@@ -2355,14 +2357,14 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x312 = x11 * x311;
     const ur5_wide x313 = x308 - x312;
     UR5_WRITTEN(twist_rates[32 * stride]) = x313;
-    ur5_wide sum3 = x313;
+    sum0 = sum0 + x313;
     const ur5_wide x25 = x6 * x18;
     const ur5_wide x26 = x7 * x25;
     const ur5_wide x24 = x13 * x20;
     const ur5_wide x27 = x24 - x26;
     const ur5_wide x28 = -x27;
     UR5_WRITTEN(twist_rates[7 * stride]) = x28;
-    sum0 = sum0 + x28;
+    sum1 = sum1 + x28;
     const ur5_wide x43 = x14 * x20;
     const ur5_wide x44 = x27 + x43;
     const ur5_wide x45 = x8 * x25;
@@ -2370,13 +2372,13 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x100 = x9 * x25;
     const ur5_wide x47 = -x46;
     UR5_WRITTEN(twist_rates[13 * stride]) = x47;
-    sum1 = sum1 + x47;
+    sum2 = sum2 + x47;
     const ur5_wide x98 = x15 * x20;
     const ur5_wide x99 = x46 + x98;
     const ur5_wide x101 = x99 - x100;
     const ur5_wide x102 = -x101;
     UR5_WRITTEN(twist_rates[19 * stride]) = x102;
-    sum2 = sum2 + x102;
+    sum3 = sum3 + x102;
     const ur5_wide x199 = x16 * x194;
     const ur5_wide x200 = x101 - x199;
     const ur5_wide x195 = x6 * x194;
@@ -2389,7 +2391,7 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x178 = x16 * x177;
     const ur5_wide x208 = -x207;
     UR5_WRITTEN(twist_rates[25 * stride]) = x208;
-    sum3 = sum3 + x208;
+    sum0 = sum0 + x208;
     const ur5_wide x297 = x17 * x290;
     const ur5_wide x298 = x207 + x297;
     const ur5_wide x293 = x290 * x292;
@@ -2400,7 +2402,7 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x305 = x298 + x304;
     const ur5_wide x306 = -x305;
     UR5_WRITTEN(twist_rates[31 * stride]) = x306;
-    sum0 = sum0 + x306;
+    sum1 = sum1 + x306;
     const ur5_wide x276 = x17 * x275;
     const ur5_wide x295 = x11 * x294;
     const ur5_wide x21 = x6 * x20;
@@ -2424,7 +2426,7 @@ static void ur5_body_twist_rates_wide(
     const ur5_wide x277 = x198 - x276;
     const ur5_wide x296 = x277 + x295;
     UR5_WRITTEN(twist_rates[30 * stride]) = x296;
-    sum1 = sum1 + x296;
+    sum2 = sum2 + x296;
     UR5_WRITTEN(twist_rates[0]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(twist_rates[stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(twist_rates[3 * stride]) = 0.0 - UR5_ZERO;
@@ -2433,8 +2435,6 @@ static void ur5_body_twist_rates_wide(
     UR5_WRITTEN(twist_rates[11 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(twist_rates[2 * stride]) = x12;
     UR5_WRITTEN(twist_rates[8 * stride]) = x12;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum2 = sum2 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -2618,6 +2618,8 @@ static inline UR5_INLINE double ur5_forward_kinematics_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x5 = q[5];
+    double sum0 = x5;
     const double x17 = sine[2];
     const double x18 = 0.0823 * x17;
     const double x16 = cosine[1];
@@ -2648,7 +2650,7 @@ static inline UR5_INLINE double ur5_forward_kinematics_lane(
     const double x45 = x43 + x44;
     const double x46 = 0.089159 - x45;
     positions[2] = x46;
-    double sum0 = x46;
+    double sum1 = x46;
     const double x11 = cosine[0];
     const double x37 = x11 * x36;
     const double x6 = sine[0];
@@ -2659,14 +2661,12 @@ static inline UR5_INLINE double ur5_forward_kinematics_lane(
     const double x10 = x6 * x9;
     const double x38 = x10 - x37;
     positions[0] = x38;
-    double sum1 = x38;
+    double sum2 = x38;
     const double x39 = x11 * x9;
     const double x41 = x39 + x40;
     const double x42 = -x41;
     positions[1] = x42;
-    double sum2 = x42;
-    const double x5 = q[5];
-    double sum3 = x5;
+    double sum3 = x42;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -2700,6 +2700,8 @@ static void ur5_forward_kinematics_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum0 = x5;
     const ur5_wide x17 = UR5_READ(sine[2 * 8]);
     const ur5_wide x18 = 0.0823 * x17;
     const ur5_wide x16 = UR5_READ(cosine[8]);
@@ -2730,7 +2732,7 @@ static void ur5_forward_kinematics_wide(
     const ur5_wide x45 = x43 + x44;
     const ur5_wide x46 = 0.089159 - x45;
     UR5_WRITTEN(positions[2 * stride]) = x46;
-    ur5_wide sum0 = x46;
+    ur5_wide sum1 = x46;
     const ur5_wide x11 = UR5_READ(cosine[0]);
     const ur5_wide x37 = x11 * x36;
     const ur5_wide x6 = UR5_READ(sine[0]);
@@ -2741,14 +2743,12 @@ static void ur5_forward_kinematics_wide(
     const ur5_wide x10 = x6 * x9;
     const ur5_wide x38 = x10 - x37;
     UR5_WRITTEN(positions[0]) = x38;
-    ur5_wide sum1 = x38;
+    ur5_wide sum2 = x38;
     const ur5_wide x39 = x11 * x9;
     const ur5_wide x41 = x39 + x40;
     const ur5_wide x42 = -x41;
     UR5_WRITTEN(positions[stride]) = x42;
-    ur5_wide sum2 = x42;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    ur5_wide sum3 = x5;
+    ur5_wide sum3 = x42;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -2916,6 +2916,8 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double *restrict cosine)
 {
     (void)q;
+    const double x17 = a[5];
+    double sum0 = x17;
     const double x6 = v[0];
     const double x24 = cosine[4];
     const double x70 = x6 * x24;
@@ -3141,7 +3143,7 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double x335 = x333 + x334;
     const double x336 = -x335;
     accelerations[2] = x336;
-    double sum0 = x336;
+    double sum1 = x336;
     const double x325 = x43 * x324;
     const double x326 = x321 - x325;
     const double x18 = sine[0];
@@ -3151,12 +3153,12 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double x330 = x23 * x304;
     const double x332 = x330 - x331;
     accelerations[1] = x332;
-    double sum1 = x332;
+    double sum2 = x332;
     const double x305 = x18 * x304;
     const double x328 = x305 + x327;
     const double x329 = -x328;
     accelerations[0] = x329;
-    double sum2 = x329;
+    double sum3 = x329;
     const double x59 = 0.425 * x7;
     const double x62 = x25 * x59;
     const double x65 = x62 + x64;
@@ -3214,7 +3216,7 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double x162 = x24 * x153;
     const double x163 = x161 + x162;
     velocities[2] = x163;
-    double sum3 = x163;
+    sum0 = sum0 + x163;
     const double x154 = x43 * x153;
     const double x155 = x150 - x154;
     const double x158 = x18 * x155;
@@ -3222,11 +3224,11 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double x159 = x23 * x133;
     const double x160 = x158 - x159;
     velocities[1] = x160;
-    sum0 = sum0 + x160;
+    sum1 = sum1 + x160;
     const double x134 = x18 * x133;
     const double x157 = x134 + x156;
     velocities[0] = x157;
-    sum1 = sum1 + x157;
+    sum2 = sum2 + x157;
     const double x30 = 0.0823 * x29;
     const double x31 = x28 * x30;
     const double x37 = x26 * x30;
@@ -3248,7 +3250,7 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double x57 = x55 + x56;
     const double x58 = 0.089159 - x57;
     positions[2] = x58;
-    sum2 = sum2 + x58;
+    sum3 = sum3 + x58;
     const double x47 = x43 * x46;
     const double x48 = x42 - x47;
     const double x52 = x18 * x48;
@@ -3259,13 +3261,11 @@ static inline UR5_INLINE double ur5_point_motion_lane(
     const double x53 = x51 + x52;
     const double x54 = -x53;
     positions[1] = x54;
-    sum3 = sum3 + x54;
+    sum0 = sum0 + x54;
     const double x22 = x18 * x21;
     const double x50 = x22 - x49;
     positions[0] = x50;
-    sum0 = sum0 + x50;
-    const double x17 = a[5];
-    sum1 = sum1 + x17;
+    sum1 = sum1 + x50;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -3309,6 +3309,8 @@ static void ur5_point_motion_wide(
 {
     (void)stride;
     (void)q;
+    const ur5_wide x17 = UR5_READ(a[5 * stride]);
+    ur5_wide sum0 = x17;
     const ur5_wide x6 = UR5_READ(v[0]);
     const ur5_wide x24 = UR5_READ(cosine[4 * 8]);
     const ur5_wide x70 = x6 * x24;
@@ -3534,7 +3536,7 @@ static void ur5_point_motion_wide(
     const ur5_wide x335 = x333 + x334;
     const ur5_wide x336 = -x335;
     UR5_WRITTEN(accelerations[2 * stride]) = x336;
-    ur5_wide sum0 = x336;
+    ur5_wide sum1 = x336;
     const ur5_wide x325 = x43 * x324;
     const ur5_wide x326 = x321 - x325;
     const ur5_wide x18 = UR5_READ(sine[0]);
@@ -3544,12 +3546,12 @@ static void ur5_point_motion_wide(
     const ur5_wide x330 = x23 * x304;
     const ur5_wide x332 = x330 - x331;
     UR5_WRITTEN(accelerations[stride]) = x332;
-    ur5_wide sum1 = x332;
+    ur5_wide sum2 = x332;
     const ur5_wide x305 = x18 * x304;
     const ur5_wide x328 = x305 + x327;
     const ur5_wide x329 = -x328;
     UR5_WRITTEN(accelerations[0]) = x329;
-    ur5_wide sum2 = x329;
+    ur5_wide sum3 = x329;
     const ur5_wide x59 = 0.425 * x7;
     const ur5_wide x62 = x25 * x59;
     const ur5_wide x65 = x62 + x64;
@@ -3607,7 +3609,7 @@ static void ur5_point_motion_wide(
     const ur5_wide x162 = x24 * x153;
     const ur5_wide x163 = x161 + x162;
     UR5_WRITTEN(velocities[2 * stride]) = x163;
-    ur5_wide sum3 = x163;
+    sum0 = sum0 + x163;
     const ur5_wide x154 = x43 * x153;
     const ur5_wide x155 = x150 - x154;
     const ur5_wide x158 = x18 * x155;
@@ -3615,11 +3617,11 @@ static void ur5_point_motion_wide(
     const ur5_wide x159 = x23 * x133;
     const ur5_wide x160 = x158 - x159;
     UR5_WRITTEN(velocities[stride]) = x160;
-    sum0 = sum0 + x160;
+    sum1 = sum1 + x160;
     const ur5_wide x134 = x18 * x133;
     const ur5_wide x157 = x134 + x156;
     UR5_WRITTEN(velocities[0]) = x157;
-    sum1 = sum1 + x157;
+    sum2 = sum2 + x157;
     const ur5_wide x30 = 0.0823 * x29;
     const ur5_wide x31 = x28 * x30;
     const ur5_wide x37 = x26 * x30;
@@ -3641,7 +3643,7 @@ static void ur5_point_motion_wide(
     const ur5_wide x57 = x55 + x56;
     const ur5_wide x58 = 0.089159 - x57;
     UR5_WRITTEN(positions[2 * stride]) = x58;
-    sum2 = sum2 + x58;
+    sum3 = sum3 + x58;
     const ur5_wide x47 = x43 * x46;
     const ur5_wide x48 = x42 - x47;
     const ur5_wide x52 = x18 * x48;
@@ -3652,13 +3654,11 @@ static void ur5_point_motion_wide(
     const ur5_wide x53 = x51 + x52;
     const ur5_wide x54 = -x53;
     UR5_WRITTEN(positions[stride]) = x54;
-    sum3 = sum3 + x54;
+    sum0 = sum0 + x54;
     const ur5_wide x22 = x18 * x21;
     const ur5_wide x50 = x22 - x49;
     UR5_WRITTEN(positions[0]) = x50;
-    sum0 = sum0 + x50;
-    const ur5_wide x17 = UR5_READ(a[5 * stride]);
-    sum1 = sum1 + x17;
+    sum1 = sum1 + x50;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -3875,28 +3875,30 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x5 = q[5];
+    double sum0 = x5;
     const double x7 = cosine[0];
     const double x8 = -x7;
     screws[7] = x8;
     screws[13] = x8;
     screws[19] = x8;
-    double sum0 = x8;
+    double sum1 = x8;
     const double x9 = 0.089159 * x7;
     screws[9] = x9;
-    double sum1 = x9;
+    double sum2 = x9;
     const double x6 = sine[0];
     const double x10 = 0.089159 * x6;
     screws[10] = x10;
-    double sum2 = x10;
+    double sum3 = x10;
     const double x11 = sine[1];
     const double x12 = 0.425 * x11;
     const double x13 = 0.089159 - x12;
     const double x14 = x7 * x13;
     screws[15] = x14;
-    double sum3 = x14;
+    sum0 = sum0 + x14;
     const double x15 = x6 * x13;
     screws[16] = x15;
-    sum0 = sum0 + x15;
+    sum1 = sum1 + x15;
     const double x16 = cosine[1];
     const double x17 = x7 * x16;
     const double x18 = 0.425 * x17;
@@ -3906,7 +3908,7 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x22 = x6 * x21;
     const double x23 = x19 + x22;
     screws[17] = x23;
-    sum1 = sum1 + x23;
+    sum2 = sum2 + x23;
     const double x24 = cosine[2];
     const double x25 = x11 * x24;
     const double x26 = sine[2];
@@ -3916,10 +3918,10 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x30 = x13 - x29;
     const double x31 = x7 * x30;
     screws[21] = x31;
-    sum2 = sum2 + x31;
+    sum3 = sum3 + x31;
     const double x32 = x6 * x30;
     screws[22] = x32;
-    sum3 = sum3 + x32;
+    sum0 = sum0 + x32;
     const double x33 = x24 * x17;
     const double x51 = x26 * x17;
     const double x34 = x7 * x11;
@@ -3942,7 +3944,7 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x46 = x6 * x45;
     const double x47 = x39 + x46;
     screws[23] = x47;
-    sum0 = sum0 + x47;
+    sum1 = sum1 + x47;
     const double x68 = 0.10915 * x7;
     const double x69 = x45 + x68;
     const double x48 = sine[3];
@@ -3961,7 +3963,7 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x101 = x82 * x100;
     const double x102 = -x101;
     screws[32] = x102;
-    sum1 = sum1 + x102;
+    sum2 = sum2 + x102;
     const double x70 = x67 * x69;
     const double x56 = x48 * x43;
     const double x91 = x50 * x43;
@@ -3975,7 +3977,7 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x72 = x70 + x71;
     const double x73 = -x72;
     screws[27] = x73;
-    sum2 = sum2 + x73;
+    sum3 = sum3 + x73;
     const double x75 = 0.10915 * x6;
     const double x76 = x38 - x75;
     const double x77 = x67 * x76;
@@ -3989,7 +3991,7 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x74 = x55 * x30;
     const double x78 = x74 + x77;
     screws[28] = x78;
-    sum3 = sum3 + x78;
+    sum0 = sum0 + x78;
     const double x84 = x48 * x53;
     const double x85 = x83 - x84;
     const double x86 = x82 * x85;
@@ -3999,7 +4001,7 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x80 = x61 * x76;
     const double x81 = x79 - x80;
     screws[29] = x81;
-    sum0 = sum0 + x81;
+    sum1 = sum1 + x81;
     const double x103 = 0.09465 * x61;
     const double x104 = x69 - x103;
     const double x87 = cosine[4];
@@ -4007,28 +4009,28 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     const double x89 = x86 - x88;
     const double x90 = -x89;
     screws[30] = x90;
-    sum1 = sum1 + x90;
+    sum2 = sum2 + x90;
     const double x95 = x7 * x87;
     const double x96 = x94 + x95;
     const double x97 = -x96;
     screws[31] = x97;
-    sum2 = sum2 + x97;
+    sum3 = sum3 + x97;
     const double x105 = x101 * x104;
     const double x113 = x101 * x112;
     const double x116 = x96 * x112;
     const double x108 = x96 * x107;
     const double x109 = x105 + x108;
     screws[33] = x109;
-    sum3 = sum3 + x109;
+    sum0 = sum0 + x109;
     const double x110 = x89 * x107;
     const double x114 = x110 + x113;
     const double x115 = -x114;
     screws[34] = x115;
-    sum0 = sum0 + x115;
+    sum1 = sum1 + x115;
     const double x117 = x89 * x104;
     const double x118 = x116 - x117;
     screws[35] = x118;
-    sum1 = sum1 + x118;
+    sum2 = sum2 + x118;
     screws[0] = 0.0;
     screws[1] = 0.0;
     screws[3] = 0.0;
@@ -4042,8 +4044,6 @@ static inline UR5_INLINE double ur5_joint_screws_lane(
     screws[6] = x6;
     screws[12] = x6;
     screws[18] = x6;
-    const double x5 = q[5];
-    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4077,28 +4077,30 @@ static void ur5_joint_screws_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum0 = x5;
     const ur5_wide x7 = UR5_READ(cosine[0]);
     const ur5_wide x8 = -x7;
     UR5_WRITTEN(screws[7 * stride]) = x8;
     UR5_WRITTEN(screws[13 * stride]) = x8;
     UR5_WRITTEN(screws[19 * stride]) = x8;
-    ur5_wide sum0 = x8;
+    ur5_wide sum1 = x8;
     const ur5_wide x9 = 0.089159 * x7;
     UR5_WRITTEN(screws[9 * stride]) = x9;
-    ur5_wide sum1 = x9;
+    ur5_wide sum2 = x9;
     const ur5_wide x6 = UR5_READ(sine[0]);
     const ur5_wide x10 = 0.089159 * x6;
     UR5_WRITTEN(screws[10 * stride]) = x10;
-    ur5_wide sum2 = x10;
+    ur5_wide sum3 = x10;
     const ur5_wide x11 = UR5_READ(sine[8]);
     const ur5_wide x12 = 0.425 * x11;
     const ur5_wide x13 = 0.089159 - x12;
     const ur5_wide x14 = x7 * x13;
     UR5_WRITTEN(screws[15 * stride]) = x14;
-    ur5_wide sum3 = x14;
+    sum0 = sum0 + x14;
     const ur5_wide x15 = x6 * x13;
     UR5_WRITTEN(screws[16 * stride]) = x15;
-    sum0 = sum0 + x15;
+    sum1 = sum1 + x15;
     const ur5_wide x16 = UR5_READ(cosine[8]);
     const ur5_wide x17 = x7 * x16;
     const ur5_wide x18 = 0.425 * x17;
@@ -4108,7 +4110,7 @@ static void ur5_joint_screws_wide(
     const ur5_wide x22 = x6 * x21;
     const ur5_wide x23 = x19 + x22;
     UR5_WRITTEN(screws[17 * stride]) = x23;
-    sum1 = sum1 + x23;
+    sum2 = sum2 + x23;
     const ur5_wide x24 = UR5_READ(cosine[2 * 8]);
     const ur5_wide x25 = x11 * x24;
     const ur5_wide x26 = UR5_READ(sine[2 * 8]);
@@ -4118,10 +4120,10 @@ static void ur5_joint_screws_wide(
     const ur5_wide x30 = x13 - x29;
     const ur5_wide x31 = x7 * x30;
     UR5_WRITTEN(screws[21 * stride]) = x31;
-    sum2 = sum2 + x31;
+    sum3 = sum3 + x31;
     const ur5_wide x32 = x6 * x30;
     UR5_WRITTEN(screws[22 * stride]) = x32;
-    sum3 = sum3 + x32;
+    sum0 = sum0 + x32;
     const ur5_wide x33 = x24 * x17;
     const ur5_wide x51 = x26 * x17;
     const ur5_wide x34 = x7 * x11;
@@ -4144,7 +4146,7 @@ static void ur5_joint_screws_wide(
     const ur5_wide x46 = x6 * x45;
     const ur5_wide x47 = x39 + x46;
     UR5_WRITTEN(screws[23 * stride]) = x47;
-    sum0 = sum0 + x47;
+    sum1 = sum1 + x47;
     const ur5_wide x68 = 0.10915 * x7;
     const ur5_wide x69 = x45 + x68;
     const ur5_wide x48 = UR5_READ(sine[3 * 8]);
@@ -4163,7 +4165,7 @@ static void ur5_joint_screws_wide(
     const ur5_wide x101 = x82 * x100;
     const ur5_wide x102 = -x101;
     UR5_WRITTEN(screws[32 * stride]) = x102;
-    sum1 = sum1 + x102;
+    sum2 = sum2 + x102;
     const ur5_wide x70 = x67 * x69;
     const ur5_wide x56 = x48 * x43;
     const ur5_wide x91 = x50 * x43;
@@ -4177,7 +4179,7 @@ static void ur5_joint_screws_wide(
     const ur5_wide x72 = x70 + x71;
     const ur5_wide x73 = -x72;
     UR5_WRITTEN(screws[27 * stride]) = x73;
-    sum2 = sum2 + x73;
+    sum3 = sum3 + x73;
     const ur5_wide x75 = 0.10915 * x6;
     const ur5_wide x76 = x38 - x75;
     const ur5_wide x77 = x67 * x76;
@@ -4191,7 +4193,7 @@ static void ur5_joint_screws_wide(
     const ur5_wide x74 = x55 * x30;
     const ur5_wide x78 = x74 + x77;
     UR5_WRITTEN(screws[28 * stride]) = x78;
-    sum3 = sum3 + x78;
+    sum0 = sum0 + x78;
     const ur5_wide x84 = x48 * x53;
     const ur5_wide x85 = x83 - x84;
     const ur5_wide x86 = x82 * x85;
@@ -4201,7 +4203,7 @@ static void ur5_joint_screws_wide(
     const ur5_wide x80 = x61 * x76;
     const ur5_wide x81 = x79 - x80;
     UR5_WRITTEN(screws[29 * stride]) = x81;
-    sum0 = sum0 + x81;
+    sum1 = sum1 + x81;
     const ur5_wide x103 = 0.09465 * x61;
     const ur5_wide x104 = x69 - x103;
     const ur5_wide x87 = UR5_READ(cosine[4 * 8]);
@@ -4209,28 +4211,28 @@ static void ur5_joint_screws_wide(
     const ur5_wide x89 = x86 - x88;
     const ur5_wide x90 = -x89;
     UR5_WRITTEN(screws[30 * stride]) = x90;
-    sum1 = sum1 + x90;
+    sum2 = sum2 + x90;
     const ur5_wide x95 = x7 * x87;
     const ur5_wide x96 = x94 + x95;
     const ur5_wide x97 = -x96;
     UR5_WRITTEN(screws[31 * stride]) = x97;
-    sum2 = sum2 + x97;
+    sum3 = sum3 + x97;
     const ur5_wide x105 = x101 * x104;
     const ur5_wide x113 = x101 * x112;
     const ur5_wide x116 = x96 * x112;
     const ur5_wide x108 = x96 * x107;
     const ur5_wide x109 = x105 + x108;
     UR5_WRITTEN(screws[33 * stride]) = x109;
-    sum3 = sum3 + x109;
+    sum0 = sum0 + x109;
     const ur5_wide x110 = x89 * x107;
     const ur5_wide x114 = x110 + x113;
     const ur5_wide x115 = -x114;
     UR5_WRITTEN(screws[34 * stride]) = x115;
-    sum0 = sum0 + x115;
+    sum1 = sum1 + x115;
     const ur5_wide x117 = x89 * x104;
     const ur5_wide x118 = x116 - x117;
     UR5_WRITTEN(screws[35 * stride]) = x118;
-    sum1 = sum1 + x118;
+    sum2 = sum2 + x118;
     UR5_WRITTEN(screws[0]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(screws[stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(screws[3 * stride]) = 0.0 - UR5_ZERO;
@@ -4244,8 +4246,6 @@ static void ur5_joint_screws_wide(
     UR5_WRITTEN(screws[6 * stride]) = x6;
     UR5_WRITTEN(screws[12 * stride]) = x6;
     UR5_WRITTEN(screws[18 * stride]) = x6;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum2 = sum2 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4399,6 +4399,10 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x4 = q[4];
+    double sum0 = x4;
+    const double x5 = q[5];
+    double sum1 = x5;
     const double x15 = sine[1];
     const double x18 = cosine[2];
     const double x34 = x15 * x18;
@@ -4424,7 +4428,7 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     points[14] = x38;
     const double x70 = x38 + x69;
     points[17] = x70;
-    double sum0 = x70;
+    double sum2 = x70;
     const double x11 = sine[0];
     const double x12 = x11 * x7;
     const double x27 = x18 * x12;
@@ -4443,19 +4447,19 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     const double x32 = x13 + x31;
     const double x14 = -x13;
     points[7] = x14;
-    double sum1 = x14;
+    double sum3 = x14;
     const double x33 = -x32;
     points[10] = x33;
-    double sum2 = x33;
+    sum0 = sum0 + x33;
     const double x6 = cosine[0];
     const double x42 = 0.10915 * x6;
     const double x43 = x32 + x42;
     const double x62 = x61 - x43;
     points[16] = x62;
-    double sum3 = x62;
+    sum1 = sum1 + x62;
     const double x44 = -x43;
     points[13] = x44;
-    sum0 = sum0 + x44;
+    sum2 = sum2 + x44;
     const double x8 = x6 * x7;
     const double x19 = x18 * x8;
     const double x21 = x6 * x15;
@@ -4473,28 +4477,24 @@ static inline UR5_INLINE double ur5_joint_points_lane(
     const double x25 = x9 + x24;
     const double x10 = -x9;
     points[6] = x10;
-    sum1 = sum1 + x10;
+    sum3 = sum3 + x10;
     const double x26 = -x25;
     points[9] = x26;
-    sum2 = sum2 + x26;
+    sum0 = sum0 + x26;
     const double x39 = 0.10915 * x11;
     const double x40 = x25 - x39;
     const double x54 = x53 - x40;
     points[15] = x54;
-    sum3 = sum3 + x54;
+    sum1 = sum1 + x54;
     const double x41 = -x40;
     points[12] = x41;
-    sum0 = sum0 + x41;
+    sum2 = sum2 + x41;
     points[0] = 0.0;
     points[1] = 0.0;
     points[2] = 0.0;
     points[3] = 0.0;
     points[4] = 0.0;
     points[5] = 0.089159;
-    const double x4 = q[4];
-    sum1 = sum1 + x4;
-    const double x5 = q[5];
-    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4524,6 +4524,10 @@ static void ur5_joint_points_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x4 = UR5_READ(q[4 * stride]);
+    ur5_wide sum0 = x4;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum1 = x5;
     const ur5_wide x15 = UR5_READ(sine[8]);
     const ur5_wide x18 = UR5_READ(cosine[2 * 8]);
     const ur5_wide x34 = x15 * x18;
@@ -4549,7 +4553,7 @@ static void ur5_joint_points_wide(
     UR5_WRITTEN(points[14 * stride]) = x38;
     const ur5_wide x70 = x38 + x69;
     UR5_WRITTEN(points[17 * stride]) = x70;
-    ur5_wide sum0 = x70;
+    ur5_wide sum2 = x70;
     const ur5_wide x11 = UR5_READ(sine[0]);
     const ur5_wide x12 = x11 * x7;
     const ur5_wide x27 = x18 * x12;
@@ -4568,19 +4572,19 @@ static void ur5_joint_points_wide(
     const ur5_wide x32 = x13 + x31;
     const ur5_wide x14 = -x13;
     UR5_WRITTEN(points[7 * stride]) = x14;
-    ur5_wide sum1 = x14;
+    ur5_wide sum3 = x14;
     const ur5_wide x33 = -x32;
     UR5_WRITTEN(points[10 * stride]) = x33;
-    ur5_wide sum2 = x33;
+    sum0 = sum0 + x33;
     const ur5_wide x6 = UR5_READ(cosine[0]);
     const ur5_wide x42 = 0.10915 * x6;
     const ur5_wide x43 = x32 + x42;
     const ur5_wide x62 = x61 - x43;
     UR5_WRITTEN(points[16 * stride]) = x62;
-    ur5_wide sum3 = x62;
+    sum1 = sum1 + x62;
     const ur5_wide x44 = -x43;
     UR5_WRITTEN(points[13 * stride]) = x44;
-    sum0 = sum0 + x44;
+    sum2 = sum2 + x44;
     const ur5_wide x8 = x6 * x7;
     const ur5_wide x19 = x18 * x8;
     const ur5_wide x21 = x6 * x15;
@@ -4598,28 +4602,24 @@ static void ur5_joint_points_wide(
     const ur5_wide x25 = x9 + x24;
     const ur5_wide x10 = -x9;
     UR5_WRITTEN(points[6 * stride]) = x10;
-    sum1 = sum1 + x10;
+    sum3 = sum3 + x10;
     const ur5_wide x26 = -x25;
     UR5_WRITTEN(points[9 * stride]) = x26;
-    sum2 = sum2 + x26;
+    sum0 = sum0 + x26;
     const ur5_wide x39 = 0.10915 * x11;
     const ur5_wide x40 = x25 - x39;
     const ur5_wide x54 = x53 - x40;
     UR5_WRITTEN(points[15 * stride]) = x54;
-    sum3 = sum3 + x54;
+    sum1 = sum1 + x54;
     const ur5_wide x41 = -x40;
     UR5_WRITTEN(points[12 * stride]) = x41;
-    sum0 = sum0 + x41;
+    sum2 = sum2 + x41;
     UR5_WRITTEN(points[0]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(points[stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(points[2 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(points[3 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(points[4 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(points[5 * stride]) = 0.089159 - UR5_ZERO;
-    const ur5_wide x4 = UR5_READ(q[4 * stride]);
-    sum1 = sum1 + x4;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum2 = sum2 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4775,28 +4775,30 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x5 = q[5];
+    double sum0 = x5;
     const double x7 = cosine[0];
     const double x8 = -x7;
     jacobian[7] = x8;
     jacobian[13] = x8;
     jacobian[19] = x8;
-    double sum0 = x8;
+    double sum1 = x8;
     const double x9 = 0.089159 * x7;
     jacobian[9] = x9;
-    double sum1 = x9;
+    double sum2 = x9;
     const double x6 = sine[0];
     const double x10 = 0.089159 * x6;
     jacobian[10] = x10;
-    double sum2 = x10;
+    double sum3 = x10;
     const double x11 = sine[1];
     const double x12 = 0.425 * x11;
     const double x13 = 0.089159 - x12;
     const double x14 = x7 * x13;
     jacobian[15] = x14;
-    double sum3 = x14;
+    sum0 = sum0 + x14;
     const double x15 = x6 * x13;
     jacobian[16] = x15;
-    sum0 = sum0 + x15;
+    sum1 = sum1 + x15;
     const double x16 = cosine[1];
     const double x17 = x7 * x16;
     const double x18 = 0.425 * x17;
@@ -4806,7 +4808,7 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x22 = x6 * x21;
     const double x23 = x19 + x22;
     jacobian[17] = x23;
-    sum1 = sum1 + x23;
+    sum2 = sum2 + x23;
     const double x24 = cosine[2];
     const double x25 = x11 * x24;
     const double x26 = sine[2];
@@ -4816,10 +4818,10 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x30 = x13 - x29;
     const double x31 = x7 * x30;
     jacobian[21] = x31;
-    sum2 = sum2 + x31;
+    sum3 = sum3 + x31;
     const double x32 = x6 * x30;
     jacobian[22] = x32;
-    sum3 = sum3 + x32;
+    sum0 = sum0 + x32;
     const double x33 = x24 * x17;
     const double x51 = x26 * x17;
     const double x34 = x7 * x11;
@@ -4842,7 +4844,7 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x46 = x6 * x45;
     const double x47 = x39 + x46;
     jacobian[23] = x47;
-    sum0 = sum0 + x47;
+    sum1 = sum1 + x47;
     const double x68 = 0.10915 * x7;
     const double x69 = x45 + x68;
     const double x48 = sine[3];
@@ -4861,7 +4863,7 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x101 = x82 * x100;
     const double x102 = -x101;
     jacobian[32] = x102;
-    sum1 = sum1 + x102;
+    sum2 = sum2 + x102;
     const double x70 = x67 * x69;
     const double x56 = x48 * x43;
     const double x91 = x50 * x43;
@@ -4875,7 +4877,7 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x72 = x70 + x71;
     const double x73 = -x72;
     jacobian[27] = x73;
-    sum2 = sum2 + x73;
+    sum3 = sum3 + x73;
     const double x75 = 0.10915 * x6;
     const double x76 = x38 - x75;
     const double x77 = x67 * x76;
@@ -4889,7 +4891,7 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x74 = x55 * x30;
     const double x78 = x74 + x77;
     jacobian[28] = x78;
-    sum3 = sum3 + x78;
+    sum0 = sum0 + x78;
     const double x84 = x48 * x53;
     const double x85 = x83 - x84;
     const double x86 = x82 * x85;
@@ -4899,7 +4901,7 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x80 = x61 * x76;
     const double x81 = x79 - x80;
     jacobian[29] = x81;
-    sum0 = sum0 + x81;
+    sum1 = sum1 + x81;
     const double x103 = 0.09465 * x61;
     const double x104 = x69 - x103;
     const double x87 = cosine[4];
@@ -4907,28 +4909,28 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     const double x89 = x86 - x88;
     const double x90 = -x89;
     jacobian[30] = x90;
-    sum1 = sum1 + x90;
+    sum2 = sum2 + x90;
     const double x95 = x7 * x87;
     const double x96 = x94 + x95;
     const double x97 = -x96;
     jacobian[31] = x97;
-    sum2 = sum2 + x97;
+    sum3 = sum3 + x97;
     const double x105 = x101 * x104;
     const double x113 = x101 * x112;
     const double x116 = x96 * x112;
     const double x108 = x96 * x107;
     const double x109 = x105 + x108;
     jacobian[33] = x109;
-    sum3 = sum3 + x109;
+    sum0 = sum0 + x109;
     const double x110 = x89 * x107;
     const double x114 = x110 + x113;
     const double x115 = -x114;
     jacobian[34] = x115;
-    sum0 = sum0 + x115;
+    sum1 = sum1 + x115;
     const double x117 = x89 * x104;
     const double x118 = x116 - x117;
     jacobian[35] = x118;
-    sum1 = sum1 + x118;
+    sum2 = sum2 + x118;
     jacobian[0] = 0.0;
     jacobian[1] = 0.0;
     jacobian[3] = 0.0;
@@ -4942,8 +4944,6 @@ static inline UR5_INLINE double ur5_platform_jacobian_lane(
     jacobian[6] = x6;
     jacobian[12] = x6;
     jacobian[18] = x6;
-    const double x5 = q[5];
-    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -4977,28 +4977,30 @@ static void ur5_platform_jacobian_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum0 = x5;
     const ur5_wide x7 = UR5_READ(cosine[0]);
     const ur5_wide x8 = -x7;
     UR5_WRITTEN(jacobian[7 * stride]) = x8;
     UR5_WRITTEN(jacobian[13 * stride]) = x8;
     UR5_WRITTEN(jacobian[19 * stride]) = x8;
-    ur5_wide sum0 = x8;
+    ur5_wide sum1 = x8;
     const ur5_wide x9 = 0.089159 * x7;
     UR5_WRITTEN(jacobian[9 * stride]) = x9;
-    ur5_wide sum1 = x9;
+    ur5_wide sum2 = x9;
     const ur5_wide x6 = UR5_READ(sine[0]);
     const ur5_wide x10 = 0.089159 * x6;
     UR5_WRITTEN(jacobian[10 * stride]) = x10;
-    ur5_wide sum2 = x10;
+    ur5_wide sum3 = x10;
     const ur5_wide x11 = UR5_READ(sine[8]);
     const ur5_wide x12 = 0.425 * x11;
     const ur5_wide x13 = 0.089159 - x12;
     const ur5_wide x14 = x7 * x13;
     UR5_WRITTEN(jacobian[15 * stride]) = x14;
-    ur5_wide sum3 = x14;
+    sum0 = sum0 + x14;
     const ur5_wide x15 = x6 * x13;
     UR5_WRITTEN(jacobian[16 * stride]) = x15;
-    sum0 = sum0 + x15;
+    sum1 = sum1 + x15;
     const ur5_wide x16 = UR5_READ(cosine[8]);
     const ur5_wide x17 = x7 * x16;
     const ur5_wide x18 = 0.425 * x17;
@@ -5008,7 +5010,7 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x22 = x6 * x21;
     const ur5_wide x23 = x19 + x22;
     UR5_WRITTEN(jacobian[17 * stride]) = x23;
-    sum1 = sum1 + x23;
+    sum2 = sum2 + x23;
     const ur5_wide x24 = UR5_READ(cosine[2 * 8]);
     const ur5_wide x25 = x11 * x24;
     const ur5_wide x26 = UR5_READ(sine[2 * 8]);
@@ -5018,10 +5020,10 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x30 = x13 - x29;
     const ur5_wide x31 = x7 * x30;
     UR5_WRITTEN(jacobian[21 * stride]) = x31;
-    sum2 = sum2 + x31;
+    sum3 = sum3 + x31;
     const ur5_wide x32 = x6 * x30;
     UR5_WRITTEN(jacobian[22 * stride]) = x32;
-    sum3 = sum3 + x32;
+    sum0 = sum0 + x32;
     const ur5_wide x33 = x24 * x17;
     const ur5_wide x51 = x26 * x17;
     const ur5_wide x34 = x7 * x11;
@@ -5044,7 +5046,7 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x46 = x6 * x45;
     const ur5_wide x47 = x39 + x46;
     UR5_WRITTEN(jacobian[23 * stride]) = x47;
-    sum0 = sum0 + x47;
+    sum1 = sum1 + x47;
     const ur5_wide x68 = 0.10915 * x7;
     const ur5_wide x69 = x45 + x68;
     const ur5_wide x48 = UR5_READ(sine[3 * 8]);
@@ -5063,7 +5065,7 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x101 = x82 * x100;
     const ur5_wide x102 = -x101;
     UR5_WRITTEN(jacobian[32 * stride]) = x102;
-    sum1 = sum1 + x102;
+    sum2 = sum2 + x102;
     const ur5_wide x70 = x67 * x69;
     const ur5_wide x56 = x48 * x43;
     const ur5_wide x91 = x50 * x43;
@@ -5077,7 +5079,7 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x72 = x70 + x71;
     const ur5_wide x73 = -x72;
     UR5_WRITTEN(jacobian[27 * stride]) = x73;
-    sum2 = sum2 + x73;
+    sum3 = sum3 + x73;
     const ur5_wide x75 = 0.10915 * x6;
     const ur5_wide x76 = x38 - x75;
     const ur5_wide x77 = x67 * x76;
@@ -5091,7 +5093,7 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x74 = x55 * x30;
     const ur5_wide x78 = x74 + x77;
     UR5_WRITTEN(jacobian[28 * stride]) = x78;
-    sum3 = sum3 + x78;
+    sum0 = sum0 + x78;
     const ur5_wide x84 = x48 * x53;
     const ur5_wide x85 = x83 - x84;
     const ur5_wide x86 = x82 * x85;
@@ -5101,7 +5103,7 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x80 = x61 * x76;
     const ur5_wide x81 = x79 - x80;
     UR5_WRITTEN(jacobian[29 * stride]) = x81;
-    sum0 = sum0 + x81;
+    sum1 = sum1 + x81;
     const ur5_wide x103 = 0.09465 * x61;
     const ur5_wide x104 = x69 - x103;
     const ur5_wide x87 = UR5_READ(cosine[4 * 8]);
@@ -5109,28 +5111,28 @@ static void ur5_platform_jacobian_wide(
     const ur5_wide x89 = x86 - x88;
     const ur5_wide x90 = -x89;
     UR5_WRITTEN(jacobian[30 * stride]) = x90;
-    sum1 = sum1 + x90;
+    sum2 = sum2 + x90;
     const ur5_wide x95 = x7 * x87;
     const ur5_wide x96 = x94 + x95;
     const ur5_wide x97 = -x96;
     UR5_WRITTEN(jacobian[31 * stride]) = x97;
-    sum2 = sum2 + x97;
+    sum3 = sum3 + x97;
     const ur5_wide x105 = x101 * x104;
     const ur5_wide x113 = x101 * x112;
     const ur5_wide x116 = x96 * x112;
     const ur5_wide x108 = x96 * x107;
     const ur5_wide x109 = x105 + x108;
     UR5_WRITTEN(jacobian[33 * stride]) = x109;
-    sum3 = sum3 + x109;
+    sum0 = sum0 + x109;
     const ur5_wide x110 = x89 * x107;
     const ur5_wide x114 = x110 + x113;
     const ur5_wide x115 = -x114;
     UR5_WRITTEN(jacobian[34 * stride]) = x115;
-    sum0 = sum0 + x115;
+    sum1 = sum1 + x115;
     const ur5_wide x117 = x89 * x104;
     const ur5_wide x118 = x116 - x117;
     UR5_WRITTEN(jacobian[35 * stride]) = x118;
-    sum1 = sum1 + x118;
+    sum2 = sum2 + x118;
     UR5_WRITTEN(jacobian[0]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(jacobian[stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(jacobian[3 * stride]) = 0.0 - UR5_ZERO;
@@ -5144,8 +5146,6 @@ static void ur5_platform_jacobian_wide(
     UR5_WRITTEN(jacobian[6 * stride]) = x6;
     UR5_WRITTEN(jacobian[12 * stride]) = x6;
     UR5_WRITTEN(jacobian[18 * stride]) = x6;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum2 = sum2 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5470,36 +5470,36 @@ static inline UR5_INLINE double ur5_joint_rates_lane(
     const double *restrict v,
     double *restrict rates)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x1 = q[1];
+    double sum1 = x1;
+    const double x2 = q[2];
+    double sum2 = x2;
+    const double x3 = q[3];
+    double sum3 = x3;
+    const double x4 = q[4];
+    sum0 = sum0 + x4;
+    const double x5 = q[5];
+    sum1 = sum1 + x5;
     const double x6 = v[0];
     rates[0] = x6;
-    double sum0 = x6;
+    sum2 = sum2 + x6;
     const double x7 = v[1];
     rates[1] = x7;
-    double sum1 = x7;
+    sum3 = sum3 + x7;
     const double x8 = v[2];
     rates[2] = x8;
-    double sum2 = x8;
+    sum0 = sum0 + x8;
     const double x9 = v[3];
     rates[3] = x9;
-    double sum3 = x9;
+    sum1 = sum1 + x9;
     const double x10 = v[4];
     rates[4] = x10;
-    sum0 = sum0 + x10;
+    sum2 = sum2 + x10;
     const double x11 = v[5];
     rates[5] = x11;
-    sum1 = sum1 + x11;
-    const double x0 = q[0];
-    sum2 = sum2 + x0;
-    const double x1 = q[1];
-    sum3 = sum3 + x1;
-    const double x2 = q[2];
-    sum0 = sum0 + x2;
-    const double x3 = q[3];
-    sum1 = sum1 + x3;
-    const double x4 = q[4];
-    sum2 = sum2 + x4;
-    const double x5 = q[5];
-    sum3 = sum3 + x5;
+    sum3 = sum3 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5526,36 +5526,36 @@ static void ur5_joint_rates_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x1 = UR5_READ(q[stride]);
+    ur5_wide sum1 = x1;
+    const ur5_wide x2 = UR5_READ(q[2 * stride]);
+    ur5_wide sum2 = x2;
+    const ur5_wide x3 = UR5_READ(q[3 * stride]);
+    ur5_wide sum3 = x3;
+    const ur5_wide x4 = UR5_READ(q[4 * stride]);
+    sum0 = sum0 + x4;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    sum1 = sum1 + x5;
     const ur5_wide x6 = UR5_READ(v[0]);
     UR5_WRITTEN(rates[0]) = x6;
-    ur5_wide sum0 = x6;
+    sum2 = sum2 + x6;
     const ur5_wide x7 = UR5_READ(v[stride]);
     UR5_WRITTEN(rates[stride]) = x7;
-    ur5_wide sum1 = x7;
+    sum3 = sum3 + x7;
     const ur5_wide x8 = UR5_READ(v[2 * stride]);
     UR5_WRITTEN(rates[2 * stride]) = x8;
-    ur5_wide sum2 = x8;
+    sum0 = sum0 + x8;
     const ur5_wide x9 = UR5_READ(v[3 * stride]);
     UR5_WRITTEN(rates[3 * stride]) = x9;
-    ur5_wide sum3 = x9;
+    sum1 = sum1 + x9;
     const ur5_wide x10 = UR5_READ(v[4 * stride]);
     UR5_WRITTEN(rates[4 * stride]) = x10;
-    sum0 = sum0 + x10;
+    sum2 = sum2 + x10;
     const ur5_wide x11 = UR5_READ(v[5 * stride]);
     UR5_WRITTEN(rates[5 * stride]) = x11;
-    sum1 = sum1 + x11;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum2 = sum2 + x0;
-    const ur5_wide x1 = UR5_READ(q[stride]);
-    sum3 = sum3 + x1;
-    const ur5_wide x2 = UR5_READ(q[2 * stride]);
-    sum0 = sum0 + x2;
-    const ur5_wide x3 = UR5_READ(q[3 * stride]);
-    sum1 = sum1 + x3;
-    const ur5_wide x4 = UR5_READ(q[4 * stride]);
-    sum2 = sum2 + x4;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum3 = sum3 + x5;
+    sum3 = sum3 + x11;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5698,36 +5698,36 @@ static inline UR5_INLINE double ur5_drive_rates_lane(
     const double *restrict v,
     double *restrict rates)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x1 = q[1];
+    double sum1 = x1;
+    const double x2 = q[2];
+    double sum2 = x2;
+    const double x3 = q[3];
+    double sum3 = x3;
+    const double x4 = q[4];
+    sum0 = sum0 + x4;
+    const double x5 = q[5];
+    sum1 = sum1 + x5;
     const double x6 = v[0];
     rates[0] = x6;
-    double sum0 = x6;
+    sum2 = sum2 + x6;
     const double x7 = v[1];
     rates[1] = x7;
-    double sum1 = x7;
+    sum3 = sum3 + x7;
     const double x8 = v[2];
     rates[2] = x8;
-    double sum2 = x8;
+    sum0 = sum0 + x8;
     const double x9 = v[3];
     rates[3] = x9;
-    double sum3 = x9;
+    sum1 = sum1 + x9;
     const double x10 = v[4];
     rates[4] = x10;
-    sum0 = sum0 + x10;
+    sum2 = sum2 + x10;
     const double x11 = v[5];
     rates[5] = x11;
-    sum1 = sum1 + x11;
-    const double x0 = q[0];
-    sum2 = sum2 + x0;
-    const double x1 = q[1];
-    sum3 = sum3 + x1;
-    const double x2 = q[2];
-    sum0 = sum0 + x2;
-    const double x3 = q[3];
-    sum1 = sum1 + x3;
-    const double x4 = q[4];
-    sum2 = sum2 + x4;
-    const double x5 = q[5];
-    sum3 = sum3 + x5;
+    sum3 = sum3 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5754,36 +5754,36 @@ static void ur5_drive_rates_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x1 = UR5_READ(q[stride]);
+    ur5_wide sum1 = x1;
+    const ur5_wide x2 = UR5_READ(q[2 * stride]);
+    ur5_wide sum2 = x2;
+    const ur5_wide x3 = UR5_READ(q[3 * stride]);
+    ur5_wide sum3 = x3;
+    const ur5_wide x4 = UR5_READ(q[4 * stride]);
+    sum0 = sum0 + x4;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    sum1 = sum1 + x5;
     const ur5_wide x6 = UR5_READ(v[0]);
     UR5_WRITTEN(rates[0]) = x6;
-    ur5_wide sum0 = x6;
+    sum2 = sum2 + x6;
     const ur5_wide x7 = UR5_READ(v[stride]);
     UR5_WRITTEN(rates[stride]) = x7;
-    ur5_wide sum1 = x7;
+    sum3 = sum3 + x7;
     const ur5_wide x8 = UR5_READ(v[2 * stride]);
     UR5_WRITTEN(rates[2 * stride]) = x8;
-    ur5_wide sum2 = x8;
+    sum0 = sum0 + x8;
     const ur5_wide x9 = UR5_READ(v[3 * stride]);
     UR5_WRITTEN(rates[3 * stride]) = x9;
-    ur5_wide sum3 = x9;
+    sum1 = sum1 + x9;
     const ur5_wide x10 = UR5_READ(v[4 * stride]);
     UR5_WRITTEN(rates[4 * stride]) = x10;
-    sum0 = sum0 + x10;
+    sum2 = sum2 + x10;
     const ur5_wide x11 = UR5_READ(v[5 * stride]);
     UR5_WRITTEN(rates[5 * stride]) = x11;
-    sum1 = sum1 + x11;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum2 = sum2 + x0;
-    const ur5_wide x1 = UR5_READ(q[stride]);
-    sum3 = sum3 + x1;
-    const ur5_wide x2 = UR5_READ(q[2 * stride]);
-    sum0 = sum0 + x2;
-    const ur5_wide x3 = UR5_READ(q[3 * stride]);
-    sum1 = sum1 + x3;
-    const ur5_wide x4 = UR5_READ(q[4 * stride]);
-    sum2 = sum2 + x4;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum3 = sum3 + x5;
+    sum3 = sum3 + x11;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5926,36 +5926,36 @@ static inline UR5_INLINE double ur5_velocity_lane(
     const double *restrict y_dot,
     double *restrict v)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x1 = q[1];
+    double sum1 = x1;
+    const double x2 = q[2];
+    double sum2 = x2;
+    const double x3 = q[3];
+    double sum3 = x3;
+    const double x4 = q[4];
+    sum0 = sum0 + x4;
+    const double x5 = q[5];
+    sum1 = sum1 + x5;
     const double x6 = y_dot[0];
     v[0] = x6;
-    double sum0 = x6;
+    sum2 = sum2 + x6;
     const double x7 = y_dot[1];
     v[1] = x7;
-    double sum1 = x7;
+    sum3 = sum3 + x7;
     const double x8 = y_dot[2];
     v[2] = x8;
-    double sum2 = x8;
+    sum0 = sum0 + x8;
     const double x9 = y_dot[3];
     v[3] = x9;
-    double sum3 = x9;
+    sum1 = sum1 + x9;
     const double x10 = y_dot[4];
     v[4] = x10;
-    sum0 = sum0 + x10;
+    sum2 = sum2 + x10;
     const double x11 = y_dot[5];
     v[5] = x11;
-    sum1 = sum1 + x11;
-    const double x0 = q[0];
-    sum2 = sum2 + x0;
-    const double x1 = q[1];
-    sum3 = sum3 + x1;
-    const double x2 = q[2];
-    sum0 = sum0 + x2;
-    const double x3 = q[3];
-    sum1 = sum1 + x3;
-    const double x4 = q[4];
-    sum2 = sum2 + x4;
-    const double x5 = q[5];
-    sum3 = sum3 + x5;
+    sum3 = sum3 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5982,36 +5982,36 @@ static void ur5_velocity_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x1 = UR5_READ(q[stride]);
+    ur5_wide sum1 = x1;
+    const ur5_wide x2 = UR5_READ(q[2 * stride]);
+    ur5_wide sum2 = x2;
+    const ur5_wide x3 = UR5_READ(q[3 * stride]);
+    ur5_wide sum3 = x3;
+    const ur5_wide x4 = UR5_READ(q[4 * stride]);
+    sum0 = sum0 + x4;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    sum1 = sum1 + x5;
     const ur5_wide x6 = UR5_READ(y_dot[0]);
     UR5_WRITTEN(v[0]) = x6;
-    ur5_wide sum0 = x6;
+    sum2 = sum2 + x6;
     const ur5_wide x7 = UR5_READ(y_dot[stride]);
     UR5_WRITTEN(v[stride]) = x7;
-    ur5_wide sum1 = x7;
+    sum3 = sum3 + x7;
     const ur5_wide x8 = UR5_READ(y_dot[2 * stride]);
     UR5_WRITTEN(v[2 * stride]) = x8;
-    ur5_wide sum2 = x8;
+    sum0 = sum0 + x8;
     const ur5_wide x9 = UR5_READ(y_dot[3 * stride]);
     UR5_WRITTEN(v[3 * stride]) = x9;
-    ur5_wide sum3 = x9;
+    sum1 = sum1 + x9;
     const ur5_wide x10 = UR5_READ(y_dot[4 * stride]);
     UR5_WRITTEN(v[4 * stride]) = x10;
-    sum0 = sum0 + x10;
+    sum2 = sum2 + x10;
     const ur5_wide x11 = UR5_READ(y_dot[5 * stride]);
     UR5_WRITTEN(v[5 * stride]) = x11;
-    sum1 = sum1 + x11;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum2 = sum2 + x0;
-    const ur5_wide x1 = UR5_READ(q[stride]);
-    sum3 = sum3 + x1;
-    const ur5_wide x2 = UR5_READ(q[2 * stride]);
-    sum0 = sum0 + x2;
-    const ur5_wide x3 = UR5_READ(q[3 * stride]);
-    sum1 = sum1 + x3;
-    const ur5_wide x4 = UR5_READ(q[4 * stride]);
-    sum2 = sum2 + x4;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum3 = sum3 + x5;
+    sum3 = sum3 + x11;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -6153,6 +6153,18 @@ static inline UR5_INLINE double ur5_null_space_lane(
     const double *restrict q,
     double *restrict null_space)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x1 = q[1];
+    double sum1 = x1;
+    const double x2 = q[2];
+    double sum2 = x2;
+    const double x3 = q[3];
+    double sum3 = x3;
+    const double x4 = q[4];
+    sum0 = sum0 + x4;
+    const double x5 = q[5];
+    sum1 = sum1 + x5;
     null_space[0] = 1.0;
     null_space[7] = 1.0;
     null_space[14] = 1.0;
@@ -6189,18 +6201,6 @@ static inline UR5_INLINE double ur5_null_space_lane(
     null_space[32] = 0.0;
     null_space[33] = 0.0;
     null_space[34] = 0.0;
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
-    const double x4 = q[4];
-    sum0 = sum0 + x4;
-    const double x5 = q[5];
-    sum1 = sum1 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -6225,6 +6225,18 @@ static void ur5_null_space_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x1 = UR5_READ(q[stride]);
+    ur5_wide sum1 = x1;
+    const ur5_wide x2 = UR5_READ(q[2 * stride]);
+    ur5_wide sum2 = x2;
+    const ur5_wide x3 = UR5_READ(q[3 * stride]);
+    ur5_wide sum3 = x3;
+    const ur5_wide x4 = UR5_READ(q[4 * stride]);
+    sum0 = sum0 + x4;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    sum1 = sum1 + x5;
     UR5_WRITTEN(null_space[0]) = 1.0 - UR5_ZERO;
     UR5_WRITTEN(null_space[7 * stride]) = 1.0 - UR5_ZERO;
     UR5_WRITTEN(null_space[14 * stride]) = 1.0 - UR5_ZERO;
@@ -6261,18 +6273,6 @@ static void ur5_null_space_wide(
     UR5_WRITTEN(null_space[32 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(null_space[33 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(null_space[34 * stride]) = 0.0 - UR5_ZERO;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    ur5_wide sum0 = x0;
-    const ur5_wide x1 = UR5_READ(q[stride]);
-    ur5_wide sum1 = x1;
-    const ur5_wide x2 = UR5_READ(q[2 * stride]);
-    ur5_wide sum2 = x2;
-    const ur5_wide x3 = UR5_READ(q[3 * stride]);
-    ur5_wide sum3 = x3;
-    const ur5_wide x4 = UR5_READ(q[4 * stride]);
-    sum0 = sum0 + x4;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum1 = sum1 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -6403,48 +6403,48 @@ static inline UR5_INLINE double ur5_acceleration_lane(
     const double *restrict y_ddot,
     double *restrict a)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x1 = q[1];
+    double sum1 = x1;
+    const double x2 = q[2];
+    double sum2 = x2;
+    const double x3 = q[3];
+    double sum3 = x3;
+    const double x4 = q[4];
+    sum0 = sum0 + x4;
+    const double x5 = q[5];
+    sum1 = sum1 + x5;
+    const double x6 = v[0];
+    sum2 = sum2 + x6;
+    const double x7 = v[1];
+    sum3 = sum3 + x7;
+    const double x8 = v[2];
+    sum0 = sum0 + x8;
+    const double x9 = v[3];
+    sum1 = sum1 + x9;
+    const double x10 = v[4];
+    sum2 = sum2 + x10;
+    const double x11 = v[5];
+    sum3 = sum3 + x11;
     const double x12 = y_ddot[0];
     a[0] = x12;
-    double sum0 = x12;
+    sum0 = sum0 + x12;
     const double x13 = y_ddot[1];
     a[1] = x13;
-    double sum1 = x13;
+    sum1 = sum1 + x13;
     const double x14 = y_ddot[2];
     a[2] = x14;
-    double sum2 = x14;
+    sum2 = sum2 + x14;
     const double x15 = y_ddot[3];
     a[3] = x15;
-    double sum3 = x15;
+    sum3 = sum3 + x15;
     const double x16 = y_ddot[4];
     a[4] = x16;
     sum0 = sum0 + x16;
     const double x17 = y_ddot[5];
     a[5] = x17;
     sum1 = sum1 + x17;
-    const double x0 = q[0];
-    sum2 = sum2 + x0;
-    const double x1 = q[1];
-    sum3 = sum3 + x1;
-    const double x2 = q[2];
-    sum0 = sum0 + x2;
-    const double x3 = q[3];
-    sum1 = sum1 + x3;
-    const double x4 = q[4];
-    sum2 = sum2 + x4;
-    const double x5 = q[5];
-    sum3 = sum3 + x5;
-    const double x6 = v[0];
-    sum0 = sum0 + x6;
-    const double x7 = v[1];
-    sum1 = sum1 + x7;
-    const double x8 = v[2];
-    sum2 = sum2 + x8;
-    const double x9 = v[3];
-    sum3 = sum3 + x9;
-    const double x10 = v[4];
-    sum0 = sum0 + x10;
-    const double x11 = v[5];
-    sum1 = sum1 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -6473,48 +6473,48 @@ static void ur5_acceleration_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x1 = UR5_READ(q[stride]);
+    ur5_wide sum1 = x1;
+    const ur5_wide x2 = UR5_READ(q[2 * stride]);
+    ur5_wide sum2 = x2;
+    const ur5_wide x3 = UR5_READ(q[3 * stride]);
+    ur5_wide sum3 = x3;
+    const ur5_wide x4 = UR5_READ(q[4 * stride]);
+    sum0 = sum0 + x4;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    sum1 = sum1 + x5;
+    const ur5_wide x6 = UR5_READ(v[0]);
+    sum2 = sum2 + x6;
+    const ur5_wide x7 = UR5_READ(v[stride]);
+    sum3 = sum3 + x7;
+    const ur5_wide x8 = UR5_READ(v[2 * stride]);
+    sum0 = sum0 + x8;
+    const ur5_wide x9 = UR5_READ(v[3 * stride]);
+    sum1 = sum1 + x9;
+    const ur5_wide x10 = UR5_READ(v[4 * stride]);
+    sum2 = sum2 + x10;
+    const ur5_wide x11 = UR5_READ(v[5 * stride]);
+    sum3 = sum3 + x11;
     const ur5_wide x12 = UR5_READ(y_ddot[0]);
     UR5_WRITTEN(a[0]) = x12;
-    ur5_wide sum0 = x12;
+    sum0 = sum0 + x12;
     const ur5_wide x13 = UR5_READ(y_ddot[stride]);
     UR5_WRITTEN(a[stride]) = x13;
-    ur5_wide sum1 = x13;
+    sum1 = sum1 + x13;
     const ur5_wide x14 = UR5_READ(y_ddot[2 * stride]);
     UR5_WRITTEN(a[2 * stride]) = x14;
-    ur5_wide sum2 = x14;
+    sum2 = sum2 + x14;
     const ur5_wide x15 = UR5_READ(y_ddot[3 * stride]);
     UR5_WRITTEN(a[3 * stride]) = x15;
-    ur5_wide sum3 = x15;
+    sum3 = sum3 + x15;
     const ur5_wide x16 = UR5_READ(y_ddot[4 * stride]);
     UR5_WRITTEN(a[4 * stride]) = x16;
     sum0 = sum0 + x16;
     const ur5_wide x17 = UR5_READ(y_ddot[5 * stride]);
     UR5_WRITTEN(a[5 * stride]) = x17;
     sum1 = sum1 + x17;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum2 = sum2 + x0;
-    const ur5_wide x1 = UR5_READ(q[stride]);
-    sum3 = sum3 + x1;
-    const ur5_wide x2 = UR5_READ(q[2 * stride]);
-    sum0 = sum0 + x2;
-    const ur5_wide x3 = UR5_READ(q[3 * stride]);
-    sum1 = sum1 + x3;
-    const ur5_wide x4 = UR5_READ(q[4 * stride]);
-    sum2 = sum2 + x4;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum3 = sum3 + x5;
-    const ur5_wide x6 = UR5_READ(v[0]);
-    sum0 = sum0 + x6;
-    const ur5_wide x7 = UR5_READ(v[stride]);
-    sum1 = sum1 + x7;
-    const ur5_wide x8 = UR5_READ(v[2 * stride]);
-    sum2 = sum2 + x8;
-    const ur5_wide x9 = UR5_READ(v[3 * stride]);
-    sum3 = sum3 + x9;
-    const ur5_wide x10 = UR5_READ(v[4 * stride]);
-    sum0 = sum0 + x10;
-    const ur5_wide x11 = UR5_READ(v[5 * stride]);
-    sum1 = sum1 + x11;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -11767,6 +11767,8 @@ static inline UR5_INLINE double ur5_energy_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
     const double x6 = v[0];
     const double x18 = sine[0];
     const double x19 = x6 * x18;
@@ -11955,7 +11957,7 @@ static inline UR5_INLINE double ur5_energy_lane(
     const double x191 = x166 + x190;
     const double x192 = 0.5 * x191;
     energy[0] = x192;
-    double sum0 = x192;
+    double sum1 = x192;
     const double x200 = x18 * x41;
     const double x201 = x21 * x48;
     const double x202 = x200 + x201;
@@ -12001,9 +12003,7 @@ static inline UR5_INLINE double ur5_energy_lane(
     const double x229 = x219 + x228;
     const double x236 = x229 + x235;
     energy[1] = x236;
-    double sum1 = x236;
-    const double x0 = q[0];
-    double sum2 = x0;
+    double sum2 = x236;
     return (sum0 + sum1) + sum2;
 }
 
@@ -12039,6 +12039,8 @@ static void ur5_energy_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
     const ur5_wide x6 = UR5_READ(v[0]);
     const ur5_wide x18 = UR5_READ(sine[0]);
     const ur5_wide x19 = x6 * x18;
@@ -12227,7 +12229,7 @@ static void ur5_energy_wide(
     const ur5_wide x191 = x166 + x190;
     const ur5_wide x192 = 0.5 * x191;
     UR5_WRITTEN(energy[0]) = x192;
-    ur5_wide sum0 = x192;
+    ur5_wide sum1 = x192;
     const ur5_wide x200 = x18 * x41;
     const ur5_wide x201 = x21 * x48;
     const ur5_wide x202 = x200 + x201;
@@ -12273,9 +12275,7 @@ static void ur5_energy_wide(
     const ur5_wide x229 = x219 + x228;
     const ur5_wide x236 = x229 + x235;
     UR5_WRITTEN(energy[stride]) = x236;
-    ur5_wide sum1 = x236;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    ur5_wide sum2 = x0;
+    ur5_wide sum2 = x236;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
 }
 
@@ -12442,6 +12442,10 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x5 = q[5];
+    double sum1 = x5;
     const double x10 = cosine[0];
     const double x167 = 0.0001321171875 * x10;
     mass_matrix[11] = x167;
@@ -12450,12 +12454,12 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     mass_matrix[31] = x167;
     mass_matrix[32] = x167;
     mass_matrix[33] = x167;
-    double sum0 = x167;
+    double sum2 = x167;
     const double x76 = 0.003292500193635 * x10;
     const double x169 = -x76;
     mass_matrix[22] = x169;
     mass_matrix[27] = x169;
-    double sum1 = x169;
+    double sum3 = x169;
     const double x157 = 0.0351648539 * x10;
     const double x15 = sine[1];
     const double x160 = x15 * x157;
@@ -12468,7 +12472,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x168 = -x165;
     mass_matrix[16] = x168;
     mass_matrix[26] = x168;
-    double sum2 = x168;
+    sum0 = sum0 + x168;
     const double x31 = cosine[2];
     const double x161 = x31 * x160;
     const double x162 = x159 + x161;
@@ -12476,7 +12480,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x166 = x163 - x165;
     mass_matrix[10] = x166;
     mass_matrix[25] = x166;
-    double sum3 = x166;
+    sum1 = sum1 + x166;
     const double x77 = 0.01643350047875 + x76;
     const double x6 = sine[0];
     const double x24 = 0.0351648539 * x6;
@@ -12502,7 +12506,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x156 = x152 - x155;
     mass_matrix[9] = x156;
     mass_matrix[19] = x156;
-    sum0 = sum0 + x156;
+    sum2 = sum2 + x156;
     const double x16 = x8 - 0.012154780714983333;
     const double x17 = x15 * x16;
     const double x19 = 0.00658500038727 * x6;
@@ -12527,7 +12531,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x149 = x147 - x148;
     mass_matrix[8] = x149;
     mass_matrix[13] = x149;
-    sum1 = sum1 + x149;
+    sum3 = sum3 + x149;
     const double x56 = 0.85 * x55;
     const double x33 = x30 - x32;
     const double x34 = x31 * x33;
@@ -12549,7 +12553,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x49 = 0.0075537 + x48;
     const double x146 = x58 + x49;
     mass_matrix[7] = x146;
-    sum2 = sum2 + x146;
+    sum0 = sum0 + x146;
     const double x59 = x58 - x49;
     const double x50 = cosine[3];
     const double x60 = x50 * x59;
@@ -12578,7 +12582,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x145 = -x144;
     mass_matrix[5] = x145;
     mass_matrix[30] = x145;
-    sum3 = sum3 + x145;
+    sum1 = sum1 + x145;
     const double x112 = 0.003838243803185 * x10;
     const double x113 = 0.003837400042173233 + x112;
     const double x118 = x18 * x113;
@@ -12602,7 +12606,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x132 = x125 + x131;
     mass_matrix[4] = x132;
     mass_matrix[24] = x132;
-    sum0 = sum0 + x132;
+    sum2 = sum2 + x132;
     const double x80 = 0.003838243803185 * x6;
     const double x81 = x79 + x80;
     const double x86 = x18 * x81;
@@ -12623,7 +12627,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x111 = -x110;
     mass_matrix[3] = x111;
     mass_matrix[18] = x111;
-    sum1 = sum1 + x111;
+    sum3 = sum3 + x111;
     const double x88 = 0.013793413942275 * x10;
     const double x89 = x87 - x88;
     const double x90 = 0.12652256366625 - x89;
@@ -12636,7 +12640,7 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x103 = x93 - x102;
     mass_matrix[2] = x103;
     mass_matrix[12] = x103;
-    sum2 = sum2 + x103;
+    sum0 = sum0 + x103;
     const double x97 = 0.0149450629075 * x10;
     const double x98 = x96 - x97;
     const double x99 = 0.349300285625 - x98;
@@ -12644,21 +12648,17 @@ static inline UR5_INLINE double ur5_mass_matrix_lane(
     const double x101 = x93 + x100;
     mass_matrix[1] = x101;
     mass_matrix[6] = x101;
-    sum3 = sum3 + x101;
+    sum1 = sum1 + x101;
     const double x11 = 0.00767648760637 * x10;
     const double x12 = x9 + x11;
     const double x13 = x12 + 0.15603449803888333;
     const double x75 = x13 + x74;
     mass_matrix[0] = x75;
-    sum0 = sum0 + x75;
+    sum2 = sum2 + x75;
     mass_matrix[28] = 0.003837400042173233;
     mass_matrix[29] = 0.0;
     mass_matrix[34] = 0.0;
     mass_matrix[35] = 0.0001321171875;
-    const double x0 = q[0];
-    sum1 = sum1 + x0;
-    const double x5 = q[5];
-    sum2 = sum2 + x5;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -12688,6 +12688,10 @@ static void ur5_mass_matrix_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum1 = x5;
     const ur5_wide x10 = UR5_READ(cosine[0]);
     const ur5_wide x167 = 0.0001321171875 * x10;
     UR5_WRITTEN(mass_matrix[11 * stride]) = x167;
@@ -12696,12 +12700,12 @@ static void ur5_mass_matrix_wide(
     UR5_WRITTEN(mass_matrix[31 * stride]) = x167;
     UR5_WRITTEN(mass_matrix[32 * stride]) = x167;
     UR5_WRITTEN(mass_matrix[33 * stride]) = x167;
-    ur5_wide sum0 = x167;
+    ur5_wide sum2 = x167;
     const ur5_wide x76 = 0.003292500193635 * x10;
     const ur5_wide x169 = -x76;
     UR5_WRITTEN(mass_matrix[22 * stride]) = x169;
     UR5_WRITTEN(mass_matrix[27 * stride]) = x169;
-    ur5_wide sum1 = x169;
+    ur5_wide sum3 = x169;
     const ur5_wide x157 = 0.0351648539 * x10;
     const ur5_wide x15 = UR5_READ(sine[8]);
     const ur5_wide x160 = x15 * x157;
@@ -12714,7 +12718,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x168 = -x165;
     UR5_WRITTEN(mass_matrix[16 * stride]) = x168;
     UR5_WRITTEN(mass_matrix[26 * stride]) = x168;
-    ur5_wide sum2 = x168;
+    sum0 = sum0 + x168;
     const ur5_wide x31 = UR5_READ(cosine[2 * 8]);
     const ur5_wide x161 = x31 * x160;
     const ur5_wide x162 = x159 + x161;
@@ -12722,7 +12726,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x166 = x163 - x165;
     UR5_WRITTEN(mass_matrix[10 * stride]) = x166;
     UR5_WRITTEN(mass_matrix[25 * stride]) = x166;
-    ur5_wide sum3 = x166;
+    sum1 = sum1 + x166;
     const ur5_wide x77 = 0.01643350047875 + x76;
     const ur5_wide x6 = UR5_READ(sine[0]);
     const ur5_wide x24 = 0.0351648539 * x6;
@@ -12748,7 +12752,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x156 = x152 - x155;
     UR5_WRITTEN(mass_matrix[9 * stride]) = x156;
     UR5_WRITTEN(mass_matrix[19 * stride]) = x156;
-    sum0 = sum0 + x156;
+    sum2 = sum2 + x156;
     const ur5_wide x16 = x8 - 0.012154780714983333;
     const ur5_wide x17 = x15 * x16;
     const ur5_wide x19 = 0.00658500038727 * x6;
@@ -12773,7 +12777,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x149 = x147 - x148;
     UR5_WRITTEN(mass_matrix[8 * stride]) = x149;
     UR5_WRITTEN(mass_matrix[13 * stride]) = x149;
-    sum1 = sum1 + x149;
+    sum3 = sum3 + x149;
     const ur5_wide x56 = 0.85 * x55;
     const ur5_wide x33 = x30 - x32;
     const ur5_wide x34 = x31 * x33;
@@ -12795,7 +12799,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x49 = 0.0075537 + x48;
     const ur5_wide x146 = x58 + x49;
     UR5_WRITTEN(mass_matrix[7 * stride]) = x146;
-    sum2 = sum2 + x146;
+    sum0 = sum0 + x146;
     const ur5_wide x59 = x58 - x49;
     const ur5_wide x50 = UR5_READ(cosine[3 * 8]);
     const ur5_wide x60 = x50 * x59;
@@ -12824,7 +12828,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x145 = -x144;
     UR5_WRITTEN(mass_matrix[5 * stride]) = x145;
     UR5_WRITTEN(mass_matrix[30 * stride]) = x145;
-    sum3 = sum3 + x145;
+    sum1 = sum1 + x145;
     const ur5_wide x112 = 0.003838243803185 * x10;
     const ur5_wide x113 = 0.003837400042173233 + x112;
     const ur5_wide x118 = x18 * x113;
@@ -12848,7 +12852,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x132 = x125 + x131;
     UR5_WRITTEN(mass_matrix[4 * stride]) = x132;
     UR5_WRITTEN(mass_matrix[24 * stride]) = x132;
-    sum0 = sum0 + x132;
+    sum2 = sum2 + x132;
     const ur5_wide x80 = 0.003838243803185 * x6;
     const ur5_wide x81 = x79 + x80;
     const ur5_wide x86 = x18 * x81;
@@ -12869,7 +12873,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x111 = -x110;
     UR5_WRITTEN(mass_matrix[3 * stride]) = x111;
     UR5_WRITTEN(mass_matrix[18 * stride]) = x111;
-    sum1 = sum1 + x111;
+    sum3 = sum3 + x111;
     const ur5_wide x88 = 0.013793413942275 * x10;
     const ur5_wide x89 = x87 - x88;
     const ur5_wide x90 = 0.12652256366625 - x89;
@@ -12882,7 +12886,7 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x103 = x93 - x102;
     UR5_WRITTEN(mass_matrix[2 * stride]) = x103;
     UR5_WRITTEN(mass_matrix[12 * stride]) = x103;
-    sum2 = sum2 + x103;
+    sum0 = sum0 + x103;
     const ur5_wide x97 = 0.0149450629075 * x10;
     const ur5_wide x98 = x96 - x97;
     const ur5_wide x99 = 0.349300285625 - x98;
@@ -12890,21 +12894,17 @@ static void ur5_mass_matrix_wide(
     const ur5_wide x101 = x93 + x100;
     UR5_WRITTEN(mass_matrix[stride]) = x101;
     UR5_WRITTEN(mass_matrix[6 * stride]) = x101;
-    sum3 = sum3 + x101;
+    sum1 = sum1 + x101;
     const ur5_wide x11 = 0.00767648760637 * x10;
     const ur5_wide x12 = x9 + x11;
     const ur5_wide x13 = x12 + 0.15603449803888333;
     const ur5_wide x75 = x13 + x74;
     UR5_WRITTEN(mass_matrix[0]) = x75;
-    sum0 = sum0 + x75;
+    sum2 = sum2 + x75;
     UR5_WRITTEN(mass_matrix[28 * stride]) = 0.003837400042173233 - UR5_ZERO;
     UR5_WRITTEN(mass_matrix[29 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(mass_matrix[34 * stride]) = 0.0 - UR5_ZERO;
     UR5_WRITTEN(mass_matrix[35 * stride]) = 0.0001321171875 - UR5_ZERO;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum1 = sum1 + x0;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    sum2 = sum2 + x5;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -13063,6 +13063,8 @@ static inline UR5_INLINE double ur5_bias_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
     const double x6 = v[0];
     const double x12 = sine[0];
     const double x17 = x6 * x12;
@@ -13223,7 +13225,7 @@ static inline UR5_INLINE double ur5_bias_lane(
     const double x177 = x175 + x176;
     const double x296 = -x176;
     bias[5] = x296;
-    double sum0 = x296;
+    double sum1 = x296;
     const double x88 = 0.003292500193635 * x87;
     const double x150 = x73 * x73;
     const double x152 = x150 + x151;
@@ -13327,7 +13329,7 @@ static inline UR5_INLINE double ur5_bias_lane(
     const double x236 = x12 * x235;
     const double x251 = x236 - x250;
     bias[0] = x251;
-    double sum1 = x251;
+    double sum2 = x251;
     const double x252 = 1.3929342791666666 * x18;
     const double x261 = 0.014348980714983334 * x46;
     const double x263 = x261 + x262;
@@ -13358,14 +13360,12 @@ static inline UR5_INLINE double ur5_bias_lane(
     const double x293 = x281 + x292;
     const double x295 = -x281;
     bias[2] = x295;
-    double sum2 = x295;
+    double sum3 = x295;
     const double x253 = 38.1586437 * x13;
     const double x254 = x252 - x253;
     const double x294 = x254 - x293;
     bias[1] = x294;
-    double sum3 = x294;
-    const double x0 = q[0];
-    sum0 = sum0 + x0;
+    sum0 = sum0 + x294;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -13401,6 +13401,8 @@ static void ur5_bias_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
     const ur5_wide x6 = UR5_READ(v[0]);
     const ur5_wide x12 = UR5_READ(sine[0]);
     const ur5_wide x17 = x6 * x12;
@@ -13561,7 +13563,7 @@ static void ur5_bias_wide(
     const ur5_wide x177 = x175 + x176;
     const ur5_wide x296 = -x176;
     UR5_WRITTEN(bias[5 * stride]) = x296;
-    ur5_wide sum0 = x296;
+    ur5_wide sum1 = x296;
     const ur5_wide x88 = 0.003292500193635 * x87;
     const ur5_wide x150 = x73 * x73;
     const ur5_wide x152 = x150 + x151;
@@ -13665,7 +13667,7 @@ static void ur5_bias_wide(
     const ur5_wide x236 = x12 * x235;
     const ur5_wide x251 = x236 - x250;
     UR5_WRITTEN(bias[0]) = x251;
-    ur5_wide sum1 = x251;
+    ur5_wide sum2 = x251;
     const ur5_wide x252 = 1.3929342791666666 * x18;
     const ur5_wide x261 = 0.014348980714983334 * x46;
     const ur5_wide x263 = x261 + x262;
@@ -13696,14 +13698,12 @@ static void ur5_bias_wide(
     const ur5_wide x293 = x281 + x292;
     const ur5_wide x295 = -x281;
     UR5_WRITTEN(bias[2 * stride]) = x295;
-    ur5_wide sum2 = x295;
+    ur5_wide sum3 = x295;
     const ur5_wide x253 = 38.1586437 * x13;
     const ur5_wide x254 = x252 - x253;
     const ur5_wide x294 = x254 - x293;
     UR5_WRITTEN(bias[stride]) = x294;
-    ur5_wide sum3 = x294;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum0 = sum0 + x0;
+    sum0 = sum0 + x294;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -13878,6 +13878,8 @@ static inline UR5_INLINE double ur5_inverse_dynamics_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
     const double x6 = v[0];
     const double x27 = cosine[0];
     const double x28 = x6 * x27;
@@ -14183,7 +14185,7 @@ static inline UR5_INLINE double ur5_inverse_dynamics_lane(
     const double x276 = 0.17193592303888333 * x12;
     const double x277 = x275 + x276;
     u[0] = x277;
-    double sum0 = x277;
+    double sum1 = x277;
     const double x293 = x23 * x292;
     const double x310 = x20 * x292;
     const double x296 = x20 * x295;
@@ -14208,9 +14210,7 @@ static inline UR5_INLINE double ur5_inverse_dynamics_lane(
     const double x327 = x321 - x326;
     const double x328 = x320 - x327;
     u[1] = x328;
-    double sum1 = x328;
-    const double x0 = q[0];
-    double sum2 = x0;
+    double sum2 = x328;
     return (sum0 + sum1) + sum2;
 }
 
@@ -14248,6 +14248,8 @@ static void ur5_inverse_dynamics_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
     const ur5_wide x6 = UR5_READ(v[0]);
     const ur5_wide x27 = UR5_READ(cosine[0]);
     const ur5_wide x28 = x6 * x27;
@@ -14553,7 +14555,7 @@ static void ur5_inverse_dynamics_wide(
     const ur5_wide x276 = 0.17193592303888333 * x12;
     const ur5_wide x277 = x275 + x276;
     UR5_WRITTEN(u[0]) = x277;
-    ur5_wide sum0 = x277;
+    ur5_wide sum1 = x277;
     const ur5_wide x293 = x23 * x292;
     const ur5_wide x310 = x20 * x292;
     const ur5_wide x296 = x20 * x295;
@@ -14578,9 +14580,7 @@ static void ur5_inverse_dynamics_wide(
     const ur5_wide x327 = x321 - x326;
     const ur5_wide x328 = x320 - x327;
     UR5_WRITTEN(u[stride]) = x328;
-    ur5_wide sum1 = x328;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    ur5_wide sum2 = x0;
+    ur5_wide sum2 = x328;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
 }
 
@@ -14769,6 +14769,8 @@ static inline UR5_INLINE double ur5_inverse_dynamics_independent_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
     const double x27 = cosine[0];
     const double x6 = y_dot[0];
     const double x28 = x27 * x6;
@@ -15074,7 +15076,7 @@ static inline UR5_INLINE double ur5_inverse_dynamics_independent_lane(
     const double x276 = 0.17193592303888333 * x12;
     const double x277 = x275 + x276;
     u[0] = x277;
-    double sum0 = x277;
+    double sum1 = x277;
     const double x293 = x23 * x292;
     const double x309 = x20 * x292;
     const double x296 = x20 * x295;
@@ -15099,9 +15101,7 @@ static inline UR5_INLINE double ur5_inverse_dynamics_independent_lane(
     const double x327 = x321 - x326;
     const double x328 = x320 - x327;
     u[1] = x328;
-    double sum1 = x328;
-    const double x0 = q[0];
-    double sum2 = x0;
+    double sum2 = x328;
     return (sum0 + sum1) + sum2;
 }
 
@@ -15139,6 +15139,8 @@ static void ur5_inverse_dynamics_independent_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
     const ur5_wide x27 = UR5_READ(cosine[0]);
     const ur5_wide x6 = UR5_READ(y_dot[0]);
     const ur5_wide x28 = x27 * x6;
@@ -15444,7 +15446,7 @@ static void ur5_inverse_dynamics_independent_wide(
     const ur5_wide x276 = 0.17193592303888333 * x12;
     const ur5_wide x277 = x275 + x276;
     UR5_WRITTEN(u[0]) = x277;
-    ur5_wide sum0 = x277;
+    ur5_wide sum1 = x277;
     const ur5_wide x293 = x23 * x292;
     const ur5_wide x309 = x20 * x292;
     const ur5_wide x296 = x20 * x295;
@@ -15469,9 +15471,7 @@ static void ur5_inverse_dynamics_independent_wide(
     const ur5_wide x327 = x321 - x326;
     const ur5_wide x328 = x320 - x327;
     UR5_WRITTEN(u[stride]) = x328;
-    ur5_wide sum1 = x328;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    ur5_wide sum2 = x0;
+    ur5_wide sum2 = x328;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
 }
 
@@ -17824,6 +17824,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double *restrict cosine,
     double *restrict pivot)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
     const double x6 = v[0];
     const double x21 = sine[0];
     const double x22 = x6 * x21;
@@ -18135,7 +18137,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double x195 = x191 + x194;
     const double x196 = x189 - x195;
     pivot[0] = x196;
-    double sum0 = x196;
+    double sum1 = x196;
     const double x197 = 1.0 / x196;
     const double x298 = x297 * x197;
     const double x350 = x298 * x266;
@@ -18210,7 +18212,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double x300 = x292 + x299;
     const double x301 = x285 - x300;
     pivot[1] = x301;
-    double sum1 = x301;
+    double sum2 = x301;
     const double x302 = 1.0 / x301;
     const double x417 = x392 * x302;
     const double x444 = x417 * x352;
@@ -18354,7 +18356,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double x412 = x409 + x411;
     const double x420 = x412 - x419;
     pivot[2] = x420;
-    double sum2 = x420;
+    double sum3 = x420;
     const double x421 = 1.0 / x420;
     const double x526 = x409 - x411;
     const double x527 = x25 * x526;
@@ -18382,7 +18384,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double x541 = x525 + x540;
     const double x551 = x541 - x550;
     pivot[3] = x551;
-    double sum3 = x551;
+    sum0 = sum0 + x551;
     const double x552 = x521 / x551;
     a[0] = x552;
     const double x554 = x422 * x552;
@@ -18406,7 +18408,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double x581 = x561 - x568;
     const double x569 = -x568;
     a[3] = x569;
-    sum0 = sum0 + x569;
+    sum1 = sum1 + x569;
     const double x582 = x18 * x581;
     const double x574 = x376 * x555;
     const double x575 = x573 + x574;
@@ -18414,18 +18416,16 @@ static inline UR5_INLINE double ur5_forward_dynamics_lane(
     const double x578 = x570 + x577;
     const double x579 = -x578;
     a[4] = x579;
-    sum1 = sum1 + x579;
+    sum2 = sum2 + x579;
     const double x556 = -x555;
     a[1] = x556;
-    sum2 = sum2 + x556;
+    sum3 = sum3 + x556;
     const double x583 = x18 * x555;
     const double x584 = x582 - x583;
     const double x586 = x584 - x585;
     const double x587 = x580 - x586;
     a[5] = x587;
-    sum3 = sum3 + x587;
-    const double x0 = q[0];
-    sum0 = sum0 + x0;
+    sum0 = sum0 + x587;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -18466,6 +18466,8 @@ static void ur5_forward_dynamics_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
     const ur5_wide x6 = UR5_READ(v[0]);
     const ur5_wide x21 = UR5_READ(sine[0]);
     const ur5_wide x22 = x6 * x21;
@@ -18776,7 +18778,7 @@ static void ur5_forward_dynamics_wide(
     const ur5_wide x194 = x192 * x193;
     const ur5_wide x195 = x191 + x194;
     const ur5_wide x196 = x189 - x195;
-    ur5_wide sum0 = x196;
+    ur5_wide sum1 = x196;
     const ur5_wide x197 = 1.0 / x196;
     const ur5_wide x298 = x297 * x197;
     const ur5_wide x350 = x298 * x266;
@@ -18850,7 +18852,7 @@ static void ur5_forward_dynamics_wide(
     const ur5_wide x292 = x191 + x291;
     const ur5_wide x300 = x292 + x299;
     const ur5_wide x301 = x285 - x300;
-    ur5_wide sum1 = x301;
+    ur5_wide sum2 = x301;
     const ur5_wide x302 = 1.0 / x301;
     const ur5_wide x417 = x392 * x302;
     const ur5_wide x444 = x417 * x352;
@@ -18993,7 +18995,7 @@ static void ur5_forward_dynamics_wide(
     const ur5_wide x536 = x21 * x535;
     const ur5_wide x412 = x409 + x411;
     const ur5_wide x420 = x412 - x419;
-    ur5_wide sum2 = x420;
+    ur5_wide sum3 = x420;
     const ur5_wide x421 = 1.0 / x420;
     const ur5_wide x526 = x409 - x411;
     const ur5_wide x527 = x25 * x526;
@@ -19020,7 +19022,7 @@ static void ur5_forward_dynamics_wide(
     const ur5_wide x525 = x524 + 0.15603449803888333;
     const ur5_wide x541 = x525 + x540;
     const ur5_wide x551 = x541 - x550;
-    ur5_wide sum3 = x551;
+    sum0 = sum0 + x551;
     const ur5_wide x552 = x521 / x551;
     UR5_WRITTEN(a[0]) = x552;
     const ur5_wide x554 = x422 * x552;
@@ -19044,7 +19046,7 @@ static void ur5_forward_dynamics_wide(
     const ur5_wide x581 = x561 - x568;
     const ur5_wide x569 = -x568;
     UR5_WRITTEN(a[3 * stride]) = x569;
-    sum0 = sum0 + x569;
+    sum1 = sum1 + x569;
     const ur5_wide x582 = x18 * x581;
     const ur5_wide x574 = x376 * x555;
     const ur5_wide x575 = x573 + x574;
@@ -19052,18 +19054,16 @@ static void ur5_forward_dynamics_wide(
     const ur5_wide x578 = x570 + x577;
     const ur5_wide x579 = -x578;
     UR5_WRITTEN(a[4 * stride]) = x579;
-    sum1 = sum1 + x579;
+    sum2 = sum2 + x579;
     const ur5_wide x556 = -x555;
     UR5_WRITTEN(a[stride]) = x556;
-    sum2 = sum2 + x556;
+    sum3 = sum3 + x556;
     const ur5_wide x583 = x18 * x555;
     const ur5_wide x584 = x582 - x583;
     const ur5_wide x586 = x584 - x585;
     const ur5_wide x587 = x580 - x586;
     UR5_WRITTEN(a[5 * stride]) = x587;
-    sum3 = sum3 + x587;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum0 = sum0 + x0;
+    sum0 = sum0 + x587;
     UR5_WRITTEN(total[0]) = (ur5_wide)((ur5_wide_mask)((sum0 + sum1) + (sum2 + sum3)) | ((ur5_wide_mask)(x196
         <= 1.6686e-11) & (ur5_wide_mask)(x196 >= -1.6686e-11)) | ((ur5_wide_mask)(x301 <=
         6.031900000000001e-10) & (ur5_wide_mask)(x301 >= -6.031900000000001e-10)) | ((ur5_wide_mask)(x420 <=
@@ -19257,6 +19257,8 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     const double *restrict cosine,
     double *restrict pivot)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
     const double x31 = cosine[0];
     const double x6 = y_dot[0];
     const double x38 = x31 * x6;
@@ -19568,7 +19570,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     const double x195 = x191 + x194;
     const double x196 = x189 - x195;
     pivot[0] = x196;
-    double sum0 = x196;
+    double sum1 = x196;
     const double x197 = 1.0 / x196;
     const double x298 = x297 * x197;
     const double x350 = x298 * x266;
@@ -19643,7 +19645,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     const double x300 = x292 + x299;
     const double x301 = x285 - x300;
     pivot[1] = x301;
-    double sum1 = x301;
+    double sum2 = x301;
     const double x302 = 1.0 / x301;
     const double x417 = x392 * x302;
     const double x444 = x417 * x352;
@@ -19787,7 +19789,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     const double x412 = x409 + x411;
     const double x420 = x412 - x419;
     pivot[2] = x420;
-    double sum2 = x420;
+    double sum3 = x420;
     const double x421 = 1.0 / x420;
     const double x526 = x409 - x411;
     const double x527 = x31 * x526;
@@ -19815,7 +19817,7 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     const double x541 = x525 + x540;
     const double x551 = x541 - x550;
     pivot[3] = x551;
-    double sum3 = x551;
+    sum0 = sum0 + x551;
     const double x552 = x521 / x551;
     y_ddot[0] = x552;
     const double x554 = x422 * x552;
@@ -19844,15 +19846,13 @@ static inline UR5_INLINE double ur5_forward_dynamics_independent_lane(
     const double x575 = x573 - x574;
     const double x576 = x568 + x575;
     y_ddot[4] = x576;
-    sum0 = sum0 + x576;
+    sum1 = sum1 + x576;
     const double x581 = x37 * x552;
     const double x580 = x67 * x579;
     const double x582 = x580 - x581;
     const double x583 = x577 - x582;
     y_ddot[5] = x583;
-    sum1 = sum1 + x583;
-    const double x0 = q[0];
-    sum2 = sum2 + x0;
+    sum2 = sum2 + x583;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -19893,6 +19893,8 @@ static void ur5_forward_dynamics_independent_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
     const ur5_wide x31 = UR5_READ(cosine[0]);
     const ur5_wide x6 = UR5_READ(y_dot[0]);
     const ur5_wide x38 = x31 * x6;
@@ -20203,7 +20205,7 @@ static void ur5_forward_dynamics_independent_wide(
     const ur5_wide x194 = x192 * x193;
     const ur5_wide x195 = x191 + x194;
     const ur5_wide x196 = x189 - x195;
-    ur5_wide sum0 = x196;
+    ur5_wide sum1 = x196;
     const ur5_wide x197 = 1.0 / x196;
     const ur5_wide x298 = x297 * x197;
     const ur5_wide x350 = x298 * x266;
@@ -20277,7 +20279,7 @@ static void ur5_forward_dynamics_independent_wide(
     const ur5_wide x292 = x191 + x291;
     const ur5_wide x300 = x292 + x299;
     const ur5_wide x301 = x285 - x300;
-    ur5_wide sum1 = x301;
+    ur5_wide sum2 = x301;
     const ur5_wide x302 = 1.0 / x301;
     const ur5_wide x417 = x392 * x302;
     const ur5_wide x444 = x417 * x352;
@@ -20420,7 +20422,7 @@ static void ur5_forward_dynamics_independent_wide(
     const ur5_wide x536 = x18 * x535;
     const ur5_wide x412 = x409 + x411;
     const ur5_wide x420 = x412 - x419;
-    ur5_wide sum2 = x420;
+    ur5_wide sum3 = x420;
     const ur5_wide x421 = 1.0 / x420;
     const ur5_wide x526 = x409 - x411;
     const ur5_wide x527 = x31 * x526;
@@ -20447,7 +20449,7 @@ static void ur5_forward_dynamics_independent_wide(
     const ur5_wide x525 = x524 + 0.15603449803888333;
     const ur5_wide x541 = x525 + x540;
     const ur5_wide x551 = x541 - x550;
-    ur5_wide sum3 = x551;
+    sum0 = sum0 + x551;
     const ur5_wide x552 = x521 / x551;
     UR5_WRITTEN(y_ddot[0]) = x552;
     const ur5_wide x554 = x422 * x552;
@@ -20476,15 +20478,13 @@ static void ur5_forward_dynamics_independent_wide(
     const ur5_wide x575 = x573 - x574;
     const ur5_wide x576 = x568 + x575;
     UR5_WRITTEN(y_ddot[4 * stride]) = x576;
-    sum0 = sum0 + x576;
+    sum1 = sum1 + x576;
     const ur5_wide x581 = x37 * x552;
     const ur5_wide x580 = x67 * x579;
     const ur5_wide x582 = x580 - x581;
     const ur5_wide x583 = x577 - x582;
     UR5_WRITTEN(y_ddot[5 * stride]) = x583;
-    sum1 = sum1 + x583;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    sum2 = sum2 + x0;
+    sum2 = sum2 + x583;
     UR5_WRITTEN(total[0]) = (ur5_wide)((ur5_wide_mask)((sum0 + sum1) + (sum2 + sum3)) | ((ur5_wide_mask)(x196
         <= 1.6686e-11) & (ur5_wide_mask)(x196 >= -1.6686e-11)) | ((ur5_wide_mask)(x301 <=
         6.031900000000001e-10) & (ur5_wide_mask)(x301 >= -6.031900000000001e-10)) | ((ur5_wide_mask)(x420 <=
@@ -23537,6 +23537,10 @@ static inline UR5_INLINE double ur5_limb_margins_lane(
     const double *restrict sine,
     const double *restrict cosine)
 {
+    const double x0 = q[0];
+    double sum0 = x0;
+    const double x5 = q[5];
+    double sum1 = x5;
     const double x26 = sine[2];
     const double x40 = 0.089159 * x26;
     const double x41 = 0.425 - x40;
@@ -23599,11 +23603,7 @@ static inline UR5_INLINE double ur5_limb_margins_lane(
     const double x65 = x25 * x64;
     const double x66 = -x65;
     margins[0] = x66;
-    double sum0 = x66;
-    const double x0 = q[0];
-    double sum1 = x0;
-    const double x5 = q[5];
-    double sum2 = x5;
+    double sum2 = x66;
     return (sum0 + sum1) + sum2;
 }
 
@@ -23633,6 +23633,10 @@ static void ur5_limb_margins_wide(
     double *restrict total)
 {
     (void)stride;
+    const ur5_wide x0 = UR5_READ(q[0]);
+    ur5_wide sum0 = x0;
+    const ur5_wide x5 = UR5_READ(q[5 * stride]);
+    ur5_wide sum1 = x5;
     const ur5_wide x26 = UR5_READ(sine[2 * 8]);
     const ur5_wide x40 = 0.089159 * x26;
     const ur5_wide x41 = 0.425 - x40;
@@ -23695,11 +23699,7 @@ static void ur5_limb_margins_wide(
     const ur5_wide x65 = x25 * x64;
     const ur5_wide x66 = -x65;
     UR5_WRITTEN(margins[0]) = x66;
-    ur5_wide sum0 = x66;
-    const ur5_wide x0 = UR5_READ(q[0]);
-    ur5_wide sum1 = x0;
-    const ur5_wide x5 = UR5_READ(q[5 * stride]);
-    ur5_wide sum2 = x5;
+    ur5_wide sum2 = x66;
     UR5_WRITTEN(total[0]) = (sum0 + sum1) + sum2;
 }
 
