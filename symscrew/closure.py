@@ -260,6 +260,25 @@ def carry_point(
     return point
 
 
+def carry_across(tree: Tree, placed: Sequence[Placement], source: int, target: int, vector: Vector) -> Vector:
+    """A vector from the axes that one link has before its motion to those that another one has."""
+    if source == target:
+        return vector
+    if source != GROUND:
+        vector = transform(placed[source].rotation, vector)
+    return carry(tree, placed, tree.links[source].parent, target, vector, before=target != GROUND)
+
+
+def seen_before(tree: Tree, placed: Sequence[Placement], source: int, target: int, point: Vector) -> Vector:
+    """A point of a link from another one's origin, in the axes that the latter has before its motion.
+
+    It is the sum of where the link's origin is, which several of its points share, and of the point's turned place.
+    """
+    turned = point if source == GROUND else placed[source].before(point)
+    origin = carry_point(tree, placed, source, target, ZERO, before=True)
+    return add(origin, carry_across(tree, placed, source, target, turned))
+
+
 def closure_bias(
     cut: Cut,
     tree: Tree,

@@ -73,35 +73,52 @@ class CrankLimb:
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine by link, on the guess's side of the dead centre.
 
-        With d the tip and c the rod's centre seen from the crank's origin, along and across its axis z, and t the rod,
-        |d - e^(i phi) c|^2 + (d_z - c_z)^2 = |t|^2 gives d conj(e^(i phi) c) = |c| (x - i y).
+        The target is seen from the crank's origin, in the axes before its motion.
         """
-        tape, geometry, frame = system.tape, system.geometry, system.frames[self.crank.index]
+        tape, geometry = system.tape, system.geometry
         c, t = self.rod.centre, self.rod.tip
-        back = transpose(frame.rotation)
-        d3 = subtract(transform(back, target), geometry.settle(transform(back, frame.offset)))
-        d: Turn = (d3[0], d3[1])
-        arm = tape.sqrt(tape.settle(square((c[0], c[1]))))
+        d: Turn = (target[0], target[1])
+        x, y = self._triangle(system, target, guess)
         ex, ey, _ = geometry.unit((c[0], c[1], 0))
-        shorter = tape.settle(1 / arm)
+        inverse = 1 / square(d)
+        turn = over(times(d, (x * inverse, y * inverse)), (ex, ey))
+        flat = times((ex, ey), (x - self._arm(system), -y))  # the rod, from its centre, in the crank's axes
+        length = tape.settle(tape.sqrt(tape.settle(dot(t, t))))
+        return {
+            self.crank.index: turn,
+            **self.rod.along(system, (flat[0], flat[1], target[2] - c[2]), guess, length),
+        }, {}
+
+    def lever(self, system: System, target: Vector, guess: Sequence[Node]) -> Node:
+        """c x n along the crank's axis, with n the rod: how the crank's rate stretches it."""
+        return -(self._arm(system) * self._triangle(system, target, guess)[1])
+
+    def _triangle(self, system: System, target: Vector, guess: Sequence[Node]) -> Turn:
+        """x and y with d conj(e^(i phi) c) = |c| (x - i y).
+
+        d is the tip and c the rod's centre seen from the crank's origin, along and across its axis z, and t the rod:
+        |d - e^(i phi) c|^2 + (d_z - c_z)^2 = |t|^2.
+        """
+        tape = system.tape
+        c, t = self.rod.centre, self.rod.tip
+        d: Turn = (target[0], target[1])
+        ex, ey, _ = system.geometry.unit((c[0], c[1], 0))
+        shorter = tape.settle(1 / self._arm(system))
         half = tape.settle(shorter * tape.reciprocal(tape.node(2)))
         across, rest = square(d), tape.settle(dot(c, c) - dot(t, t))
-        x = (across + d3[2] * d3[2] + rest) * half - d3[2] * tape.settle(c[2] * shorter)
+        x = (across + target[2] * target[2] + rest) * half - target[2] * tape.settle(c[2] * shorter)
         y = tape.sqrt(across - x * x)
 
         def beyond(turn: Turn) -> Node:
             along = times(turn, (ex, ey))
             return d[0] * along[1] - d[1] * along[0]
 
-        y = side_of_guess(system, self.crank, beyond, guess) * y
-        inverse = 1 / across
-        turn = over(times(d, (x * inverse, y * inverse)), (ex, ey))
-        flat = times((ex, ey), (x - arm, -y))  # the rod, from its centre, in the crank's axes
-        length = tape.settle(tape.sqrt(tape.settle(dot(t, t))))
-        return {
-            self.crank.index: turn,
-            **self.rod.along(system, (flat[0], flat[1], d3[2] - c[2]), guess, length),
-        }, {}
+        return x, side_of_guess(system, self.crank, beyond, guess) * y
+
+    def _arm(self, system: System) -> Node:
+        """|c| across the crank's axis."""
+        c = self.rod.centre
+        return system.tape.sqrt(system.tape.settle(square((c[0], c[1]))))
 
 
 def rod_limb(system: System, cut: Cut) -> RodLimb | None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.closure import carry, carry_point
+from symscrew.closure import carry_across, seen_before
 from symscrew.crank_limbs import CrankLimb
 from symscrew.recursion import Rates
 from symscrew.screws import Vector, add, cross, dot, product, subtract, transform
@@ -52,8 +52,8 @@ class LengthRow:
         return -(dot(self.n, _tip_acceleration(system, self.limb, hub)) + dot(swept, swept) + inwards)
 
 
-def length_rows(system: System, cranks: Sequence[CrankLimb]) -> tuple[LengthRow, ...]:
-    """One row per crank, at the system's present nodes."""
+def length_rows(system: System, cranks: Sequence[CrankLimb], guess: Sequence[Node]) -> tuple[LengthRow, ...]:
+    """One row per crank, at the system's present nodes, which are those of its closed form for this guess."""
     first = {}
     count = 0
     for cut in system.cuts:
@@ -61,11 +61,11 @@ def length_rows(system: System, cranks: Sequence[CrankLimb]) -> tuple[LengthRow,
     rows = []
     for limb in cranks:
         cut, link = limb.cut, limb.crank.index
-        far = carry_point(system.tree, system.placed, cut.hub, link, cut.hub_point, before=True)
+        far = seen_before(system.tree, system.placed, cut.hub, link, cut.hub_point)
         arm = system.placed[link].before(limb.rod.centre)
         n = subtract(far, arm)
         index = first[cut.joint.name] + limb.rod.left_open[0]
-        rows.append(LengthRow(index, limb, n, arm, arm[0] * n[1] - arm[1] * n[0]))
+        rows.append(LengthRow(index, limb, n, arm, limb.lever(system, far, guess)))
     return tuple(rows)
 
 
@@ -85,6 +85,4 @@ def _tip_acceleration(system: System, limb: CrankLimb, hub: Rates) -> Vector:
 
 def _carried(system: System, limb: CrankLimb, vector: Vector) -> Vector:
     """A vector from the axes before the hub's motion to those before the crank's."""
-    hub = limb.cut.hub
-    vector = transform(system.placed[hub].rotation, vector)
-    return carry(system.tree, system.placed, system.tree.links[hub].parent, limb.crank.index, vector, before=True)
+    return carry_across(system.tree, system.placed, limb.cut.hub, limb.crank.index, vector)

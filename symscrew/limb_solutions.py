@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 from dataclasses import dataclass
 
-from symscrew.closure import Cut, carry_point
+from symscrew.closure import Cut, carry_point, seen_before
 from symscrew.crank_limbs import CrankLimb, RodLimb, crank_limb, rod_limb
 from symscrew.planar_limbs import PlanarLimb, Turn, planar_limb
-from symscrew.recursion import placements
-from symscrew.screws import ZERO
+from symscrew.recursion import Placement, placements
+from symscrew.screws import ZERO, Vector
 from symscrew.spoke_limbs import SpokeLimb, spoke_limb
 from symscrew.system import System
 from symscrew.tape import Node
@@ -95,8 +95,7 @@ def limb_coordinates(
     turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
     for limb in limbs:
         placed = placements(tape, system.tree, system.frames, q, turns)
-        target = carry_point(system.tree, placed, limb.cut.hub, limb.links[0].parent, limb.cut.hub_point)
-        found, slides = limb.solve(system, target, near)
+        found, slides = limb.solve(system, _target(system, placed, limb), near)
         turns |= found
         for k, value in slides.items():
             q[k] = value
@@ -104,6 +103,15 @@ def limb_coordinates(
             link = system.tree.links[index]
             q[link.q.start] = _angle(system, link, turn, near)
     return LimbCoordinates(tuple(q), turns)
+
+
+def _target(system: System, placed: Sequence[Placement], limb: Limb) -> Vector:
+    """Where the platform holds the limb's tip, in the coordinates of the link that carries the limb; a crank's as it
+    sees it."""
+    tree, cut, first = system.tree, limb.cut, limb.links[0]
+    if isinstance(limb, CrankLimb):
+        return seen_before(tree, placed, cut.hub, first.index, cut.hub_point)
+    return carry_point(tree, placed, cut.hub, first.parent, cut.hub_point)
 
 
 def reference_nodes(system: System) -> tuple[Node, ...]:

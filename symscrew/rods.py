@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product as pairs_of
 
-from symscrew.closure import Cut, carry, carry_point
+from symscrew.closure import Cut, carry_across, seen_before
 from symscrew.effects import Acting
 from symscrew.equilibrium import Bar, Wrench
 from symscrew.recursion import Inertia, Rates, combined, regrouped
@@ -152,9 +152,8 @@ def _sum(wrenches: Sequence[Wrench]) -> Wrench:
 
 def _line(system: System, rod: Rod) -> Vector:
     """From the near to the far end, in the axes before the parent's motion."""
-    origin = carry_point(system.tree, system.placed, rod.hub, rod.parent, ZERO, before=True)
-    far = _across(system, rod.hub, rod.parent, _before(system, rod.hub, rod.far))
-    return add(origin, subtract(far, _before(system, rod.parent, rod.near)))
+    far = seen_before(system.tree, system.placed, rod.hub, rod.parent, rod.far)
+    return subtract(far, _before(system, rod.parent, rod.near))
 
 
 def _pull(system: System, rod: Rod, first: Rod, line: Vector, link: int) -> Wrench:
@@ -191,13 +190,7 @@ def _before(system: System, link: int, vector: Vector) -> Vector:
 
 
 def _across(system: System, source: int, target: int, vector: Vector) -> Vector:
-    """A vector from the axes that one link has before its motion to those that another one has."""
-    if source == target:
-        return vector
-    tree, placed = system.tree, system.placed
-    if source != GROUND:
-        vector = transform(placed[source].rotation, vector)
-    return carry(tree, placed, tree.links[source].parent, target, vector, before=target != GROUND)
+    return carry_across(system.tree, system.placed, source, target, vector)
 
 
 def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vector) -> Vector:

@@ -14,7 +14,7 @@ from symscrew.elimination import Elimination, divides, eliminate
 from symscrew.functions.closure import guarded
 from symscrew.functions.dynamics import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
+from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates, reference_nodes
 from symscrew.loops import Loops
 from symscrew.planar_limbs import Turn
 from symscrew.program import Function, Port, roots_of
@@ -39,7 +39,7 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
     found = limb_coordinates(system, limbs, dict(zip(q_at, q_in, strict=True)))
     placed = system.at(found.q, found.turns)
     cranks = [limb for limb in limbs if isinstance(limb, CrankLimb)]
-    choices = [(), length_rows(placed, cranks)] if cranks else [()]
+    choices = [(), length_rows(placed, cranks, reference_nodes(system))] if cranks else [()]
     hub_v, hub_a = ({k: nodes[k] for k in v_at} for nodes in (system.inputs.v, system.inputs.a))
     ways = [_motion(placed, found.turns, hub[-1].index, hub_v, hub_a, lengths) for lengths in choices]
     shortest = min(ways, key=lambda way: loops.cost([*way.v, *(pivot for pivot, _ in way.guards)]))
