@@ -1,4 +1,4 @@
-/* Inverse dynamics, mass matrix, flange and Jacobian of an arm of revolute joints, for the table LINKS of COUNT links.
+/* Inverse and forward dynamics, mass matrix, flange and Jacobian of an arm of revolute joints, for the table LINKS of COUNT links.
 
    Link frames are parallel to the base's at rest and lie on the joints, whose axes are y or z, so that a rotation
    touches two coordinates. All loops are unrolled and the table is constant: what is zero in it vanishes. Forces use
@@ -23,13 +23,13 @@ static inline __attribute__((always_inline)) void NAME(sines)(
     }
 }
 
-int NAME(inverse_dynamics)(
-    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u)
+static inline __attribute__((always_inline)) void NAME(forces)(
+    const double *restrict sine, const double *restrict cosine, const double *restrict v, const double *restrict a,
+    double *restrict u)
 {
-    double sine[COUNT], cosine[COUNT], f[COUNT][3], n[COUNT][3];
+    double f[COUNT][3], n[COUNT][3];
     double w[3] = {0.0, 0.0, 0.0}, dw[3] = {0.0, 0.0, 0.0}, at[3] = {0.0, 0.0, 9.81};
     double K[3][3] = {{0.0}};
-    NAME(sines)(q, sine, cosine);
 #pragma GCC unroll 8
     for (int k = 0; k < COUNT; ++k) {
         const int axis = LINKS[k].axis, i = axis == 2 ? 0 : 2, j = axis == 2 ? 1 : 0;
@@ -85,15 +85,23 @@ int NAME(inverse_dynamics)(
             f[k - 1][2] += f[k][2];
         }
     }
+}
+
+int NAME(inverse_dynamics)(
+    const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u)
+{
+    double sine[COUNT], cosine[COUNT];
+    NAME(sines)(q, sine, cosine);
+    NAME(forces)(sine, cosine, v, a, u);
     return 0;
 }
 
 /* Composite inertias towards the base; a column is what a unit acceleration of its joint takes, carried down. */
-int NAME(mass_matrix)(const double *restrict q, double *restrict M)
+static inline __attribute__((always_inline)) void NAME(inertia)(
+    const double *restrict sine, const double *restrict cosine, double *restrict M)
 {
-    double sine[COUNT], cosine[COUNT], mass = 0.0, h[3] = {0.0, 0.0, 0.0};
+    double mass = 0.0, h[3] = {0.0, 0.0, 0.0};
     double I[3][3] = {{0.0}};
-    NAME(sines)(q, sine, cosine);
 #pragma GCC unroll 8
     for (int k = COUNT - 1; k >= 0; --k) {
         const int axis = LINKS[k].axis, i = axis == 2 ? 0 : 2, j = axis == 2 ? 1 : 0;
@@ -151,6 +159,52 @@ int NAME(mass_matrix)(const double *restrict q, double *restrict M)
                 h[r] += mass * p[r];
             }
         }
+    }
+}
+
+int NAME(mass_matrix)(const double *restrict q, double *restrict M)
+{
+    double sine[COUNT], cosine[COUNT];
+    NAME(sines)(q, sine, cosine);
+    NAME(inertia)(sine, cosine, M);
+    return 0;
+}
+
+/* M a = u - h by L^T D L from the last joint, whose rows are the shortest. */
+int NAME(forward_dynamics)(
+    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a)
+{
+    double sine[COUNT], cosine[COUNT], M[COUNT * COUNT], h[COUNT], over[COUNT];
+    const double still[COUNT] = {0.0};
+    NAME(sines)(q, sine, cosine);
+    NAME(forces)(sine, cosine, v, still, h);
+    NAME(inertia)(sine, cosine, M);
+#pragma GCC unroll 8
+    for (int k = COUNT - 1; k >= 0; --k) {
+        h[k] = u[k] - h[k];
+    }
+#pragma GCC unroll 8
+    for (int k = COUNT - 1; k > 0; --k) {
+        over[k] = 1.0 / M[k * COUNT + k];
+#pragma GCC unroll 8
+        for (int i = 0; i < k; ++i) {
+            const double factor = M[k * COUNT + i] * over[k];
+            h[i] -= factor * h[k];
+#pragma GCC unroll 8
+            for (int j = 0; j <= i; ++j) {
+                M[i * COUNT + j] -= factor * M[k * COUNT + j];
+            }
+        }
+    }
+    over[0] = 1.0 / M[0];
+#pragma GCC unroll 8
+    for (int k = 0; k < COUNT; ++k) {
+        double left = h[k];
+#pragma GCC unroll 8
+        for (int i = 0; i < k; ++i) {
+            left -= M[k * COUNT + i] * a[i];
+        }
+        a[k] = left * over[k];
     }
     return 0;
 }
