@@ -107,6 +107,7 @@ ROWS = (
         Row("delta", "inverse_dynamics_platform", form, "lean_delta_platform", None, PLACE, True)
         for form in (ONE, LANES)
     ),
+    *(Row("delta", "forward_dynamics", form, "lean_delta_forward", None, ARMS, True) for form in (ONE, LANES)),
     Row("delta", "platform_jacobian", ONE, "lean_delta_jacobian"),
     *(
         Row(arm, function, ONE, f"lean_{arm}_{function}", recorded)

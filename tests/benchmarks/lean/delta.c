@@ -118,6 +118,56 @@ int lean_delta_velocity(const double *restrict q, const double *restrict y, doub
     return 0;
 }
 
+/* Accelerations of the tree from the drives: the platform's by virtual work, all arms in lanes.
+
+   An arm's rate is G.v and its acceleration G.a + b with v and a the platform's; its knee moves as D G.v, and the knee's
+   acceleration is D (G.a + b) + E rate^2. The lanes of the fourth arm count nothing. */
+int lean_delta_forward(
+    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a)
+{
+    const double g = 9.81, M = M_PLATFORM + 2.0 * M_ROD, J = (M_ARM + 2.0 * M_ROD) / 3.0 * DELTA_ARM * DELTA_ARM;
+    const lanes c = {1.0, -0.5, -0.5, 0.0}, s = {0.0, ROOT3_2, -ROOT3_2, 0.0}, one = {1.0, 1.0, 1.0, 0.0};
+    const lanes angle = {q[0], q[5], q[10], q[10]}, rate = {v[0], v[5], v[10], v[10]}, drive = {u[0], u[1], u[2], u[2]};
+    const lanes ls = DELTA_ARM * _ZGVdN4v_sin(angle), lc = DELTA_ARM * _ZGVdN4v_cos(angle), ends = M_ROD / 3.0 * one;
+    const lanes nx = c * q[15] + s * q[16] + DELTA_RADII - lc, ny = c * q[16] - s * q[15], nz = q[17] + ls;
+    const lanes vx = c * v[15] + s * v[16], vy = c * v[16] - s * v[15], turning = rate * rate;
+    const lanes wx = vx + ls * rate, wz = v[17] + lc * rate, over = 1.0 / (nx * ls + nz * lc);
+    const lanes b = -(wx * wx + vy * vy + wz * wz + turning * (nx * lc - nz * ls)) * over;
+    const lanes gx = -(c * nx - s * ny) * over, gy = -(s * nx + c * ny) * over, gz = -nz * over * one;
+    const lanes dx = -ls * c, dy = -ls * s, dz = -lc * one;
+    const lanes jx = J * gx + ends * dx, jy = J * gy + ends * dy, jz = J * gz + ends * dz;
+    const lanes left = drive - J * b + lc * ((0.5 * M_ARM + M_ROD) * g), knee = ends * b, bent = ends * turning;
+    const lanes fx = gx * left - dx * knee + bent * lc * c, fy = gy * left - dy * knee + bent * lc * s;
+    const lanes fz = gz * left - dz * knee - bent * ls;
+    const lanes xx = gx * (jx + ends * dx), yy = gy * (jy + ends * dy), zz = gz * (jz + ends * dz);
+    const lanes xy = gx * jy + ends * dx * gy, xz = gx * jz + ends * dx * gz, yz = gy * jz + ends * dy * gz;
+#define TOTAL(x) ((x[0] + x[1]) + x[2])
+    const double A = M + TOTAL(xx), B = M + TOTAL(yy), C = M + TOTAL(zz), D = TOTAL(xy), E = TOTAL(xz), F = TOTAL(yz);
+    const double f[3] = {TOTAL(fx), TOTAL(fy), TOTAL(fz) - (M_PLATFORM + 3.0 * M_ROD) * g};
+    const double i = B * C - F * F, j = E * F - D * C, k = D * F - E * B, share = 1.0 / (A * i + D * j + E * k);
+    const double x = (i * f[0] + j * f[1] + k * f[2]) * share;
+    const double y = (j * f[0] + (A * C - E * E) * f[1] + (D * E - A * F) * f[2]) * share;
+    const double z = (k * f[0] + (D * E - A * F) * f[1] + (A * B - D * D) * f[2]) * share;
+    const lanes gain = gx * x + gy * y + gz * z + b;
+    /* the rods turn by psi in their arm's plane and are tilted against it */
+    const lanes square = DELTA_ROD_SQUARE - ny * ny, inverse = 1.0 / square, height = roots(square) * inverse;
+    const lanes psi = (wx * nz - wz * nx) * inverse;
+    const lanes ax = c * x + s * y + ls * gain + lc * turning, az = z + lc * gain - ls * turning;
+    const lanes turn = (ax * nz - az * nx + 2.0 * psi * ny * vy) * inverse - gain;
+    const lanes tilt = (c * y - s * x + ny * vy * vy * inverse) * height;
+#pragma GCC unroll 3
+    for (int m = 0; m < 3; ++m) {
+        a[5 * m] = gain[m];
+        a[5 * m + 1] = a[5 * m + 3] = turn[m];
+        a[5 * m + 2] = a[5 * m + 4] = tilt[m];
+    }
+    a[15] = x;
+    a[16] = y;
+    a[17] = z;
+    a[18] = a[19] = a[20] = 0.0;
+    return 0;
+}
+
 /* Twists at O of the platform per rate of the tree: its velocity, and turning about its point. */
 int lean_delta_jacobian(const double *restrict q, double *restrict jacobian)
 {
