@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from itertools import product as pairs_of
 
 from symscrew.closure import Cut, carry_across, seen_before
+from symscrew.crank_limbs import rod_limb
 from symscrew.effects import Acting
 from symscrew.equilibrium import Bar, Wrench
 from symscrew.recursion import Inertia, Rates, combined, regrouped
@@ -70,33 +71,29 @@ def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
 
 def _rod(system: System, cut: Cut) -> Rod | None:
     """The limb's last body, if it is a thin rod between crossing rotations and a cut spherical joint."""
-    tree, settle, zero = system.tree, system.geometry.settle, system.tape.zero
-    if cut.joint.type != "S" or len(tree.path(cut.tip)) < 2:
+    limb, tree, settle = rod_limb(system, cut), system.tree, system.tape.settle
+    if limb is None or cut.joint.type != "S":
         return None
-    second = tree.links[cut.tip]
-    first = tree.links[second.parent]
-    inside = {first.index, second.index}
-    others = [link.parent for link in tree.links[1:] if link.index != second.index]
+    inside = {limb.first.index, limb.second.index}
+    others = [link.parent for link in tree.links[1:] if link.index != limb.second.index]
     others += [end for other in system.cuts if other is not cut for end in (other.tip, other.hub)]
-    if (first.motion.kind, second.motion.kind) != ("R", "R") or inside & {cut.hub, *others} or cut.hub == first.parent:
+    if inside & {cut.hub, *others} or cut.hub == limb.first.parent:
         return None
-    outer, inertia, n = system.frames[second.index], system.inertia[second.index], cut.tip_point
+    between, inertia, n = (system.inertia[limb.first.index], system.inertia[limb.second.index], limb.tip)
     shorter = 1 / dot(n, n)
     mass, moment = inertia.mass, dot(inertia.first, n) * shorter
     spread = dot(n, transform(inertia.second, n)) * (shorter * shorter)
     conditions = (
-        *(outer.offset[0], outer.offset[1], outer.axis[2]),  # both rotations through one point, at a right angle
-        *(system.inertia[first.index].mass, *(c for row in system.inertia[first.index].second for c in row)),
-        *settle(cross(inertia.first, n)),
+        *subtract(n, cut.tip_point),  # the inertia is about the centre
+        *(between.mass, *(c for row in between.second for c in row)),
+        *system.geometry.settle(cross(inertia.first, n)),
         *(c - spread * n[i] * n[j] for i, row in enumerate(inertia.second) for j, c in enumerate(row)),
     )
-    if any(system.tape.settle(c) is not zero for c in conditions):
+    if any(settle(c) is not system.tape.zero for c in conditions):
         return None
-    inner = system.frames[first.index]
-    near = settle(add(inner.offset, transform(inner.rotation, outer.offset)))
-    beta = system.tape.settle(moment - spread)
-    alpha = system.tape.settle(mass - moment - beta)
-    return Rod((first, second), cut.hub, near, cut.hub_point, (alpha, beta, system.tape.settle(spread)))
+    beta = settle(moment - spread)
+    alpha = settle(mass - moment - beta)
+    return Rod((limb.first, limb.second), cut.hub, limb.centre, cut.hub_point, (alpha, beta, settle(spread)))
 
 
 def with_end_masses(system: System, rods: Sequence[Rod]) -> tuple[Inertia, ...]:
