@@ -18,6 +18,7 @@ from itertools import permutations
 from symscrew.program import Instruction
 
 PACKED = frozenset(("add", "mul", "div", "reciprocal", "sqrt"))  # what a vector unit does on all lanes at once
+SLOW = frozenset(("div", "reciprocal", "sqrt"))
 MOST_LANES = 8
 MOST_INSTRUCTIONS = 5000  # the search takes seconds beyond
 MOST_CLASSES = 16
@@ -127,7 +128,21 @@ def _classes(operations: Mapping[int, Operation]) -> list[list[int]]:
         members[colour[slot]].append(slot)
     found = [group for group in members.values() if 2 <= len(group) <= MOST_LANES]
     found.sort(key=lambda group: (operations[group[0]].op in ("add", "mul"), depth[group[0]]))
+    found = [group for group in _slow(operations) if group not in found] + found
     return found[:MOST_CLASSES]
+
+
+def _slow(operations: Mapping[int, Operation]) -> list[list[int]]:
+    """Two to eight divisions or roots that are made of equally many other ones, whatever else they are made of."""
+    below: dict[int, set[int]] = {}
+    members: dict[tuple, list[int]] = defaultdict(list)
+    for slot, operation in operations.items():
+        inner = set().union(*(below.get(a, ()) for a, _ in operation.args if isinstance(a, int)))
+        if operation.op in SLOW:
+            members[operation.op, *sorted(operations[s].op for s in inner)].append(slot)
+            inner.add(slot)
+        below[slot] = inner
+    return [group for group in members.values() if 2 <= len(group) <= MOST_LANES]
 
 
 def _lanes(

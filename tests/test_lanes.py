@@ -11,12 +11,16 @@ import numpy as np
 import pytest
 from model_states import model, relative
 
+from symscrew import catalogue
 from symscrew.compiled import compile_c, find_compiler, load
 from symscrew.export.c import IN_LANES, print_c, print_source
 from symscrew.export.listing import checked_slots, live_instructions
+from symscrew.lane_padding import padded
 from symscrew.lane_signs import Part, fewest_flips
 from symscrew.lanes import corresponding, signed
-from symscrew.packs import Pack, Packing, _Plan, packed
+from symscrew.model import derive
+from symscrew.pack_plan import Code, Plan
+from symscrew.packs import Pack, Packing, packed
 from symscrew.program import Instruction, Program
 from symscrew.verification import STRICT
 
@@ -114,7 +118,7 @@ def test_rows_that_wait_for_each_other_are_not_both_packed() -> None:
     instructions = [Instruction(2, "mul", (0, 0)), Instruction(3, "mul", (2, 0)), Instruction(4, "mul", (1, 1))]
     instructions.append(Instruction(5, "mul", (4, 1)))
     operations, _ = signed(instructions)
-    plan = _Plan(operations, [(2, 5), (3, 4)], {3, 5})
+    plan = Plan(Code(operations, {3, 5}), ((2, 5), (3, 4)))
     assert sum(plan.on) == 1
     seen = {0, 1}
     for packs, number in plan.order():
@@ -240,3 +244,39 @@ def test_few_operands_are_flipped() -> None:
         Part(2, "add", 3, ((1, False, 0), (None, False, 1))),
     ]
     assert 0 in fewest_flips(parts)
+
+
+def test_a_limb_along_an_axis_joins_the_others() -> None:
+    """Without products with one and sums with zero in one lane, and with products with constants that others share."""
+    program = [  # c x + s y of three limbs: x + 0, and 0.5 x + 0.75 y, 0.75 y - 0.5 x
+        *(Instruction(4, "mul", (0.5, 0)), Instruction(5, "mul", (0.75, 1))),
+        *(Instruction(6, "add", (4, 5)), Instruction(7, "sub", (5, 4))),
+    ]
+    limbs = [0, 6, 7]
+    for op, other in (("sqrt", None), ("mul", 3), ("mul", 0.25), ("add", 2), ("mul", 1), ("add", 3), ("mul", 0.5)):
+        first = 1 + program[-1].target
+        squared = [] if other else [Instruction(first + k, "mul", (x, x)) for k, x in enumerate(limbs)]
+        read = limbs if other else range(first, first := first + 3)
+        program += squared
+        program += [Instruction(first + k, op, (x,) if other is None else (x, other)) for k, x in enumerate(read)]
+        limbs = list(range(first, first + 3))
+    state = [2.0, 3.0, 5.0, 7.0]
+    expected = [(((abs(x) * 7 * 0.25 + 5) * 3) + 7) * 0.5 for x in (2.0, 3.25, 1.25)]
+    operations, _ = signed(program)
+    rows = next(rows for rows in corresponding(operations) if len(rows[0]) == 3)
+    more = padded(operations, rows, 1 + limbs[-1])
+    (first,) = {*next(row for row in more.rows if 6 in row)} - {6, 7}
+    assert first is not None and more.copies[first] == 0  # 1 x + 0 y
+    found = packed(program, limbs)
+    assert found is not None
+    assert not {4, 5} & set(found.operations)  # nobody reads them any more
+    assert evaluated(limbs, found, state) == expected
+
+
+def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
+    """Though its first arm lies along an axis; before, arms 2 and 3 alone did not pay."""
+    program = derive(catalogue.load("delta"), one_mode=True).programs[PLATFORM]
+    operations, _ = signed(live_instructions(program)[0])
+    found = packed(live_instructions(program)[0], checked_slots(program), [slot for slot, _ in program.guards])
+    assert found is not None and len(found.items) < 0.6 * len(operations)
+    assert {sum(t is not None for t in item.targets) for item in found.items if isinstance(item, Pack)} <= {2, 3}

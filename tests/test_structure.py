@@ -29,7 +29,7 @@ STAGES = (
         "differentiation",
     ),
     ("program", "rank_revealing", "jacobians"),
-    ("lanes", "lane_signs", "packs"),
+    ("lanes", "lane_padding", "lane_signs", "pack_plan", "packs"),
     ("mobility", "tree", "frames", "recursion", "closure", "system", "volumes", "margins"),
     ("kinematics", "displacements", "momentum", "effects"),
     (

@@ -99,7 +99,8 @@ class Printed:
         count = len(self.program.instructions)
         if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
             return None
-        return packed(self.angles.rest, kept)
+        guards = [slot for slot, _ in self.program.guards]
+        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)])
 
     @cached_property
     def names(self) -> dict[str, str]:

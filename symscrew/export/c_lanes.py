@@ -60,7 +60,7 @@ class Body:
     prefix: str
     known: set[int]
     lines: list[str] = field(default_factory=list)
-    gathered: dict[tuple, str] = field(default_factory=dict)
+    gathered: dict[str, str] = field(default_factory=dict)
 
     @property
     def vector(self) -> str:
@@ -110,11 +110,11 @@ class Body:
         elif all(isinstance(a, float) for a in vector.entries):
             text = self.literal(vector.entries)
         else:
-            if vector.entries not in self.gathered:
-                entries = ", ".join([self.scalar(a) for a in vector.entries])
-                self.gathered[vector.entries] = name = f"{self.prefix}gathered{len(self.gathered)}"
+            entries = ", ".join([self.scalar(a) for a in vector.entries])
+            if entries not in self.gathered:
+                self.gathered[entries] = name = f"{self.prefix}gathered{len(self.gathered)}"
                 self.lines.append(f"const {self.vector} {name} = {{{entries}}};")
-            text = self.gathered[vector.entries]
+            text = self.gathered[entries]
         return text if vector.flips is None else f"{self.literal(tuple(map(float, vector.flips)))} * {text}"
 
     def literal(self, values: Iterable[float]) -> str:
