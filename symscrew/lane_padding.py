@@ -75,8 +75,8 @@ class _Padding:
         model = self.operations[self.model[row]].args
         ways = [(self._fit(way, model, at), way) for way in self._ways(at)]
         best = max(fit for fit, _ in ways)
-        found = [way for fit, way in ways if fit == best]
-        if len(found) > 1 and not anyhow:
+        found = list({repr(way): way for fit, way in ways if fit == best}.values())  # slot 0 is not 0.0
+        if len(found) > 1 and not anyhow and any(self._opens(way, model, at) for way in found):
             return False
         member = self.rows[row][lane]
         assert member is not None
@@ -116,6 +116,9 @@ class _Padding:
 
     def _fit(self, args: Args, model: Args, at: Place) -> int:
         return sum(self._fits(a, b, at) for (a, _), (b, _) in zip(args, model, strict=True))
+
+    def _opens(self, args: Args, model: Args, at: Place) -> bool:
+        return any(self._fits(a, b, at) == LIKELY for (a, _), (b, _) in zip(args, model, strict=True))
 
     def _fits(self, a: int | float, b: int | float, at: Place) -> int:
         if isinstance(a, float) and isinstance(b, float):
