@@ -120,14 +120,17 @@ class Program:
         """The slots whose sum must be finite, so that all outputs, guarded pivots and inputs are.
 
         Not those in front of another one through operations that pass a NaN or an infinity on: it shows there. Pivots
-        are among them because an infinite one would make its quotients 0.
+        are among them because an infinite one would make its quotients 0. Of a pivot that is a comparison it is what
+        is compared.
         """
-        watched = {s for slots in self.results for s in slots if isinstance(s, int)}
-        watched |= {slot for slot, _ in self.guards}
+        results = {s for slots in self.results for s in slots if isinstance(s, int)}
+        watched = results | {slot for slot, _ in self.guards}
         seen: set[int] = set()
         found = []
         for instruction in reversed(self.instructions):
-            if instruction.target in watched and instruction.target not in seen:
+            if instruction.target in watched - results and instruction.op == "less":
+                watched |= {arg for arg in instruction.args if isinstance(arg, int)}
+            elif instruction.target in watched and instruction.target not in seen:
                 found.append(instruction.target)
             elif instruction.target not in seen:
                 continue

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_wide
+from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread, c_wide
 from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_parameters import parameter_type
@@ -162,7 +162,10 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     blocks = [name for name in straight if batches and c_batch.by_lanes(printed[name])]
     if any(p.angles.gathered for p in printed.values()):
         lines += ["", *c_angles.prologue(model.name, precision)]
-    lines += c_parts.prologue(model.name, _straight_lines(model.name, model.programs, precision))
+    every = _straight_lines(model.name, model.programs, precision)
+    lines += c_parts.prologue(model.name, every)
+    if any(c_unread.fours(p.inputs, p.program.checked) for p in every if not c_parts.long(p)):
+        lines += c_unread.prologue(model.name, precision)
     lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
     if batches:
         angles = any(p.angles.gathered for p in printed.values())

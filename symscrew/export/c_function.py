@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
 
-from symscrew.export import c_lanes
+from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import Angles, calls, gather
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
@@ -27,7 +27,7 @@ NAMES_OF_LOCALS = "count status k worst outcome total next residual change orien
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
 NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
-NAMES_OF_LOCALS += " every sum sum0 sum1 sum2 sum3 waiting at constant"
+NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
 PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
 PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
 SUMS = 4  # of what must be finite: one alone is a long chain of additions that wait for each other
@@ -141,9 +141,14 @@ class Printed:
         return Form(self.precision.real, self.precision.table)
 
     @cached_property
+    def inputs(self) -> dict[int, tuple[str, int]]:
+        """The array and entry of slots that are entries of inputs."""
+        return {slot: (self.names[port.name], k) for slot, (port, k) in enumerate(input_entries(self.program))}
+
+    @cached_property
     def entries(self) -> dict[int, tuple[str, int]]:
         """The array and entry of slots that are there from the start: entries of inputs, sines and cosines."""
-        found = {slot: (self.names[port.name], k) for slot, (port, k) in enumerate(input_entries(self.program))}
+        found = dict(self.inputs)
         for k, (_, *pair) in enumerate(self.angles.gathered):
             pairs = zip(("sine", "cosine"), pair, strict=True)
             found |= {slot: (array, k) for array, slot in pairs if slot is not None}
@@ -238,6 +243,12 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
             lines.append(f"{name} = {name} + {text};" if terms >= SUMS else f"{form.real} {name} = {text};")
             terms += 1
 
+    if form.stride == "1" and (runs := c_unread.fours(printed.inputs, waiting)):
+        together = {slot for run in runs.values() for slot in run}
+        waiting = dict.fromkeys(slot for slot in waiting if slot not in together)
+        lines.append(c_unread.statement(printed.model, printed.inputs, runs))
+        lines.append(f"{form.real} sum0 = {c_unread.total(printed.model)};")
+        terms = 1
     used = {s for i in printed.order for s in (i.target, *i.args) if isinstance(s, int)}
     used |= {slot for slot in slots.values() if isinstance(slot, int)}
     for slot in [s for s in waiting if s not in used]:
@@ -290,7 +301,7 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     body = c_lanes.Body(printed.model, packing, printed.precision, printed.prefix, set(entered))
     stored = [(place(name, k), slot) for name, k, slot in printed.stored]
     c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
-    c_lanes.total(body, checked_slots(program), program.guards)
+    c_lanes.total(body, checked_slots(program), program.guards, printed.inputs)
     lines = [*printed.loads(entered, printed.alone), *(line for text in body.lines for line in wrapped_code(text))]
     head = f"{inlined(printed)} {printed.precision.real} "
     lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)

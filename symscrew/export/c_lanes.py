@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from symscrew.export import c_unread
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum
@@ -160,7 +161,9 @@ def statements(body: Body, instructions: Mapping[int, Instruction], stored: Iter
             body.lines += [f"{place} = {body.scalar(slot)};" for place, slot in places.get(target, ())]
 
 
-def total(body: Body, checked: Iterable[int], guards: Iterable[tuple[int, float]]) -> None:
+def total(
+    body: Body, checked: Iterable[int], guards: Iterable[tuple[int, float]], inputs: Mapping[int, tuple[str, int]]
+) -> None:
     """The sum of what must be finite is returned, NaN where a pivot is small.
 
     Packs whose lanes must all be finite are summed as vectors, packs of pivots are compared as vectors.
@@ -183,7 +186,11 @@ def total(body: Body, checked: Iterable[int], guards: Iterable[tuple[int, float]
             limit = f"({vector}){{{', '.join(texts)}}}"
             masks.append(f"(({name} <= {limit}) & ({name} >= -{limit}))")
             small = {slot: t for slot, t in small.items() if slot not in pack.targets}
-    single = [body.scalar(slot) for slot in left]
+    runs = c_unread.fours(inputs, left)
+    if runs:
+        body.lines.append(c_unread.statement(body.model, inputs, runs))
+    single = [c_unread.total(body.model)] if runs else []
+    single += [body.scalar(slot) for slot in left if not any(slot in run for run in runs.values())]
     if terms or masks:
         text = balanced_sum(terms) if terms else body.literal((0.0,) * packing.width)
         if masks:  # all bits set are a NaN

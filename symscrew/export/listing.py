@@ -22,8 +22,8 @@ MAX_LABELS = 96
 
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
-    """The instructions that what is checked, and with it all results, needs, in order, and every slot that is read."""
-    needed = set(program.checked)
+    """The instructions that pivots and what is checked, so all results, need, in order, and every slot that is read."""
+    needed = {*program.checked, *(slot for slot, _ in program.guards)}
     live = []
     for instruction in reversed(program.instructions):
         if instruction.target in needed:
