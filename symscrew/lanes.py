@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import heapq
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 
@@ -22,6 +22,7 @@ SLOW = frozenset(("div", "reciprocal", "sqrt"))
 MOST_LANES = 8
 MOST_INSTRUCTIONS = 5000  # the search takes seconds beyond
 MOST_CLASSES = 16
+MOST_SPLITS = 12  # into lanes, those that share most
 MOST_CANDIDATES = 64  # pairs of instructions that look the same and are compared
 LEAST = 0.3  # the part of the operations that packs must be able to save for a split to be followed up
 ROUNDS = 5  # how many operations far instructions are compared
@@ -60,19 +61,28 @@ def signed(instructions: Iterable[Instruction]) -> tuple[dict[int, Operation], d
     return operations, negatives
 
 
-def corresponding(operations: Mapping[int, Operation]) -> list[tuple[Row, ...]]:
-    """Ways to put operations into rows of corresponding ones, two or more in each, a lane at the same place in all."""
+def corresponding(
+    operations: Mapping[int, Operation], arrays: Mapping[int, str] | None = None
+) -> list[tuple[Row, ...]]:
+    """Ways to put operations into rows of corresponding ones, two or more in each, a lane at the same place in all.
+
+    `arrays` says which slots that are no operations are entries of the same array.
+    """
     if len(operations) > MOST_INSTRUCTIONS:
         return []
     users = _users(operations)
     read = {slot: [a for a, _ in o.args if isinstance(a, int)] for slot, o in operations.items()}
     found: dict[tuple[Row, ...], None] = {}
+    splits: dict[tuple[tuple[int, int], ...], tuple[int, int]] = {}
     for group in _classes(operations):
-        lane, count = _lanes(operations, read, users, group), len(group)
-        if _shared(operations, lane, count) >= LEAST * len(operations):
-            rows = _rows(_Pairing(operations, users, lane, count))
-            if _saved(rows) >= LEAST * len(operations):
-                found[rows] = None
+        for lane in _lanes(operations, read, users, group):
+            shared = _shared(operations, lane, len(group))
+            if shared >= LEAST * len(operations):
+                splits[tuple(lane.items())] = shared, len(group)
+    for split, (_, count) in sorted(splits.items(), key=lambda x: -x[1][0])[:MOST_SPLITS]:
+        rows = _rows(_Pairing(operations, users, dict(split), count, arrays or {}))
+        if _saved(rows) >= LEAST * len(operations):
+            found[rows] = None
     return list(found)
 
 
@@ -150,10 +160,11 @@ def _lanes(
     read: Mapping[int, Sequence[int]],
     users: Mapping[int, Sequence[int]],
     group: Sequence[int],
-) -> dict[int, int]:
-    """The lane of every slot that belongs to one member of a class.
+) -> Iterator[dict[int, int]]:
+    """The lane of every slot that belongs to one member of a class, in two ways.
 
-    What depends on one member only, what only that reads, and then whatever touches one lane and no other.
+    What depends on one member only, what only that reads, and then what depends on none and touches one lane and no
+    other; entries of inputs do not count there, or they do.
     """
     member = {slot: 1 << k for k, slot in enumerate(group)}
     mask: dict[int, int] = {}
@@ -170,14 +181,17 @@ def _lanes(
         readers = {lane.get(u, -1) for u in users.get(slot, ())}
         if len(readers) == 1 and -1 not in readers:
             lane[slot] = readers.pop()
-    for _ in range(2):
-        for slots, beside in ((free, read), (free[::-1], users)):
-            for slot in slots:
-                if slot not in lane:
-                    touched = {lane[x] for x in beside.get(slot, ()) if x in lane}
-                    if len(touched) == 1:
-                        lane[slot] = touched.pop()
-    return {slot: lane[slot] for slot in operations if slot in lane}
+    entries = list(dict.fromkeys(a for args in read.values() for a in args if a not in operations))
+    for leaves in ([], entries):
+        more = dict(lane)
+        for _ in range(2):
+            for slots, beside in ((free, read), (free[::-1], users), (leaves, users)):
+                for slot in slots:
+                    if slot not in more:
+                        touched = {more[x] for x in beside.get(slot, ()) if x in more}
+                        if len(touched) == 1:
+                            more[slot] = touched.pop()
+        yield {slot: more[slot] for slot in operations if slot in more}
 
 
 def _shared(operations: Mapping[int, Operation], lane: Mapping[int, int], count: int) -> int:
@@ -197,8 +211,9 @@ class _Pairing:
         users: Mapping[int, Sequence[int]],
         lane: Mapping[int, int],
         count: int,
+        arrays: Mapping[int, str],
     ) -> None:
-        self.operations, self.users, self.lane, self.count = operations, users, lane, count
+        self.operations, self.users, self.lane, self.count, self.arrays = operations, users, lane, count, arrays
         self.views = self._views()
         self.inside: dict[int, list[int]] = defaultdict(list)
         for slot, k in lane.items():
@@ -210,10 +225,15 @@ class _Pairing:
         known: dict[tuple, int] = {}
         ops = {slot: known.setdefault((self.operations[slot].op,), len(known)) for slot in self.lane}
         down, up = ({slot: [colour] for slot, colour in ops.items()} for _ in range(2))
+        named = {name: -3 - k for k, name in enumerate(dict.fromkeys(self.arrays.values()))}
+
+        def leaf(a: int | float) -> int:
+            return -2 if isinstance(a, float) else named[self.arrays[a]] if a in self.arrays else -1
+
         for k in range(1, ROUNDS):
             for slot, lane in self.lane.items():
                 below = sorted(
-                    down[a][k - 1] if isinstance(a, int) and self.lane.get(a) == lane else -1 - isinstance(a, float)
+                    down[a][k - 1] if isinstance(a, int) and self.lane.get(a) == lane else leaf(a)
                     for a, _ in self.operations[slot].args
                 )
                 above = sorted(up[u][k - 1] if self.lane.get(u) == lane else -1 for u in self.users.get(slot, ()))

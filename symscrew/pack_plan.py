@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Set
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from symscrew.lanes import Operand, Operation, Row
 
 WIDTHS = (2, 4)  # of vectors; more lanes than that take several
 SLOW = {"div": 4.0, "reciprocal": 4.0, "sqrt": 6.0}  # beside 1 for a sum or a product
-GATHERED = 1.0  # an entry that is put into a vector
+GATHERED = 1.5  # an entry that is put into a vector
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 PASSES = 2
 
@@ -23,12 +23,16 @@ Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, a
 
 @dataclass(frozen=True)
 class Code:
-    """Operations by slot; the slots of them that are `wanted` one by one, or there in any case; unused slots."""
+    """Operations by slot; the slots of them that are `wanted` one by one, or there in any case; unused slots.
+
+    `arrays` says which slots that are no operations are entries of the same array.
+    """
 
     operations: Mapping[int, Operation]
     wanted: Set[int]
     checked: Set[int] = frozenset()
     unused: int = 0
+    arrays: Mapping[int, str] = field(default_factory=dict)
 
 
 class Plan:
@@ -69,8 +73,7 @@ class Plan:
         self.needs: Counter[tuple] = Counter()
         self.cost = 0.0
         self._wanted: dict[tuple[bool, int], tuple[tuple, ...]] = {}
-        while (stuck := self._cycle()) is not None:
-            self.on[stuck] = False
+        self.order()
         for key in (key for slot in code.wanted for key in self._read(slot)):
             self._need(key, 1)
         for item in self._items():
@@ -100,7 +103,9 @@ class Plan:
         one, other = self.place.get(a), self.place.get(b)
         if one and other:
             return 5 * (one[0] == other[0])
-        return int(not one and not other)
+        if one or other:
+            return 0
+        return 1 + (a in self.code.arrays and self.code.arrays[a] == self.code.arrays.get(b))
 
     def at(self, slot: int | float) -> tuple[int, int] | None:
         """Row and lane of a slot that is packed."""
@@ -241,35 +246,37 @@ class Plan:
                     if isinstance(arg, int) and arg in self.operations:
                         yield self._item(arg)
 
-    def _walk(self) -> tuple[list[tuple[bool, int]], int | None]:
-        """Items in an order of evaluation, or a row that is in a cycle."""
+    def order(self) -> list[tuple[bool, int]]:
+        """Items in an order of evaluation; rows that wait for each other are packed no longer, one in each cycle."""
         order: list[tuple[bool, int]] = []
         done: dict[tuple[bool, int], bool] = {}
-        for start in self._items():
-            stack = [(start, self._before(start))]
-            while stack:
-                item, rest = stack[-1]
-                if done.get(item):
-                    stack.pop()
-                    continue
-                done[item] = False
-                following = next((x for x in rest if not done.get(x)), None)
-                if following is None:
-                    done[item] = True
-                    order.append(item)
-                    stack.pop()
-                elif following in done:
-                    return order, next(x[1] for x, _ in reversed(stack) if x[0])
-                else:
-                    stack.append((following, self._before(following)))
-        return order, None
+        for slot in self.operations:
+            while not done.get(start := self._item(slot)):
+                stack = [(start, self._before(start))]
+                while stack:
+                    item, rest = stack[-1]
+                    done[item] = False
+                    following = next((x for x in rest if not done.get(x)), None)
+                    if following is None:
+                        done[item] = True
+                        order.append(item)
+                        stack.pop()
+                    elif following in done:
+                        self._undo(stack, done)
+                    else:
+                        stack.append((following, self._before(following)))
+        return order
 
-    def _cycle(self) -> int | None:
-        return self._walk()[1]
-
-    def order(self) -> list[tuple[bool, int]]:
-        """Items in an order of evaluation."""
-        return self._walk()[0]
+    def _undo(self, stack: list[tuple[tuple[bool, int], Iterator]], done: dict[tuple[bool, int], bool]) -> None:
+        """Pack the last row on the way no longer, and go back to what asked for it."""
+        packs = False
+        while not packs:
+            (packs, number), _ = stack.pop()
+            del done[packs, number]
+        self.on[number] = False
+        if stack:
+            item, _ = stack.pop()
+            stack.append((item, self._before(item)))
 
     def settled(self) -> Plan:
         """The same packs without copies that are in none, and without operations that nobody reads any more."""

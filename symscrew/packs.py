@@ -16,9 +16,9 @@ from symscrew.lanes import Operand, Operation, Row, corresponding, joined, signe
 from symscrew.pack_plan import SLOW, Code, Column, Plan
 from symscrew.program import Instruction
 
-ENOUGH = 0.8  # the part of the cost that is worth packing at most
+ENOUGH = 0.9  # the part of the cost that is worth packing at most
 HOPELESS = 1.1  # and of what is tried to be improved
-FAR = 1.3  # times the least cost: other ways are not tried to be improved
+TRIED = 12  # ways that are tried to be improved, the best ones first
 MOST_JOINED = 6  # lanes of ways that are joined
 OTHERS = 5  # ways that are joined with the best one
 
@@ -58,10 +58,16 @@ class Packing:
     cost: float
 
 
-def packed(instructions: Sequence[Instruction], results: Iterable[int], checked: Iterable[int] = ()) -> Packing | None:
+def packed(
+    instructions: Sequence[Instruction],
+    results: Iterable[int],
+    checked: Iterable[int] = (),
+    arrays: Mapping[int, str] | None = None,
+) -> Packing | None:
     """The packed program, or None where there is nothing to gain.
 
     `results` are slots that are needed one by one; those of them and of `checked` are there in any case.
+    `arrays` names the array of slots that are there from the start: entries of one array correspond to each other.
     """
     operations, negatives = signed(instructions)
     kept, there = (
@@ -69,10 +75,9 @@ def packed(instructions: Sequence[Instruction], results: Iterable[int], checked:
         for slots in (results, checked)
     )
     scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
-    code = Code(operations, kept, there, unused=1 + max(i.target for i in instructions))
-    plans = [plan for rows in corresponding(operations) for plan in _plans(code, rows)]
-    least = min((plan.cost for plan in plans), default=0.0)
-    plans = [plan for plan in plans if plan.cost < min(HOPELESS * scalar, FAR * least)]
+    code = Code(operations, kept, there, 1 + max(i.target for i in instructions), arrays or {})
+    plans = [plan for rows in corresponding(operations, code.arrays) for plan in _plans(code, rows)]
+    plans = sorted((plan for plan in plans if plan.cost < HOPELESS * scalar), key=lambda p: p.cost)[:TRIED]
     for plan in plans:
         plan.improve()
     if not plans:

@@ -100,7 +100,8 @@ class Printed:
         if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
             return None
         guards = [slot for slot, _ in self.program.guards]
-        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)])
+        arrays = {slot: array for slot, (array, _) in self.entries.items()}
+        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)], arrays)
 
     @cached_property
     def names(self) -> dict[str, str]:
