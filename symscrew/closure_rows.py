@@ -18,6 +18,7 @@ from symscrew.closure import Cut, carry_before, carry_point, closure_bias
 from symscrew.contact_rows import contact_rows, is_single, used_definitions
 from symscrew.differentiation import differentiate
 from symscrew.elimination import Affine, Column
+from symscrew.rod_rows import RodRows, rod_rows
 from symscrew.screws import IDENTITY, Matrix, Vector, cross, dot, subtract, transform, transpose
 from symscrew.system import System, Wrench
 from symscrew.tape import Node, is_zero
@@ -52,22 +53,32 @@ class ClosureRows:
     """Rows {index into v, or a seen component: entry}: those of the closure in its order, then definitions.
 
     `defined`: index of a row -> the component that it defines. `views`: the view of every cut, None where the rows
-    are plain.
+    are plain; `rods`: the rods' rows in place of those of their cuts. `scales` make entries per rate without units.
     """
 
     rows: list[Affine]
     views: list[View | None]
+    rods: dict[int, RodRows] = field(default_factory=dict)
+    scales: list[float] = field(default_factory=list)
     defined: dict[int, Column] = field(default_factory=dict)
 
 
-def closure_rows(system: System, *, by_contacts: bool) -> ClosureRows:
+def closure_rows(system: System, *, by_contacts: bool, by_rods: bool = False) -> ClosureRows:
     """The rows of all cut joints in joint rates w and components of hubs' motions.
 
     `by_contacts`: limbs of freely moving hubs by the velocities of their contacts, where these rows have less entries.
+    `by_rods`: rods by where their ends are; the rows are then others than those of the system, for the same rates.
     """
     result = ClosureRows([], [_view(system, cut) for cut in system.cuts])
     definitions: list[tuple[Column, Affine]] = []
     for c, (cut, view) in enumerate(zip(system.cuts, result.views, strict=True)):
+        rod = rod_rows(system, cut) if by_rods else None
+        if rod:
+            result.rods[c] = rod
+            result.rows += rod.rows
+            result.scales += [1.0 / (system.length * size) for size in (rod.length, 1.0, 1.0)]
+            continue
+        result.scales += [1.0 / system.length if row.unit == "N" else 1.0 for row in cut.rows]
         if view is None:
             plain, contact = system.cut_rows(cut), contact_rows(system, c, cut) if by_contacts else None
             if contact is None or _cost(plain) <= _cost([*contact.rows, *(row for _, row in contact.definitions)]):
@@ -93,6 +104,7 @@ def closure_rows(system: System, *, by_contacts: bool) -> ClosureRows:
     for name, row in used_definitions(result.rows, definitions):
         result.defined[len(result.rows)] = name
         result.rows.append(row)
+        result.scales.append(1.0)
     return result
 
 
@@ -109,7 +121,10 @@ def closure_rows_bias(closure: ClosureRows, moving: System) -> list[Node]:
     """
     result: list[Node] = []
     still = moving.rates([moving.tape.zero] * len(moving.tree.v))
-    for cut, view in zip(moving.cuts, closure.views, strict=True):
+    for c, (cut, view) in enumerate(zip(moving.cuts, closure.views, strict=True)):
+        if c in closure.rods:
+            result += closure.rods[c].bias(moving, still)
+            continue
         plain = closure_bias(cut, moving.tree, moving.placed, moving.twist, still)
         result += plain if view is None else _seen_bias(moving, view, plain)
     return result

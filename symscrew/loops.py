@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.closure_rows import closure_rows, closure_rows_bias
-from symscrew.differentiation import cost, count_operations, substitute
+from symscrew.differentiation import cost, count_operations, needed, substitute
 from symscrew.elimination import NEGLIGIBLE, Affine, Column, Elimination, Guard, eliminate
 from symscrew.errors import DescriptionError
 from symscrew.modes import Mode
@@ -22,6 +22,7 @@ from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import Link
 
+ANGLE = 10  # operations that a sine and a cosine of one angle take in a vector of four
 SMALL = 60  # freedoms of a tree up to which equal ways are built and counted
 
 
@@ -38,7 +39,8 @@ class Independent:
 class Loops:
     """The closure of a system, solved for the rates that depend on the independent ones.
 
-    `of_mode`: the same loops in general, and an operation mode: what follows there are further rows.
+    `general`: the same loops by the system's own rows, if these are others. `mode`: an operation mode; what follows
+    there are further rows.
     """
 
     def __init__(
@@ -47,19 +49,18 @@ class Loops:
         independent: Sequence[str] | None = None,
         *,
         by_contacts: bool = False,
-        of_mode: tuple[Loops, Mode] | None = None,
+        by_rods: bool = False,
+        general: Loops | None = None,
+        mode: Mode | None = None,
     ) -> None:
         self.system = system
-        self.general: Loops = of_mode[0] if of_mode else self
-        self.mode: Mode | None = of_mode[1] if of_mode else None
+        self.general, self.mode = general or self, mode
         tree = system.tree
         n = len(tree.v)
         unknowns: dict[Column, float] = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
-        scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
-        self.closure = closure = closure_rows(system, by_contacts=by_contacts)
-        self.rows = closure.rows
-        for column in closure.defined.values():
-            unknowns[column], scales = 1.0, [*scales, 1.0]
+        self.closure = closure = closure_rows(system, by_contacts=by_contacts, by_rods=by_rods)
+        self.rows, scales = closure.rows, list(closure.scales)
+        unknowns |= dict.fromkeys(closure.defined.values(), 1.0)
         defined = dict(closure.defined)
         if self.mode:
             self.rows = [self._substituted(row) for row in self.rows]
@@ -155,6 +156,12 @@ class Loops:
         """How many operations it takes to compute nodes, in the operation mode if there is one."""
         return count_operations(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
 
+    def time(self, nodes: Sequence[Node]) -> int:
+        """The same, with what angles take whose sines or cosines are needed."""
+        nodes = substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else list(nodes)
+        angles = {node.args[0] for node in needed(nodes) if node.op in ("sin", "cos")}
+        return count_operations(nodes) + ANGLE * len(angles)
+
     def cost(self, nodes: Sequence[Node]) -> int:
         """The same, and what divisions take that wait for each other."""
         return cost(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
@@ -243,6 +250,8 @@ class Loops:
         """
         system = self.system
         zeros = [system.tape.zero] * len(self.free)
+        if not self.small.steps:
+            return self.dependent([-b for b in bias], y_ddot)
         particular = self.dependent([-b for b in bias], zeros)
         w = system.joint_rates(system.inputs.v) if w is None else w
         wanted = [

@@ -119,7 +119,7 @@ def derive(
     system = System(mechanism, transformed(mechanism, tuple(effects)))
     system.use_samples()
     ways = fewest_operations(system, effects, independent)
-    loops = ways.dynamics
+    loops = ways.plain
     mode = operation_mode(system, loops.free)
     if one_mode:
         ways = fewest_in_mode(ways, mode, effects, independent)

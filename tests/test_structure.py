@@ -35,6 +35,7 @@ STAGES = (
     (
         "elimination",
         "contact_rows",
+        "rod_rows",
         "closure_rows",
         "loops",
         "modes",
