@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: a86bfbd56a4fe7d3
+Programs: 49837ad85f163960
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -853,7 +853,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 69 (add 22, mul 37, div 1, trig 6, compare 3)
+    Operations: 64 (add 20, mul 34, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -885,46 +885,42 @@ def acceleration(*arguments):
         x29 = x25 * x28
         x30 = x24 + x29
         x31 = x11 - x30
-        x32 = x19 * x8
-        x33 = x12 * x25
-        x34 = x32 - x33
-        x35 = 0.51 * x14
-        x36 = x34 * x35
-        x37 = x19 * x25
-        x38 = x12 * x8
-        x39 = x37 + x38
-        x40 = 0.51 * x20
-        x41 = x39 * x40
-        x42 = x36 + x41
-        x43 = x25 * x23
-        x44 = x8 * x28
-        x45 = x43 - x44
-        x46 = x25 * x10
-        x47 = x3 + x4
-        x48 = x47 * x47
-        x49 = 0.5 * x48
-        x50 = x46 + x49
-        x51 = x45 - x50
-        x52 = x39 * x35
-        x53 = x34 * x40
-        x54 = x52 - x53
-        x55 = 1.0 / x54
-        x56 = x51 * x55
-        x57 = x42 * x56
-        x58 = x31 + x57
-        x59 = 0.15 * x25
-        x60 = 0.5 + x59
-        x61 = x60 * x6
-        x62 = 0.15 * x8
-        x63 = x62 * x6
-        x64 = x55 * x63
-        x65 = x42 * x64
-        x66 = x61 + x65
-        x67 = x58 + x66
-        x68 = 2.0 * x67
-        x69 = -x68
-        x70 = x56 + x64
-        return _finish(batch, ((x6, x69, x70),), ((x54, 3.01689e-10),), (x54, x69, x70))
+        x32 = 0.15 * x25
+        x33 = 0.5 + x32
+        x34 = x33 * x6
+        x35 = x31 + x34
+        x36 = x19 * x8
+        x37 = x12 * x25
+        x38 = x36 - x37
+        x39 = 0.51 * x14
+        x40 = x38 * x39
+        x41 = x19 * x25
+        x42 = x12 * x8
+        x43 = x41 + x42
+        x44 = 0.51 * x20
+        x45 = x43 * x44
+        x46 = x40 + x45
+        x47 = x25 * x23
+        x48 = x8 * x28
+        x49 = x47 - x48
+        x50 = x25 * x10
+        x51 = x3 + x4
+        x52 = x51 * x51
+        x53 = 0.5 * x52
+        x54 = x50 + x53
+        x55 = x49 - x54
+        x56 = 0.15 * x8
+        x57 = x56 * x6
+        x58 = x55 + x57
+        x59 = x43 * x39
+        x60 = x38 * x44
+        x61 = x59 - x60
+        x62 = x58 / x61
+        x63 = x46 * x62
+        x64 = x35 + x63
+        x65 = 2.0 * x64
+        x66 = -x65
+        return _finish(batch, ((x6, x66, x62),), ((x61, 3.01689e-10),), (x61, x66))
 
 
 def momentum_screws(*arguments):
@@ -1445,7 +1441,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 115 (add 36, mul 69, div 1, trig 6, compare 3)
+    Operations: 112 (add 35, mul 67, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1}, arguments)
     x0, x1, x2, x3, x4, = entries
@@ -1473,95 +1469,92 @@ def inverse_dynamics_independent(*arguments):
         x25 = 1.0 / x24
         x26 = 3.00186 * x21
         x27 = x7 * x4
-        x28 = x25 * x27
-        x29 = x7 * x3
-        x30 = x29 * x25
-        x31 = x30 * x30
-        x32 = 0.51 * x31
-        x33 = x15 * x32
-        x34 = x11 * x33
-        x35 = x21 * x32
-        x36 = x8 * x35
-        x37 = x34 - x36
-        x38 = x9 * x37
-        x39 = x8 * x33
-        x40 = x11 * x35
-        x41 = x39 + x40
-        x42 = x6 * x41
-        x43 = x38 - x42
-        x44 = x3 * x3
-        x45 = 0.15 * x44
-        x46 = x9 * x45
-        x47 = 0.15 * x9
-        x48 = 0.5 + x47
-        x49 = x48 * x3
-        x50 = x20 * x16
-        x51 = x13 * x22
-        x52 = x50 + x51
-        x53 = x52 * x30
-        x54 = x49 + x53
-        x55 = 2.0 * x54
-        x56 = x3 - x55
-        x57 = x56 * x56
-        x58 = 0.5 * x57
-        x59 = x46 + x58
-        x60 = x43 - x59
+        x28 = x7 * x3
+        x29 = x28 * x25
+        x30 = x29 * x29
+        x31 = 0.51 * x30
+        x32 = x15 * x31
+        x33 = x11 * x32
+        x34 = x21 * x31
+        x35 = x8 * x34
+        x36 = x33 - x35
+        x37 = x9 * x36
+        x38 = x8 * x32
+        x39 = x11 * x34
+        x40 = x38 + x39
+        x41 = x6 * x40
+        x42 = x37 - x41
+        x43 = x3 * x3
+        x44 = 0.15 * x43
+        x45 = x9 * x44
+        x46 = 0.15 * x9
+        x47 = 0.5 + x46
+        x48 = x47 * x3
+        x49 = x20 * x16
+        x50 = x13 * x22
+        x51 = x49 + x50
+        x52 = x51 * x29
+        x53 = x48 + x52
+        x54 = 2.0 * x53
+        x55 = x3 - x54
+        x56 = x55 * x55
+        x57 = 0.5 * x56
+        x58 = x45 + x57
+        x59 = x42 - x58
+        x60 = x27 + x59
         x61 = x25 * x60
-        x62 = x28 + x61
-        x63 = 0.10404 * x62
-        x64 = x26 + x63
-        x65 = 9.81 * x11
-        x66 = x65 - x45
-        x67 = x6 * x66
-        x68 = 9.81 * x8
-        x69 = 0.15 * x4
-        x70 = x68 - x69
-        x71 = x9 * x70
-        x72 = x67 + x71
-        x73 = 0.3 * x72
-        x74 = x48 * x4
-        x75 = x52 * x28
-        x76 = x74 + x75
-        x77 = x6 * x45
-        x78 = x6 * x37
-        x79 = x9 * x41
-        x80 = x78 + x79
-        x81 = x77 - x80
-        x82 = x52 * x61
-        x83 = x81 + x82
-        x84 = x76 + x83
-        x85 = 2.0 * x84
-        x86 = x4 - x85
-        x87 = 0.1 * x86
-        x88 = x73 - x87
-        x89 = 2.0 * x88
-        x90 = x6 * x89
-        x91 = x8 * x90
-        x92 = x9 * x89
-        x93 = x11 * x92
-        x94 = x91 - x93
-        x95 = x16 * x94
-        x96 = x11 * x90
-        x97 = x8 * x92
-        x98 = x96 + x97
-        x99 = x22 * x98
-        x100 = x95 + x99
-        x101 = x64 + x100
-        x102 = x25 * x101
-        x103 = x7 * x102
-        x104 = 2.133675 * x8
-        x105 = 0.03075 * x4
-        x106 = x104 - x105
-        x107 = 0.3 * x57
-        x108 = x6 * x107
-        x109 = 0.3 * x86
-        x110 = x9 * x109
-        x111 = x108 - x110
-        x112 = x111 - x92
-        x113 = 0.15 * x112
-        x114 = x106 + x113
-        x115 = x103 - x114
-        return _finish(batch, ((x115,),), ((x24, 5.057800000000001e-10),), (x24, x115))
+        x62 = 0.10404 * x61
+        x63 = x26 + x62
+        x64 = x47 * x4
+        x65 = x6 * x44
+        x66 = x6 * x36
+        x67 = x9 * x40
+        x68 = x66 + x67
+        x69 = x65 - x68
+        x70 = x64 + x69
+        x71 = x51 * x61
+        x72 = x70 + x71
+        x73 = 2.0 * x72
+        x74 = x4 - x73
+        x75 = 0.1 * x74
+        x76 = 9.81 * x11
+        x77 = x76 - x44
+        x78 = x6 * x77
+        x79 = 9.81 * x8
+        x80 = 0.15 * x4
+        x81 = x79 - x80
+        x82 = x9 * x81
+        x83 = x78 + x82
+        x84 = 0.3 * x83
+        x85 = x75 - x84
+        x86 = 2.0 * x85
+        x87 = x6 * x86
+        x88 = x8 * x87
+        x89 = x9 * x86
+        x90 = x11 * x89
+        x91 = x88 - x90
+        x92 = x16 * x91
+        x93 = x11 * x87
+        x94 = x8 * x89
+        x95 = x93 + x94
+        x96 = x22 * x95
+        x97 = x92 + x96
+        x98 = x63 - x97
+        x99 = x25 * x98
+        x100 = x7 * x99
+        x101 = 0.3 * x56
+        x102 = x6 * x101
+        x103 = 0.3 * x74
+        x104 = x9 * x103
+        x105 = x102 - x104
+        x106 = x105 + x89
+        x107 = 0.15 * x106
+        x108 = 2.133675 * x8
+        x109 = 0.03075 * x4
+        x110 = x108 - x109
+        x111 = x107 + x110
+        x112 = x100 - x111
+        return _finish(batch, ((x112,),), ((x24, 5.057800000000001e-10),), (x24, x112))
 
 
 def joint_reactions(*arguments):

@@ -79,6 +79,17 @@ static inline void three_ups_upu_s_physical_sincos(int count, const double *angl
 }
 #endif
 
+#if defined(__GNUC__) && defined(__AVX__) && !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR)
+typedef double three_ups_upu_s_physical_four __attribute__((vector_size(32)));
+typedef double three_ups_upu_s_physical_four_there __attribute__((vector_size(32), aligned(8), may_alias));
+#define THREE_UPS_UPU_S_PHYSICAL_FOUR(x) (*(const three_ups_upu_s_physical_four_there *)(x))
+#define THREE_UPS_UPU_S_PHYSICAL_SUM(four) (((four)[0] + (four)[1]) + ((four)[2] + (four)[3]))
+#else
+typedef double three_ups_upu_s_physical_four;
+#define THREE_UPS_UPU_S_PHYSICAL_FOUR(x) (((x)[0] + (x)[1]) + ((x)[2] + (x)[3]))
+#define THREE_UPS_UPU_S_PHYSICAL_SUM(four) (four)
+#endif
+
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_PHYSICAL_SCALAR) && !defined(THREE_UPS_UPU_S_PHYSICAL_LIMB_BY_LIMB)
 typedef double three_ups_upu_s_physical_vector4 __attribute__((vector_size(32)));
 typedef long long three_ups_upu_s_physical_vector4_mask __attribute__((vector_size(32)));
@@ -3051,30 +3062,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double *restrict q,
     double *restrict positions)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
-    const double x4 = q[4];
-    sum0 = sum0 + x4;
-    const double x5 = q[5];
-    sum1 = sum1 + x5;
-    const double x6 = q[6];
-    sum2 = sum2 + x6;
-    const double x7 = q[7];
-    sum3 = sum3 + x7;
-    const double x8 = q[8];
-    sum0 = sum0 + x8;
-    const double x9 = q[9];
-    sum1 = sum1 + x9;
-    const double x10 = q[10];
-    sum2 = sum2 + x10;
-    const double x11 = q[11];
-    sum3 = sum3 + x11;
+    const three_ups_upu_s_physical_four fours = (THREE_UPS_UPU_S_PHYSICAL_FOUR(q) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 4)) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 8);
+    double sum0 = THREE_UPS_UPU_S_PHYSICAL_SUM(fours);
     const double x13 = q[13];
     const double x23 = 2.0 * x13;
     const double x27 = x13 * x23;
@@ -3095,10 +3084,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x53 = 0.5 * x52;
     const double x60 = x31 + x53;
     positions[29] = x60;
-    sum0 = sum0 + x60;
+    double sum1 = x60;
     const double x54 = x31 - x53;
     positions[23] = x54;
-    sum1 = sum1 + x54;
+    double sum2 = x54;
     const double x26 = 0.5196152422706631 * x25;
     positions[4] = x26;
     const double x32 = x15 * x16;
@@ -3108,10 +3097,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x50 = 0.5 * x49;
     const double x59 = x26 + x50;
     positions[28] = x59;
-    sum2 = sum2 + x59;
+    double sum3 = x59;
     const double x51 = x26 - x50;
     positions[22] = x51;
-    sum3 = sum3 + x51;
+    sum0 = sum0 + x51;
     const double x34 = 1.0 - x33;
     const double x35 = 0.5 * x34;
     const double x17 = x13 * x16;
@@ -3125,32 +3114,32 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x43 = 0.5 * x42;
     const double x57 = x43 + x31;
     positions[26] = x57;
-    sum0 = sum0 + x57;
+    sum1 = sum1 + x57;
     const double x44 = x31 - x43;
     positions[20] = x44;
-    sum1 = sum1 + x44;
+    sum2 = sum2 + x44;
     const double x55 = x35 + x21;
     positions[24] = x55;
-    sum2 = sum2 + x55;
+    sum3 = sum3 + x55;
     const double x36 = x21 - x35;
     positions[18] = x36;
-    sum3 = sum3 + x36;
+    sum0 = sum0 + x36;
     const double x45 = x37 - x38;
     const double x39 = x37 + x38;
     const double x46 = 0.5 * x45;
     const double x58 = x21 + x46;
     positions[27] = x58;
-    sum0 = sum0 + x58;
+    sum1 = sum1 + x58;
     const double x47 = x21 - x46;
     positions[21] = x47;
-    sum1 = sum1 + x47;
+    sum2 = sum2 + x47;
     const double x40 = 0.5 * x39;
     const double x56 = x40 + x26;
     positions[25] = x56;
-    sum2 = sum2 + x56;
+    sum3 = sum3 + x56;
     const double x41 = x26 - x40;
     positions[19] = x41;
-    sum3 = sum3 + x41;
+    sum0 = sum0 + x41;
     positions[0] = 0.0;
     positions[1] = 0.0;
     positions[2] = 0.0;
@@ -3440,78 +3429,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     double *restrict velocities,
     double *restrict accelerations)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
-    const double x4 = q[4];
-    sum0 = sum0 + x4;
-    const double x5 = q[5];
-    sum1 = sum1 + x5;
-    const double x6 = q[6];
-    sum2 = sum2 + x6;
-    const double x7 = q[7];
-    sum3 = sum3 + x7;
-    const double x8 = q[8];
-    sum0 = sum0 + x8;
-    const double x9 = q[9];
-    sum1 = sum1 + x9;
-    const double x10 = q[10];
-    sum2 = sum2 + x10;
-    const double x11 = q[11];
-    sum3 = sum3 + x11;
-    const double x16 = v[0];
-    sum0 = sum0 + x16;
-    const double x17 = v[1];
-    sum1 = sum1 + x17;
-    const double x18 = v[2];
-    sum2 = sum2 + x18;
-    const double x19 = v[3];
-    sum3 = sum3 + x19;
-    const double x20 = v[4];
-    sum0 = sum0 + x20;
-    const double x21 = v[5];
-    sum1 = sum1 + x21;
-    const double x22 = v[6];
-    sum2 = sum2 + x22;
-    const double x23 = v[7];
-    sum3 = sum3 + x23;
-    const double x24 = v[8];
-    sum0 = sum0 + x24;
-    const double x25 = v[9];
-    sum1 = sum1 + x25;
-    const double x26 = v[10];
-    sum2 = sum2 + x26;
-    const double x27 = v[11];
-    sum3 = sum3 + x27;
-    const double x31 = a[0];
-    sum0 = sum0 + x31;
-    const double x32 = a[1];
-    sum1 = sum1 + x32;
-    const double x33 = a[2];
-    sum2 = sum2 + x33;
-    const double x34 = a[3];
-    sum3 = sum3 + x34;
-    const double x35 = a[4];
-    sum0 = sum0 + x35;
-    const double x36 = a[5];
-    sum1 = sum1 + x36;
-    const double x37 = a[6];
-    sum2 = sum2 + x37;
-    const double x38 = a[7];
-    sum3 = sum3 + x38;
-    const double x39 = a[8];
-    sum0 = sum0 + x39;
-    const double x40 = a[9];
-    sum1 = sum1 + x40;
-    const double x41 = a[10];
-    sum2 = sum2 + x41;
-    const double x42 = a[11];
-    sum3 = sum3 + x42;
+    const three_ups_upu_s_physical_four fours = (((THREE_UPS_UPU_S_PHYSICAL_FOUR(a) + THREE_UPS_UPU_S_PHYSICAL_FOUR(a + 4)) + (THREE_UPS_UPU_S_PHYSICAL_FOUR(a + 8) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q))) + ((THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 4) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 8)) + (THREE_UPS_UPU_S_PHYSICAL_FOUR(v) + THREE_UPS_UPU_S_PHYSICAL_FOUR(v + 4)))) + THREE_UPS_UPU_S_PHYSICAL_FOUR(v + 8);
+    double sum0 = THREE_UPS_UPU_S_PHYSICAL_SUM(fours);
     const double x14 = q[14];
     const double x48 = 2.0 * x14;
     const double x58 = x14 * x48;
@@ -3614,7 +3533,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x275 = x273 - x274;
     const double x279 = x275 + x278;
     accelerations[29] = x279;
-    sum0 = sum0 + x279;
+    double sum1 = x279;
     const double x154 = x92 * x112;
     const double x155 = x91 * x98;
     const double x156 = x154 - x155;
@@ -3632,26 +3551,26 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x268 = x266 - x267;
     const double x272 = x268 + x271;
     accelerations[28] = x272;
-    sum1 = sum1 + x272;
+    double sum2 = x272;
     const double x260 = x92 * x167;
     const double x261 = x259 - x260;
     const double x265 = x261 + x264;
     accelerations[27] = x265;
-    sum2 = sum2 + x265;
+    double sum3 = x265;
     const double x75 = 0.5 * x74;
     const double x90 = x75 + x61;
     positions[26] = x90;
     const double x76 = x75 - x61;
     const double x77 = -x76;
     positions[20] = x77;
-    sum3 = sum3 + x77;
+    sum0 = sum0 + x77;
     const double x143 = x90 * x112;
     const double x88 = x65 + x51;
     positions[24] = x88;
     const double x66 = x65 - x51;
     const double x67 = -x66;
     positions[18] = x67;
-    sum0 = sum0 + x67;
+    sum1 = sum1 + x67;
     const double x142 = x88 * x104;
     const double x144 = x142 - x143;
     velocities[25] = x144;
@@ -3663,7 +3582,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x72 = x71 - x56;
     const double x73 = -x72;
     positions[19] = x73;
-    sum1 = sum1 + x73;
+    sum2 = sum2 + x73;
     const double x140 = x89 * x104;
     const double x141 = x139 - x140;
     velocities[24] = x141;
@@ -3675,7 +3594,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x254 = x252 - x253;
     const double x258 = x254 + x257;
     accelerations[26] = x258;
-    sum2 = sum2 + x258;
+    sum3 = sum3 + x258;
     const double x145 = x89 * x112;
     const double x239 = x89 * x167;
     const double x146 = x88 * x98;
@@ -3690,12 +3609,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x247 = x245 - x246;
     const double x251 = x247 + x250;
     accelerations[25] = x251;
-    sum3 = sum3 + x251;
+    sum0 = sum0 + x251;
     const double x238 = x90 * x161;
     const double x240 = x238 - x239;
     const double x244 = x240 + x243;
     accelerations[24] = x244;
-    sum0 = sum0 + x244;
+    sum1 = sum1 + x244;
     const double x134 = x87 * x112;
     const double x133 = x80 * x104;
     const double x135 = x133 - x134;
@@ -3714,7 +3633,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x233 = x231 - x232;
     const double x237 = x233 + x236;
     accelerations[23] = x237;
-    sum1 = sum1 + x237;
+    sum2 = sum2 + x237;
     const double x136 = x84 * x112;
     const double x218 = x84 * x167;
     const double x137 = x80 * x98;
@@ -3729,18 +3648,18 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x226 = x224 - x225;
     const double x230 = x226 + x229;
     accelerations[22] = x230;
-    sum2 = sum2 + x230;
+    sum3 = sum3 + x230;
     const double x217 = x87 * x161;
     const double x219 = x217 - x218;
     const double x223 = x219 + x222;
     accelerations[21] = x223;
-    sum3 = sum3 + x223;
+    sum0 = sum0 + x223;
     const double x123 = x76 * x112;
     const double x122 = x66 * x104;
     const double x124 = x122 - x123;
     const double x125 = -x124;
     velocities[19] = x125;
-    sum0 = sum0 + x125;
+    sum1 = sum1 + x125;
     const double x212 = x112 * x124;
     const double x197 = x104 * x124;
     const double x118 = x76 * x98;
@@ -3748,7 +3667,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x120 = x118 - x119;
     const double x121 = -x120;
     velocities[18] = x121;
-    sum1 = sum1 + x121;
+    sum2 = sum2 + x121;
     const double x213 = x98 * x120;
     const double x214 = x212 - x213;
     const double x204 = x104 * x120;
@@ -3758,7 +3677,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x215 = x211 + x214;
     const double x216 = -x215;
     accelerations[20] = x216;
-    sum2 = sum2 + x216;
+    sum3 = sum3 + x216;
     const double x126 = x72 * x112;
     const double x194 = x72 * x167;
     const double x127 = x66 * x98;
@@ -3766,7 +3685,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x201 = x66 * x167;
     const double x129 = -x128;
     velocities[20] = x129;
-    sum3 = sum3 + x129;
+    sum0 = sum0 + x129;
     const double x205 = x112 * x128;
     const double x206 = x204 - x205;
     const double x196 = x98 * x128;
@@ -3776,13 +3695,13 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x207 = x203 + x206;
     const double x208 = -x207;
     accelerations[19] = x208;
-    sum0 = sum0 + x208;
+    sum1 = sum1 + x208;
     const double x193 = x76 * x161;
     const double x195 = x193 - x194;
     const double x199 = x195 + x198;
     const double x200 = -x199;
     accelerations[18] = x200;
-    sum1 = sum1 + x200;
+    sum2 = sum2 + x200;
     const double x113 = x61 * x112;
     const double x107 = x51 * x104;
     const double x114 = x107 - x113;
@@ -3803,7 +3722,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x188 = x186 - x187;
     const double x192 = x188 + x191;
     accelerations[5] = x192;
-    sum2 = sum2 + x192;
+    sum3 = sum3 + x192;
     const double x115 = x56 * x112;
     const double x168 = x56 * x167;
     const double x169 = x162 - x168;
@@ -3816,12 +3735,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_po
     const double x184 = x182 - x183;
     const double x185 = x181 + x184;
     accelerations[4] = x185;
-    sum3 = sum3 + x185;
+    sum0 = sum0 + x185;
     const double x170 = x98 * x117;
     const double x172 = x170 - x171;
     const double x173 = x169 + x172;
     accelerations[3] = x173;
-    sum0 = sum0 + x173;
+    sum1 = sum1 + x173;
     positions[0] = 0.0;
     positions[1] = 0.0;
     positions[2] = 0.0;
@@ -6137,30 +6056,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_pl
     const double *restrict q,
     double *restrict jacobian)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
-    const double x4 = q[4];
-    sum0 = sum0 + x4;
-    const double x5 = q[5];
-    sum1 = sum1 + x5;
-    const double x6 = q[6];
-    sum2 = sum2 + x6;
-    const double x7 = q[7];
-    sum3 = sum3 + x7;
-    const double x8 = q[8];
-    sum0 = sum0 + x8;
-    const double x9 = q[9];
-    sum1 = sum1 + x9;
-    const double x10 = q[10];
-    sum2 = sum2 + x10;
-    const double x11 = q[11];
-    sum3 = sum3 + x11;
+    const three_ups_upu_s_physical_four fours = (THREE_UPS_UPU_S_PHYSICAL_FOUR(q) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 4)) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 8);
+    double sum0 = THREE_UPS_UPU_S_PHYSICAL_SUM(fours);
     const double x14 = q[14];
     const double x16 = 2.0 * x14;
     const double x17 = x14 * x16;
@@ -6170,7 +6067,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_pl
     const double x20 = x17 + x19;
     const double x21 = 1.0 - x20;
     jacobian[72] = x21;
-    sum0 = sum0 + x21;
+    double sum1 = x21;
     const double x13 = q[13];
     const double x22 = x13 * x16;
     const double x12 = q[12];
@@ -6178,35 +6075,35 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_pl
     const double x23 = x12 * x18;
     const double x24 = x22 + x23;
     jacobian[73] = x24;
-    sum1 = sum1 + x24;
+    double sum2 = x24;
     const double x28 = x22 - x23;
     jacobian[78] = x28;
-    sum2 = sum2 + x28;
+    double sum3 = x28;
     const double x25 = x13 * x18;
     const double x27 = x25 - x26;
     jacobian[74] = x27;
-    sum3 = sum3 + x27;
+    sum0 = sum0 + x27;
     const double x36 = x25 + x26;
     jacobian[84] = x36;
-    sum0 = sum0 + x36;
+    sum1 = sum1 + x36;
     const double x33 = x14 * x18;
     const double x29 = 2.0 * x13;
     const double x30 = x13 * x29;
     const double x31 = x30 + x19;
     const double x32 = 1.0 - x31;
     jacobian[79] = x32;
-    sum1 = sum1 + x32;
+    sum2 = sum2 + x32;
     const double x38 = x30 + x17;
     const double x39 = 1.0 - x38;
     jacobian[86] = x39;
-    sum2 = sum2 + x39;
+    sum3 = sum3 + x39;
     const double x34 = x12 * x29;
     const double x35 = x33 + x34;
     jacobian[80] = x35;
-    sum3 = sum3 + x35;
+    sum0 = sum0 + x35;
     const double x37 = x33 - x34;
     jacobian[85] = x37;
-    sum0 = sum0 + x37;
+    sum1 = sum1 + x37;
     jacobian[75] = 0.0;
     jacobian[76] = 0.0;
     jacobian[77] = 0.0;
@@ -7855,72 +7752,22 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_dr
     const double *restrict v,
     double *restrict rates)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
-    const double x4 = q[4];
-    sum0 = sum0 + x4;
-    const double x5 = q[5];
-    sum1 = sum1 + x5;
-    const double x6 = q[6];
-    sum2 = sum2 + x6;
-    const double x7 = q[7];
-    sum3 = sum3 + x7;
-    const double x8 = q[8];
-    sum0 = sum0 + x8;
-    const double x9 = q[9];
-    sum1 = sum1 + x9;
-    const double x10 = q[10];
-    sum2 = sum2 + x10;
-    const double x11 = q[11];
-    sum3 = sum3 + x11;
-    const double x12 = q[12];
-    sum0 = sum0 + x12;
-    const double x13 = q[13];
-    sum1 = sum1 + x13;
-    const double x14 = q[14];
-    sum2 = sum2 + x14;
-    const double x15 = q[15];
-    sum3 = sum3 + x15;
-    const double x16 = v[0];
-    sum0 = sum0 + x16;
-    const double x17 = v[1];
-    sum1 = sum1 + x17;
-    const double x19 = v[3];
-    sum2 = sum2 + x19;
-    const double x20 = v[4];
-    sum3 = sum3 + x20;
-    const double x22 = v[6];
-    sum0 = sum0 + x22;
-    const double x23 = v[7];
-    sum1 = sum1 + x23;
-    const double x25 = v[9];
-    sum2 = sum2 + x25;
-    const double x26 = v[10];
-    sum3 = sum3 + x26;
+    const three_ups_upu_s_physical_four fours = ((THREE_UPS_UPU_S_PHYSICAL_FOUR(q) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 4)) + (THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 8) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 12))) + ((THREE_UPS_UPU_S_PHYSICAL_FOUR(v) + THREE_UPS_UPU_S_PHYSICAL_FOUR(v + 4)) + THREE_UPS_UPU_S_PHYSICAL_FOUR(v + 8));
+    double sum0 = THREE_UPS_UPU_S_PHYSICAL_SUM(fours);
     const double x28 = v[12];
-    sum0 = sum0 + x28;
+    double sum1 = x28;
     const double x29 = v[13];
-    sum1 = sum1 + x29;
+    double sum2 = x29;
     const double x30 = v[14];
-    sum2 = sum2 + x30;
+    double sum3 = x30;
     const double x18 = v[2];
     rates[0] = x18;
-    sum3 = sum3 + x18;
     const double x21 = v[5];
     rates[1] = x21;
-    sum0 = sum0 + x21;
     const double x24 = v[8];
     rates[2] = x24;
-    sum1 = sum1 + x24;
     const double x27 = v[11];
     rates[3] = x27;
-    sum2 = sum2 + x27;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -25164,23 +25011,21 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x210 = x58 + x59;
     const double x61 = x38 * x60;
     const double x62 = x56 - x61;
-    const double x140 = 0.3 + x11;
-    const double x501 = 0.3 + x8;
-    const double x655 = 0.3 + x5;
-    const double x40 = 0.3 + x2;
-    const three_ups_upu_s_physical_vector4 xgathered0 = {x79, x94, x106, x22};
-    const three_ups_upu_s_physical_vector4 xgathered1 = {x140, x501, x655, x40};
-    const three_ups_upu_s_physical_vector4 xpack8 = xgathered0 * xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack9 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
-        xpack8;
-    const three_ups_upu_s_physical_vector4 xpack22 = xgathered0 * xpack9;
-    const double x63 = xpack22[3];
+    const three_ups_upu_s_physical_vector4 xgathered0 = {x11, x8, x5, x2};
+    const three_ups_upu_s_physical_vector4 xpack3 = xgathered0 + (three_ups_upu_s_physical_vector4){0.3, 0.3,
+        0.3, 0.3};
+    const three_ups_upu_s_physical_vector4 xgathered1 = {x79, x94, x106, x22};
+    const three_ups_upu_s_physical_vector4 xpack6 = xgathered1 * xpack3;
+    const three_ups_upu_s_physical_vector4 xpack7 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
+        xpack6;
+    const three_ups_upu_s_physical_vector4 xpack24 = xgathered1 * xpack7;
+    const double x63 = xpack24[3];
     const double x64 = x62 * x63;
     const three_ups_upu_s_physical_vector4 xgathered2 = {x139, x500, x654, x38};
-    const three_ups_upu_s_physical_vector4 xpack6 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xpack4 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered2;
-    const three_ups_upu_s_physical_vector4 xpack7 = xgathered1 - xpack6;
-    const double x48 = xpack7[3];
+    const three_ups_upu_s_physical_vector4 xpack5 = xpack3 - xpack4;
+    const double x48 = xpack5[3];
     const double x65 = x48 * x64;
     const double x66 = x62 - x65;
     const double x71 = x25 * x66;
@@ -25189,12 +25034,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x36 = x25 * x35;
     const double x37 = x32 + x36;
     const double x39 = x38 * x37;
-    const double x42 = xpack9[3];
+    const double x42 = xpack7[3];
     const double x43 = x39 * x42;
-    const three_ups_upu_s_physical_vector4 xpack10 = xgathered2 * xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack11 = xpack10 - (three_ups_upu_s_physical_vector4){0.8, 0.8,
-        0.8, 0.8};
-    const double x147 = -xpack11[3];
+    const three_ups_upu_s_physical_vector4 xpack8 = xgathered2 * xpack3;
+    const three_ups_upu_s_physical_vector4 xpack9 = xpack8 - (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8,
+        0.8};
+    const double x147 = -xpack9[3];
     const double x148 = x147 * x43;
     const double x145 = x22 * x37;
     const double x149 = x145 - x148;
@@ -25253,76 +25098,76 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x198 = x193 + x197;
     const double x199 = x189 * x198;
     const double x217 = x199 + x216;
-    const double x224 = x35 * x204;
-    const double x225 = x208 * x214;
-    const double x226 = x224 + x225;
-    const double x223 = x192 * x198;
-    const double x227 = x223 + x226;
-    const three_ups_upu_s_physical_vector4 xgathered3 = {x85, x92, x109, x20};
-    const three_ups_upu_s_physical_vector4 xgathered4 = {x217, x227, x217, x227};
-    const three_ups_upu_s_physical_vector4 xpack32 = xgathered3 * xgathered4;
     const double x230 = x31 * x204;
-    const double x829 = x198 * x204;
-    const double x830 = 0.7515 * x829;
     const double x231 = x210 * x214;
     const double x232 = x230 + x231;
-    const double x817 = x198 * x214;
     const double x229 = x194 * x198;
     const double x233 = x229 + x232;
+    const double x224 = x35 * x204;
+    const double x829 = x198 * x204;
+    const double x830 = 0.7515 * x829;
+    const double x225 = x208 * x214;
+    const double x226 = x224 + x225;
+    const double x817 = x198 * x214;
+    const double x223 = x192 * x198;
+    const double x227 = x223 + x226;
     const double x818 = 0.7515 * x817;
-    const three_ups_upu_s_physical_vector4 xgathered5 = {x77, x97, x104, x25};
-    const three_ups_upu_s_physical_vector4 xgathered6 = {x227, x233, x227, x233};
-    const three_ups_upu_s_physical_vector4 xpack33 = xgathered5 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack34 = xpack33 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        1.0, (-1.0)} * xpack32;
-    const double x235 = -xpack34[3];
+    const three_ups_upu_s_physical_vector4 xgathered3 = {x85, x97, x109, x20};
+    const three_ups_upu_s_physical_vector4 xgathered4 = {x217, x233, x217, x227};
+    const three_ups_upu_s_physical_vector4 xpack34 = xgathered3 * xgathered4;
+    const three_ups_upu_s_physical_vector4 xgathered5 = {x77, x92, x104, x25};
+    const three_ups_upu_s_physical_vector4 xgathered6 = {x227, x227, x227, x233};
+    const three_ups_upu_s_physical_vector4 xpack35 = xgathered5 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack36 = xpack34 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        1.0, (-1.0)} * xpack35;
+    const double x235 = xpack36[3];
     const double x268 = x38 * x235;
     const double x267 = x22 * x217;
     const double x269 = x267 - x268;
     const three_ups_upu_s_physical_vector4 xgathered7 = {x77, x92, x104, x20};
     const three_ups_upu_s_physical_vector4 xgathered8 = {x176, x176, x176, x176};
-    const three_ups_upu_s_physical_vector4 xpack36 = xgathered7 * xgathered8;
+    const three_ups_upu_s_physical_vector4 xpack38 = xgathered7 * xgathered8;
     const three_ups_upu_s_physical_vector4 xgathered9 = {x85, x97, x109, x25};
-    const three_ups_upu_s_physical_vector4 xpack16 = xgathered9 * xgathered8;
+    const three_ups_upu_s_physical_vector4 xpack18 = xgathered9 * xgathered8;
     const three_ups_upu_s_physical_vector4 xgathered10 = {x171, x174, x171, x174};
-    const three_ups_upu_s_physical_vector4 xpack37 = xgathered9 * xgathered10;
-    const three_ups_upu_s_physical_vector4 xpack38 = xpack37 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        1.0, (-1.0)} * xpack36;
-    const three_ups_upu_s_physical_vector4 xpack39 = xpack11 * xpack38;
-    const three_ups_upu_s_physical_vector4 xpack40 = xpack9 * xpack39;
+    const three_ups_upu_s_physical_vector4 xpack39 = xgathered9 * xgathered10;
+    const three_ups_upu_s_physical_vector4 xpack40 = xpack39 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        1.0, (-1.0)} * xpack38;
+    const three_ups_upu_s_physical_vector4 xpack41 = xpack9 * xpack40;
+    const three_ups_upu_s_physical_vector4 xpack42 = xpack7 * xpack41;
     const three_ups_upu_s_physical_vector4 xgathered11 = {x174, x171, x174, x171};
-    const three_ups_upu_s_physical_vector4 xpack41 = xpack40 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, 1.0} * xgathered11;
-    const three_ups_upu_s_physical_vector4 xpack17 = xgathered7 * xgathered10;
-    const three_ups_upu_s_physical_vector4 xpack18 = xpack17 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        (-1.0), 1.0} * xpack16;
-    const three_ups_upu_s_physical_vector4 xpack69 = xgathered0 * xpack41;
-    const double x270 = xpack69[3];
+    const three_ups_upu_s_physical_vector4 xpack43 = xgathered11 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, 1.0} * xpack42;
+    const three_ups_upu_s_physical_vector4 xpack19 = xgathered7 * xgathered10;
+    const three_ups_upu_s_physical_vector4 xpack20 = xpack18 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        (-1.0), 1.0} * xpack19;
+    const three_ups_upu_s_physical_vector4 xpack71 = xgathered1 * xpack43;
+    const double x270 = xpack71[3];
     const double x271 = x269 - x270;
-    const three_ups_upu_s_physical_vector4 xpack21 = xpack7 * xpack18;
-    const three_ups_upu_s_physical_vector4 xpack23 = xpack21 * xpack22;
-    const double x183 = xpack23[3];
+    const three_ups_upu_s_physical_vector4 xpack23 = xpack5 * xpack20;
+    const three_ups_upu_s_physical_vector4 xpack25 = xpack23 * xpack24;
+    const double x183 = xpack25[3];
     const double x289 = x183 * x271;
-    const three_ups_upu_s_physical_vector4 xpack43 = xgathered5 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack44 = xgathered3 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack45 = xpack43 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        (-1.0), 1.0} * xpack44;
-    const double x246 = xpack45[3];
+    const three_ups_upu_s_physical_vector4 xpack45 = xgathered5 * xgathered4;
+    const three_ups_upu_s_physical_vector4 xpack46 = xgathered3 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack47 = xpack46 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        (-1.0), 1.0} * xpack45;
+    const double x246 = xpack47[3];
     const double x262 = x183 - x246;
     const double x290 = x262 * x270;
     const double x291 = x289 + x290;
-    const three_ups_upu_s_physical_vector4 xpack80 = xpack23 * xpack69;
-    const double x292 = xpack80[3];
+    const three_ups_upu_s_physical_vector4 xpack82 = xpack25 * xpack71;
+    const double x292 = xpack82[3];
     const double x293 = x291 - x292;
     const double x294 = x37 * x293;
-    const three_ups_upu_s_physical_vector4 xpack81 = (three_ups_upu_s_physical_vector4){0.000712, (-0.000712),
-        (-0.000712), 0.000712} * xpack80;
-    const three_ups_upu_s_physical_vector4 xpack82 = xgathered2 * xpack81;
+    const three_ups_upu_s_physical_vector4 xpack83 = (three_ups_upu_s_physical_vector4){0.000712, 0.000712,
+        0.000712, 0.000712} * xpack82;
+    const three_ups_upu_s_physical_vector4 xpack84 = xgathered2 * xpack83;
     const double x276 = x22 * x235;
     const double x275 = x38 * x217;
     const double x277 = x275 + x276;
-    const three_ups_upu_s_physical_vector4 xpack56 = xgathered2 * xpack41;
-    const double x278 = xpack56[3];
+    const three_ups_upu_s_physical_vector4 xpack58 = xgathered2 * xpack43;
+    const double x278 = xpack58[3];
     const double x279 = x277 - x278;
     const double x285 = x270 * x279;
     const double x286 = x271 * x278;
@@ -25341,45 +25186,47 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x283 = x279 * x282;
     const double x284 = x274 + x283;
     const double x296 = x284 + x295;
-    const three_ups_upu_s_physical_vector4 xpack108 = xpack41 * xpack34;
-    const three_ups_upu_s_physical_vector4 xpack127 = xpack7 * xpack108;
-    const three_ups_upu_s_physical_vector4 xpack1 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xgathered0;
-    const three_ups_upu_s_physical_vector4 xpack19 = xpack1 * xpack18;
-    const three_ups_upu_s_physical_vector4 xpack109 = xpack1 * xpack108;
-    const three_ups_upu_s_physical_vector4 xpack126 = xpack19 * xpack23;
-    const three_ups_upu_s_physical_vector4 xpack128 = xpack127 + xpack126;
-    const three_ups_upu_s_physical_vector4 xpack29 = xgathered0 * xpack23;
-    const three_ups_upu_s_physical_vector4 xpack123 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xpack29;
-    const three_ups_upu_s_physical_vector4 xpack124 = xpack19 - xpack123;
-    const three_ups_upu_s_physical_vector4 xpack125 = xpack45 * xpack124;
-    const three_ups_upu_s_physical_vector4 xpack129 = xpack128 - xpack125;
-    const double x260 = -xpack129[3];
+    const three_ups_upu_s_physical_vector4 xpack110 = xpack43 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack129 = xpack5 * xpack110;
+    const three_ups_upu_s_physical_vector4 xpack0 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xgathered1;
+    const three_ups_upu_s_physical_vector4 xpack21 = xpack0 * xpack20;
+    const three_ups_upu_s_physical_vector4 xpack111 = xpack0 * xpack110;
+    const three_ups_upu_s_physical_vector4 xpack128 = xpack21 * xpack25;
+    const three_ups_upu_s_physical_vector4 xpack130 = xpack128 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, (-1.0)} * xpack129;
+    const three_ups_upu_s_physical_vector4 xpack31 = xgathered1 * xpack25;
+    const three_ups_upu_s_physical_vector4 xpack125 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xpack31;
+    const three_ups_upu_s_physical_vector4 xpack126 = xpack21 - xpack125;
+    const three_ups_upu_s_physical_vector4 xpack127 = xpack47 * xpack126;
+    const three_ups_upu_s_physical_vector4 xpack131 = xpack130 - xpack127;
+    const double x260 = -xpack131[3];
     const double x261 = x64 * x260;
     const double x297 = x261 - x296;
-    const three_ups_upu_s_physical_vector4 xpack30 = xgathered1 * xpack29;
-    const three_ups_upu_s_physical_vector4 xpack46 = xpack41 * xpack45;
-    const three_ups_upu_s_physical_vector4 xpack47 = xpack11 * xpack46;
-    const three_ups_upu_s_physical_vector4 xpack24 = xgathered2 * xpack23;
-    const three_ups_upu_s_physical_vector4 xpack25 = xgathered1 * xpack24;
-    const three_ups_upu_s_physical_vector4 xpack106 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xpack24;
-    const three_ups_upu_s_physical_vector4 xpack107 = xpack45 * xpack106;
-    const three_ups_upu_s_physical_vector4 xpack110 = xpack109 + xpack107;
-    const three_ups_upu_s_physical_vector4 xpack20 = xgathered0 * xpack19;
-    const three_ups_upu_s_physical_vector4 xpack26 = xpack20 - xpack25;
-    const three_ups_upu_s_physical_vector4 xpack42 = xpack41 * xpack26;
-    const three_ups_upu_s_physical_vector4 xpack48 = xpack47 - xpack42;
+    const three_ups_upu_s_physical_vector4 xpack32 = xpack3 * xpack31;
+    const three_ups_upu_s_physical_vector4 xpack48 = xpack43 * xpack47;
+    const three_ups_upu_s_physical_vector4 xpack49 = xpack9 * xpack48;
+    const three_ups_upu_s_physical_vector4 xpack26 = xgathered2 * xpack25;
+    const three_ups_upu_s_physical_vector4 xpack27 = xpack3 * xpack26;
+    const three_ups_upu_s_physical_vector4 xpack108 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xpack26;
+    const three_ups_upu_s_physical_vector4 xpack109 = xpack47 * xpack108;
+    const three_ups_upu_s_physical_vector4 xpack112 = xpack109 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, (-1.0)} * xpack111;
+    const three_ups_upu_s_physical_vector4 xpack22 = xgathered1 * xpack21;
+    const three_ups_upu_s_physical_vector4 xpack28 = xpack22 - xpack27;
+    const three_ups_upu_s_physical_vector4 xpack44 = xpack43 * xpack28;
+    const three_ups_upu_s_physical_vector4 xpack50 = xpack49 - xpack44;
     const three_ups_upu_s_physical_vector4 xgathered12 = {x233, x217, x233, x217};
-    const three_ups_upu_s_physical_vector4 xpack27 = xgathered12 * xpack26;
-    const three_ups_upu_s_physical_vector4 xpack28 = xgathered2 * xpack19;
-    const three_ups_upu_s_physical_vector4 xpack31 = xpack28 + xpack30;
-    const three_ups_upu_s_physical_vector4 xpack35 = xpack31 * xpack34;
-    const three_ups_upu_s_physical_vector4 xpack49 = xpack48 + xpack35;
-    const three_ups_upu_s_physical_vector4 xpack50 = xpack27 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, 1.0} * xpack49;
-    const double x251 = xpack50[3];
+    const three_ups_upu_s_physical_vector4 xpack29 = xgathered12 * xpack28;
+    const three_ups_upu_s_physical_vector4 xpack30 = xgathered2 * xpack21;
+    const three_ups_upu_s_physical_vector4 xpack33 = xpack30 + xpack32;
+    const three_ups_upu_s_physical_vector4 xpack37 = xpack33 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack51 = xpack50 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, (-1.0)} * xpack37;
+    const three_ups_upu_s_physical_vector4 xpack52 = xpack29 + xpack51;
+    const double x251 = xpack52[3];
     const double x252 = x43 * x251;
     const double x298 = x252 + x297;
     const double x299 = x152 * x298;
@@ -25435,278 +25282,144 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x349 = x159 * x348;
     const double x352 = x154 * x349;
     const double x353 = x152 * x352;
-    const double x354 = x77 * x353;
-    const double x355 = x85 * x346;
-    const double x356 = x354 - x355;
-    const double x351 = -xpack11[0];
-    const double x357 = x351 * x356;
-    const double x144 = xpack9[0];
-    const double x358 = x144 * x357;
-    const double x359 = x349 + x358;
-    const double x360 = x77 * x299;
-    const double x514 = x92 * x299;
-    const double x668 = x104 * x299;
-    const double x848 = x20 * x299;
-    const three_ups_upu_s_physical_vector4 xgathered13 = {x360, x514, x668, x848};
-    const three_ups_upu_s_physical_vector4 xpack15 = xpack11 * xgathered13;
-    const three_ups_upu_s_physical_vector4 xpack51 = xpack50 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        1.0, (-1.0)} * xpack15;
-    const three_ups_upu_s_physical_vector4 xpack52 = xpack9 * xpack51;
-    const double x398 = -xpack52[0];
-    const double x399 = x359 - x398;
-    const double x405 = x79 * x399;
-    const double x400 = 0.001112 * x399;
-    const three_ups_upu_s_physical_vector4 xpack57 = xpack23 * xpack56;
-    const double x403 = xpack57[0];
-    const double x406 = x403 + x405;
-    const three_ups_upu_s_physical_vector4 xpack119 = xpack56 * xpack69;
-    const double x410 = x403 + x406;
-    const double x407 = 0.085988 * x406;
-    const double x413 = x140 * x410;
-    const double x411 = 0.213 * x410;
-    const double x412 = 9.81 * x85;
-    const double x414 = x412 - x413;
-    const three_ups_upu_s_physical_vector4 xpack70 = (three_ups_upu_s_physical_vector4){(-2.0), (-2.0), 2.0,
-        2.0} * xpack69;
-    const three_ups_upu_s_physical_vector4 xpack71 = xpack19 * xpack70;
-    const double x417 = -xpack71[0];
-    const double x418 = x414 + x417;
-    const three_ups_upu_s_physical_vector4 xpack93 = xpack69 * xpack69;
-    const double x419 = 1.42 * x418;
-    const double x420 = x411 + x419;
-    const double x421 = x140 * x420;
-    const double x422 = 0.213 * x418;
-    const double x423 = x421 - x422;
-    const double x404 = 0.0867 * x403;
-    const double x408 = x404 + x407;
-    const double x401 = 2.08953 * x85;
-    const double x409 = x401 - x408;
-    const double x424 = x409 + x423;
-    const double x425 = x79 * x424;
-    const double x428 = xpack82[0];
-    const double x429 = x425 + x428;
-    const double x430 = x400 - x429;
-    const double x431 = x144 * x430;
-    const double x142 = xpack7[0];
-    const double x432 = x142 * x431;
-    const double x80 = xpack1[0];
-    const double x434 = x80 * x431;
-    const double x508 = x92 * x353;
-    const double x509 = x97 * x349;
-    const double x510 = x508 - x509;
-    const double x507 = -xpack11[1];
-    const double x511 = x507 * x510;
-    const double x505 = xpack9[1];
-    const double x512 = x505 * x511;
-    const double x513 = x346 + x512;
-    const double x552 = xpack52[1];
-    const double x553 = x513 - x552;
-    const double x559 = x94 * x553;
-    const double x557 = -xpack57[1];
-    const double x560 = x557 + x559;
-    const double x554 = 0.001112 * x553;
-    const double x564 = x557 + x560;
-    const double x561 = 0.085988 * x560;
-    const double x567 = x501 * x564;
-    const double x565 = 0.213 * x564;
-    const double x566 = 9.81 * x97;
-    const double x568 = x566 - x567;
-    const double x571 = xpack71[1];
-    const double x572 = x568 + x571;
-    const double x573 = 1.42 * x572;
-    const double x574 = x565 + x573;
-    const double x575 = x501 * x574;
-    const double x576 = 0.213 * x572;
-    const double x577 = x575 - x576;
-    const double x558 = 0.0867 * x557;
-    const double x562 = x558 + x561;
-    const double x555 = 2.08953 * x97;
-    const double x563 = x555 - x562;
-    const double x578 = x563 + x577;
-    const double x579 = x94 * x578;
-    const double x582 = xpack82[1];
-    const double x583 = x579 + x582;
-    const double x584 = x554 - x583;
-    const double x585 = x505 * x584;
-    const double x503 = xpack7[1];
-    const double x586 = x503 * x585;
-    const double x95 = xpack1[1];
-    const double x588 = x95 * x585;
-    const double x662 = x104 * x353;
-    const double x663 = x109 * x346;
-    const double x664 = x662 - x663;
-    const double x661 = -xpack11[2];
-    const double x665 = x661 * x664;
-    const double x659 = xpack9[2];
-    const double x666 = x659 * x665;
-    const double x667 = x349 - x666;
-    const double x706 = -xpack52[2];
-    const double x707 = x667 + x706;
-    const double x713 = x106 * x707;
-    const double x711 = -xpack57[2];
-    const double x714 = x711 - x713;
-    const double x708 = 0.001112 * x707;
-    const double x718 = x711 + x714;
-    const double x715 = 0.085988 * x714;
-    const double x721 = x655 * x718;
-    const double x719 = 0.213 * x718;
-    const double x720 = 9.81 * x109;
-    const double x722 = x720 + x721;
-    const double x725 = -xpack71[2];
-    const double x726 = x722 - x725;
-    const double x727 = 1.42 * x726;
-    const double x728 = x719 - x727;
-    const double x729 = x655 * x728;
-    const double x730 = 0.213 * x726;
-    const double x731 = x729 + x730;
-    const double x712 = 0.0867 * x711;
-    const double x716 = x712 + x715;
-    const double x709 = 2.08953 * x109;
-    const double x717 = x709 + x716;
-    const double x732 = x717 - x731;
-    const double x733 = x106 * x732;
-    const double x736 = xpack82[2];
-    const double x737 = x733 - x736;
-    const double x738 = x708 - x737;
-    const double x739 = x659 * x738;
-    const double x657 = xpack7[2];
-    const double x740 = x657 * x739;
-    const double x107 = xpack1[2];
-    const double x742 = x107 * x739;
-    const double x842 = x20 * x353;
-    const double x843 = x25 * x349;
-    const double x844 = x842 - x843;
-    const double x845 = x147 * x844;
-    const double x846 = x42 * x845;
-    const double x847 = x346 - x846;
-    const double x851 = xpack52[3];
-    const double x852 = x847 + x851;
-    const double x857 = x22 * x852;
-    const double x855 = xpack57[3];
-    const double x858 = x855 - x857;
-    const double x853 = 0.001112 * x852;
-    const double x862 = x855 + x858;
-    const double x859 = 0.085988 * x858;
-    const double x856 = 0.0867 * x855;
-    const double x860 = x856 + x859;
-    const double x865 = x40 * x862;
-    const double x863 = 0.213 * x862;
-    const double x864 = 9.81 * x25;
-    const double x866 = x864 + x865;
-    const double x868 = xpack71[3];
-    const double x869 = x866 - x868;
-    const double x870 = 1.42 * x869;
-    const double x871 = x863 - x870;
-    const double x872 = x40 * x871;
-    const double x873 = 0.213 * x869;
-    const double x874 = x872 + x873;
-    const double x854 = 2.08953 * x25;
-    const double x861 = x854 + x860;
-    const double x875 = x861 - x874;
-    const double x876 = x22 * x875;
-    const double x878 = xpack82[3];
-    const double x879 = x876 - x878;
-    const double x880 = x853 - x879;
-    const double x881 = x42 * x880;
-    const double x882 = x48 * x881;
-    const double x23 = xpack1[3];
-    const double x884 = x23 * x881;
-    const three_ups_upu_s_physical_vector4 xgathered14 = {x432, x586, x740, x882};
-    const three_ups_upu_s_physical_vector4 xpack87 = xgathered2 * xgathered14;
-    const double x954 = x22 * x882;
-    const double x951 = x94 * x586;
-    const double x978 = x106 * x740;
-    const double x972 = x79 * x432;
-    const three_ups_upu_s_physical_vector4 xgathered15 = {x434, x588, x742, x884};
-    const three_ups_upu_s_physical_vector4 xpack89 = xgathered0 * xgathered15;
-    const three_ups_upu_s_physical_vector4 xpack90 = xpack87 - xpack89;
-    const double x955 = x38 * x884;
-    const double x956 = x954 + x955;
-    const double x952 = x500 * x588;
-    const double x953 = x951 + x952;
-    const double x979 = x654 * x742;
-    const double x980 = x978 + x979;
-    const double x973 = x139 * x434;
-    const double x974 = x972 + x973;
-    const three_ups_upu_s_physical_vector4 xpack91 = xgathered7 * xpack90;
-    const three_ups_upu_s_physical_vector4 xpack161 = xgathered9 * xpack90;
-    const three_ups_upu_s_physical_vector4 xgathered16 = {x353, x353, x353, x353};
-    const three_ups_upu_s_physical_vector4 xpack100 = xgathered9 * xgathered16;
+    const three_ups_upu_s_physical_vector4 xgathered13 = {x353, x353, x353, x353};
+    const three_ups_upu_s_physical_vector4 xpack10 = xgathered7 * xgathered13;
+    const three_ups_upu_s_physical_vector4 xgathered14 = {x346, x349, x346, x349};
+    const three_ups_upu_s_physical_vector4 xpack11 = xgathered9 * xgathered14;
+    const three_ups_upu_s_physical_vector4 xpack12 = xpack10 - xpack11;
+    const three_ups_upu_s_physical_vector4 xpack13 = xpack9 * xpack12;
+    const three_ups_upu_s_physical_vector4 xpack14 = xpack7 * xpack13;
+    const three_ups_upu_s_physical_vector4 xgathered15 = {x349, x346, x349, x346};
+    const three_ups_upu_s_physical_vector4 xpack15 = xpack14 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, 1.0} * xgathered15;
+    const three_ups_upu_s_physical_vector4 xgathered16 = {x299, x299, x299, x299};
+    const three_ups_upu_s_physical_vector4 xpack16 = xgathered7 * xgathered16;
+    const three_ups_upu_s_physical_vector4 xpack17 = xpack9 * xpack16;
+    const three_ups_upu_s_physical_vector4 xpack53 = xpack52 - xpack17;
+    const three_ups_upu_s_physical_vector4 xpack54 = xpack7 * xpack53;
+    const three_ups_upu_s_physical_vector4 xpack55 = xpack54 + xpack15;
+    const three_ups_upu_s_physical_vector4 xpack61 = xgathered1 * xpack55;
+    const three_ups_upu_s_physical_vector4 xpack56 = (three_ups_upu_s_physical_vector4){0.001112, 0.001112,
+        0.001112, 0.001112} * xpack55;
+    const three_ups_upu_s_physical_vector4 xpack59 = xpack25 * xpack58;
+    const three_ups_upu_s_physical_vector4 xpack62 = xpack61 - xpack59;
+    const three_ups_upu_s_physical_vector4 xpack121 = xpack58 * xpack71;
+    const three_ups_upu_s_physical_vector4 xpack66 = xpack59 - xpack62;
+    const three_ups_upu_s_physical_vector4 xpack63 = (three_ups_upu_s_physical_vector4){(-0.085988),
+        (-0.085988), (-0.085988), (-0.085988)} * xpack62;
+    const three_ups_upu_s_physical_vector4 xpack60 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
+        0.0867, 0.0867} * xpack59;
+    const three_ups_upu_s_physical_vector4 xpack64 = xpack60 + xpack63;
+    const three_ups_upu_s_physical_vector4 xpack69 = xpack3 * xpack66;
+    const three_ups_upu_s_physical_vector4 xpack67 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack66;
+    const three_ups_upu_s_physical_vector4 xpack68 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
+        9.81} * xgathered9;
+    const three_ups_upu_s_physical_vector4 xpack70 = xpack69 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, 1.0} * xpack68;
+    const three_ups_upu_s_physical_vector4 xpack72 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
+        xpack71;
+    const three_ups_upu_s_physical_vector4 xpack73 = xpack21 * xpack72;
+    const three_ups_upu_s_physical_vector4 xpack74 = xpack73 - xpack70;
+    const three_ups_upu_s_physical_vector4 xpack95 = xpack71 * xpack71;
+    const three_ups_upu_s_physical_vector4 xpack75 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack74;
+    const three_ups_upu_s_physical_vector4 xpack76 = xpack75 + xpack67;
+    const three_ups_upu_s_physical_vector4 xpack77 = xpack3 * xpack76;
+    const three_ups_upu_s_physical_vector4 xpack78 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack74;
+    const three_ups_upu_s_physical_vector4 xpack79 = xpack78 - xpack77;
+    const three_ups_upu_s_physical_vector4 xpack57 = (three_ups_upu_s_physical_vector4){2.08953, 2.08953,
+        2.08953, 2.08953} * xgathered9;
+    const three_ups_upu_s_physical_vector4 xpack65 = xpack64 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, 1.0} * xpack57;
+    const three_ups_upu_s_physical_vector4 xpack80 = xpack79 + xpack65;
+    const three_ups_upu_s_physical_vector4 xpack81 = xgathered1 * xpack80;
+    const three_ups_upu_s_physical_vector4 xpack85 = xpack84 - xpack81;
+    const three_ups_upu_s_physical_vector4 xpack86 = xpack85 + xpack56;
+    const three_ups_upu_s_physical_vector4 xpack87 = xpack7 * xpack86;
+    const three_ups_upu_s_physical_vector4 xpack88 = xpack5 * xpack87;
+    const three_ups_upu_s_physical_vector4 xpack90 = xpack0 * xpack87;
+    const three_ups_upu_s_physical_vector4 xpack89 = xgathered2 * xpack88;
+    const three_ups_upu_s_physical_vector4 xpack91 = xgathered1 * xpack90;
+    const three_ups_upu_s_physical_vector4 xpack92 = xpack89 - xpack91;
+    const three_ups_upu_s_physical_vector4 xpack93 = xgathered7 * xpack92;
+    const three_ups_upu_s_physical_vector4 xpack156 = xgathered9 * xpack92;
+    const three_ups_upu_s_physical_vector4 xpack102 = xgathered9 * xgathered13;
     const double x808 = x299 - x353;
-    const three_ups_upu_s_physical_vector4 xgathered17 = {x299, x299, x299, x299};
-    const three_ups_upu_s_physical_vector4 xpack104 = xgathered9 * xgathered17;
-    const three_ups_upu_s_physical_vector4 xgathered18 = {x346, x349, x346, x349};
-    const three_ups_upu_s_physical_vector4 xpack101 = xgathered7 * xgathered18;
-    const three_ups_upu_s_physical_vector4 xpack102 = xpack100 + xpack101;
-    const three_ups_upu_s_physical_vector4 xpack121 = xpack7 * xpack102;
-    const three_ups_upu_s_physical_vector4 xpack103 = xpack1 * xpack102;
-    const three_ups_upu_s_physical_vector4 xpack122 = xpack7 * xpack104;
-    const three_ups_upu_s_physical_vector4 xpack130 = xpack122 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack129;
-    const three_ups_upu_s_physical_vector4 xpack131 = xpack121 - xpack130;
-    const three_ups_upu_s_physical_vector4 xpack132 = xpack22 * xpack131;
-    const three_ups_upu_s_physical_vector4 xpack105 = xpack1 * xpack104;
-    const three_ups_upu_s_physical_vector4 xpack111 = xpack105 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack110;
-    const three_ups_upu_s_physical_vector4 xpack112 = xpack103 - xpack111;
-    const three_ups_upu_s_physical_vector4 xpack136 = xpack119 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack132;
-    const three_ups_upu_s_physical_vector4 xpack133 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
-        0.0867, 0.0867} * xpack132;
-    const three_ups_upu_s_physical_vector4 xpack120 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
-        0.085988, 0.085988} * xpack119;
-    const three_ups_upu_s_physical_vector4 xpack134 = xpack120 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack133;
-    const three_ups_upu_s_physical_vector4 xpack140 = xgathered1 * xpack136;
-    const three_ups_upu_s_physical_vector4 xpack137 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack136;
-    const three_ups_upu_s_physical_vector4 xpack96 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
+    const three_ups_upu_s_physical_vector4 xpack106 = xgathered9 * xgathered16;
+    const three_ups_upu_s_physical_vector4 xpack103 = xgathered7 * xgathered14;
+    const three_ups_upu_s_physical_vector4 xpack104 = xpack102 + xpack103;
+    const three_ups_upu_s_physical_vector4 xpack123 = xpack5 * xpack104;
+    const three_ups_upu_s_physical_vector4 xpack105 = xpack0 * xpack104;
+    const three_ups_upu_s_physical_vector4 xpack124 = xpack5 * xpack106;
+    const three_ups_upu_s_physical_vector4 xpack132 = xpack124 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack131;
+    const three_ups_upu_s_physical_vector4 xpack133 = xpack123 - xpack132;
+    const three_ups_upu_s_physical_vector4 xpack134 = xpack24 * xpack133;
+    const three_ups_upu_s_physical_vector4 xpack107 = xpack0 * xpack106;
+    const three_ups_upu_s_physical_vector4 xpack113 = xpack107 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack112;
+    const three_ups_upu_s_physical_vector4 xpack114 = xpack105 - xpack113;
+    const three_ups_upu_s_physical_vector4 xpack138 = xpack121 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack134;
+    const three_ups_upu_s_physical_vector4 xpack135 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
+        0.0867, 0.0867} * xpack134;
+    const three_ups_upu_s_physical_vector4 xpack122 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
+        0.085988, 0.085988} * xpack121;
+    const three_ups_upu_s_physical_vector4 xpack136 = xpack122 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack135;
+    const three_ups_upu_s_physical_vector4 xpack142 = xpack3 * xpack138;
+    const three_ups_upu_s_physical_vector4 xpack139 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack138;
+    const three_ups_upu_s_physical_vector4 xpack98 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
         9.81} * xgathered7;
-    const three_ups_upu_s_physical_vector4 xpack117 = xgathered2 * xpack96;
-    const three_ups_upu_s_physical_vector4 xpack141 = xpack140 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), 1.0, (-1.0)} * xpack117;
-    const three_ups_upu_s_physical_vector4 xpack118 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack117;
-    const three_ups_upu_s_physical_vector4 xpack135 = xpack134 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), 1.0, (-1.0)} * xpack118;
-    const three_ups_upu_s_physical_vector4 xpack97 = xgathered0 * xpack96;
-    const three_ups_upu_s_physical_vector4 xpack138 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
-        xpack23;
-    const three_ups_upu_s_physical_vector4 xpack139 = xpack19 * xpack138;
-    const three_ups_upu_s_physical_vector4 xpack142 = xpack141 + xpack139;
-    const three_ups_upu_s_physical_vector4 xpack92 = xpack23 * xpack23;
-    const three_ups_upu_s_physical_vector4 xpack94 = xpack92 + xpack93;
-    const three_ups_upu_s_physical_vector4 xpack143 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack142;
-    const three_ups_upu_s_physical_vector4 xpack144 = xpack137 - xpack143;
-    const three_ups_upu_s_physical_vector4 xpack145 = xgathered1 * xpack144;
-    const three_ups_upu_s_physical_vector4 xpack98 = xgathered1 * xpack94;
-    const three_ups_upu_s_physical_vector4 xpack99 = xpack98 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        1.0, (-1.0)} * xpack97;
-    const three_ups_upu_s_physical_vector4 xpack113 = xpack99 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), (-1.0), 1.0} * xpack112;
-    const three_ups_upu_s_physical_vector4 xpack146 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack142;
-    const three_ups_upu_s_physical_vector4 xpack147 = xpack145 + xpack146;
-    const three_ups_upu_s_physical_vector4 xpack148 = xpack135 - xpack147;
-    const three_ups_upu_s_physical_vector4 xpack149 = xpack22 * xpack148;
-    const three_ups_upu_s_physical_vector4 xpack150 = xpack7 * xpack149;
-    const three_ups_upu_s_physical_vector4 xpack114 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack113;
-    const three_ups_upu_s_physical_vector4 xpack95 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack94;
-    const three_ups_upu_s_physical_vector4 xpack115 = xpack114 - xpack95;
-    const three_ups_upu_s_physical_vector4 xpack116 = xpack1 * xpack115;
-    const three_ups_upu_s_physical_vector4 xpack151 = xpack150 - xpack116;
+    const three_ups_upu_s_physical_vector4 xpack119 = xgathered2 * xpack98;
+    const three_ups_upu_s_physical_vector4 xpack143 = xpack142 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), 1.0, (-1.0)} * xpack119;
+    const three_ups_upu_s_physical_vector4 xpack120 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack119;
+    const three_ups_upu_s_physical_vector4 xpack137 = xpack136 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), 1.0, (-1.0)} * xpack120;
+    const three_ups_upu_s_physical_vector4 xpack99 = xgathered1 * xpack98;
+    const three_ups_upu_s_physical_vector4 xpack140 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
+        xpack25;
+    const three_ups_upu_s_physical_vector4 xpack141 = xpack21 * xpack140;
+    const three_ups_upu_s_physical_vector4 xpack144 = xpack143 + xpack141;
+    const three_ups_upu_s_physical_vector4 xpack94 = xpack25 * xpack25;
+    const three_ups_upu_s_physical_vector4 xpack96 = xpack94 + xpack95;
+    const three_ups_upu_s_physical_vector4 xpack145 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack144;
+    const three_ups_upu_s_physical_vector4 xpack146 = xpack139 - xpack145;
+    const three_ups_upu_s_physical_vector4 xpack147 = xpack3 * xpack146;
+    const three_ups_upu_s_physical_vector4 xpack148 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack144;
+    const three_ups_upu_s_physical_vector4 xpack149 = xpack147 + xpack148;
+    const three_ups_upu_s_physical_vector4 xpack150 = xpack137 - xpack149;
+    const three_ups_upu_s_physical_vector4 xpack151 = xpack24 * xpack150;
+    const three_ups_upu_s_physical_vector4 xpack152 = xpack5 * xpack151;
+    const three_ups_upu_s_physical_vector4 xpack100 = xpack3 * xpack96;
+    const three_ups_upu_s_physical_vector4 xpack101 = xpack100 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), 1.0, (-1.0)} * xpack99;
+    const three_ups_upu_s_physical_vector4 xpack115 = xpack101 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), (-1.0), 1.0} * xpack114;
+    const three_ups_upu_s_physical_vector4 xpack116 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack115;
+    const three_ups_upu_s_physical_vector4 xpack97 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack96;
+    const three_ups_upu_s_physical_vector4 xpack117 = xpack116 - xpack97;
+    const three_ups_upu_s_physical_vector4 xpack118 = xpack0 * xpack117;
+    const three_ups_upu_s_physical_vector4 xpack153 = xpack152 - xpack118;
     const double x49 = x48 * x43;
+    const double x23 = xpack0[3];
     const double x44 = x23 * x43;
     const double x45 = x37 - x44;
-    const three_ups_upu_s_physical_vector4 xpack152 = xgathered9 * xpack151;
-    const three_ups_upu_s_physical_vector4 xpack153 = xpack91 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), 1.0, (-1.0)} * xpack152;
-    const three_ups_upu_s_physical_vector4 xpack162 = xgathered7 * xpack151;
-    const three_ups_upu_s_physical_vector4 xpack163 = xpack161 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), 1.0} * xpack162;
+    const three_ups_upu_s_physical_vector4 xpack154 = xgathered9 * xpack153;
+    const three_ups_upu_s_physical_vector4 xpack155 = xpack93 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack154;
+    const three_ups_upu_s_physical_vector4 xpack157 = xgathered7 * xpack153;
+    const three_ups_upu_s_physical_vector4 xpack158 = xpack156 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), (-1.0), 1.0} * xpack157;
     const double x819 = x35 * x808;
     const double x820 = x31 * x349;
     const double x821 = x60 * x346;
@@ -25738,13 +25451,13 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x814 = 0.0921 * x813;
     const double x815 = x192 * x814;
     const double x841 = x815 + x840;
-    const double x941 = xpack153[3];
+    const double x941 = xpack155[3];
     const double x942 = x841 - x941;
-    const double x807 = xpack153[2];
+    const double x807 = xpack155[2];
     const double x943 = x807 - x942;
-    const double x653 = xpack153[1];
+    const double x653 = -xpack155[1];
     const double x944 = x653 - x943;
-    const double x499 = xpack153[0];
+    const double x499 = -xpack155[0];
     const double x945 = x499 + x944;
     const double x959 = x207 * x838;
     const double x960 = x958 - x959;
@@ -25752,20 +25465,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x984 = x982 - x983;
     const double x957 = x189 * x814;
     const double x961 = x957 + x960;
-    const double x962 = x956 + x961;
     const double x981 = x194 * x814;
     const double x985 = x981 + x984;
-    const double x965 = xpack163[2];
-    const double x966 = x962 - x965;
-    const double x967 = x953 + x966;
-    const double x950 = xpack163[0];
-    const double x968 = x950 + x967;
-    const double x988 = xpack163[3];
+    const double x988 = xpack158[3];
     const double x989 = x985 + x988;
-    const double x990 = x980 - x989;
-    const double x977 = xpack163[1];
-    const double x991 = x977 + x990;
-    const double x992 = x974 + x991;
     const double x46 = x22 * x45;
     const double x82 = x38 * x45;
     const double x50 = x38 * x49;
@@ -25779,41 +25482,73 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x52 = x25 * x51;
     const double x68 = x52 - x67;
     const double x947 = x84 * x946;
-    const double x969 = x947 - x968;
     const double x971 = x68 * x946;
-    const double x993 = x971 - x992;
-    const double x110 = x109 * x107;
+    const double x882 = xpack88[3];
+    const double x954 = x22 * x882;
+    const double x884 = xpack90[3];
+    const double x955 = x38 * x884;
+    const double x956 = x954 + x955;
+    const double x962 = x956 + x961;
+    const double x965 = xpack158[2];
+    const double x966 = x962 - x965;
+    const double x586 = -xpack88[1];
+    const double x951 = x94 * x586;
+    const double x588 = -xpack90[1];
+    const double x952 = x500 * x588;
+    const double x953 = x951 + x952;
+    const double x967 = x953 + x966;
+    const double x950 = -xpack158[0];
+    const double x968 = x950 + x967;
+    const double x969 = x947 - x968;
+    const three_ups_upu_s_physical_vector4 xpack2 = xgathered9 * xpack0;
+    const three_ups_upu_s_physical_vector4 xpack1 = xgathered7 * xpack0;
+    const double x110 = xpack2[2];
     const double x111 = x110 * x73;
     const double x112 = x84 * x111;
-    const double x114 = x68 * x111;
-    const double x108 = x104 * x107;
+    const double x108 = xpack1[2];
     const double x113 = x108 + x112;
+    const double x114 = x68 * x111;
     const double x115 = x113 * x114;
-    const double x69 = x25 * x23;
+    const double x69 = xpack2[3];
     const double x74 = x69 * x73;
     const double x75 = x68 * x74;
-    const double x116 = x84 * x74;
-    const double x24 = x20 * x23;
+    const double x24 = xpack1[3];
     const double x76 = x24 + x75;
+    const double x116 = x84 * x74;
     const double x117 = x76 * x116;
     const double x118 = x115 + x117;
-    const double x98 = x97 * x95;
+    const double x98 = xpack2[1];
     const double x99 = x98 * x73;
+    const double x86 = xpack2[0];
+    const double x87 = x86 * x73;
     const double x100 = x68 * x99;
-    const double x102 = x84 * x99;
-    const double x96 = x92 * x95;
+    const double x96 = xpack1[1];
     const double x101 = x96 + x100;
+    const double x102 = x84 * x99;
+    const double x88 = x84 * x87;
+    const double x81 = xpack1[0];
+    const double x89 = x81 + x88;
+    const double x90 = x87 * x68;
     const double x103 = x101 * x102;
     const double x119 = x103 + x118;
-    const double x86 = x85 * x80;
-    const double x87 = x86 * x73;
-    const double x88 = x84 * x87;
-    const double x90 = x87 * x68;
-    const double x81 = x77 * x80;
-    const double x89 = x81 + x88;
     const double x91 = x89 * x90;
     const double x120 = x91 + x119;
     const double x970 = x120 * x969;
+    const double x740 = xpack88[2];
+    const double x978 = x106 * x740;
+    const double x432 = -xpack88[0];
+    const double x972 = x79 * x432;
+    const double x742 = xpack90[2];
+    const double x979 = x654 * x742;
+    const double x980 = x978 + x979;
+    const double x990 = x980 - x989;
+    const double x977 = -xpack158[1];
+    const double x991 = x977 + x990;
+    const double x434 = -xpack90[0];
+    const double x973 = x139 * x434;
+    const double x974 = x972 + x973;
+    const double x992 = x974 + x991;
+    const double x993 = x971 - x992;
     const double x131 = x113 * x113;
     const double x132 = x116 * x116;
     const double x133 = x131 + x132;
@@ -25858,8 +25593,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x1014 = x1012 + x1013;
     u[3] = x1014;
     const three_ups_upu_s_physical_vector4 every =
-        (three_ups_upu_s_physical_vector4)((three_ups_upu_s_physical_vector4_mask)(xpack8) | ((xpack8 <=
-        (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (xpack8 >=
+        (three_ups_upu_s_physical_vector4)((three_ups_upu_s_physical_vector4_mask)(xpack6) | ((xpack6 <=
+        (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (xpack6 >=
         -(three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})));
     return fabs(x151) <= 1.0e-09 || fabs(x158) <= 1.0e-09 || fabs(x167) <= 1.0e-09 || fabs(x72) <=
         4.0171000000000005e-10 || fabs(x137) <= 2.393867125597279e-10 ? (double)NAN : (((x72 + x137) + (x151 +
@@ -30167,9 +29902,9 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
         (-1.0), 1.0, 1.0} * xpack10;
     const three_ups_upu_s_physical_vector4 xpack12 = xpack9 + xpack11;
     const three_ups_upu_s_physical_vector4 xgathered5 = {x2, x5, x8, x11};
-    const three_ups_upu_s_physical_vector4 xpack199 = xgathered5 + (three_ups_upu_s_physical_vector4){0.3,
+    const three_ups_upu_s_physical_vector4 xpack192 = xgathered5 + (three_ups_upu_s_physical_vector4){0.3,
         0.3, 0.3, 0.3};
-    const three_ups_upu_s_physical_vector4 xpack13 = xpack199 * xpack12;
+    const three_ups_upu_s_physical_vector4 xpack13 = xpack192 * xpack12;
     const three_ups_upu_s_physical_vector4 xpack19 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
         0.213} * xpack12;
     const three_ups_upu_s_physical_vector4 xgathered6 = {x51, x135, x123, x111};
@@ -30190,7 +29925,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const three_ups_upu_s_physical_vector4 xpack20 = xpack18 - xpack19;
     const three_ups_upu_s_physical_vector4 xpack17 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
         0.213} * xpack16;
-    const three_ups_upu_s_physical_vector4 xpack21 = xpack199 * xpack20;
+    const three_ups_upu_s_physical_vector4 xpack21 = xpack192 * xpack20;
     const three_ups_upu_s_physical_vector4 xpack22 = xpack21 - xpack17;
     const three_ups_upu_s_physical_vector4 xpack25 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
         0.085988, 0.085988} * xpack11;
@@ -30221,30 +29956,30 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
         0.001112, 0.001112} * xgathered3;
     const three_ups_upu_s_physical_vector4 xpack32 = xpack31 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
         (-1.0), (-1.0)} * xpack30;
-    const three_ups_upu_s_physical_vector4 xpack0 = xgathered4 * xpack199;
+    const three_ups_upu_s_physical_vector4 xpack0 = xgathered4 * xpack192;
     const three_ups_upu_s_physical_vector4 xpack1 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
         xpack0;
     const three_ups_upu_s_physical_vector4 xpack33 = xpack1 * xpack32;
-    const three_ups_upu_s_physical_vector4 xpack196 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xpack189 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack200 = xpack196 * xpack33;
-    const three_ups_upu_s_physical_vector4 xpack201 = xgathered4 * xpack200;
-    const three_ups_upu_s_physical_vector4 xpack216 = xgathered1 * xpack200;
-    const three_ups_upu_s_physical_vector4 xpack202 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xpack193 = xpack189 * xpack33;
+    const three_ups_upu_s_physical_vector4 xpack194 = xgathered4 * xpack193;
+    const three_ups_upu_s_physical_vector4 xpack209 = xgathered1 * xpack193;
+    const three_ups_upu_s_physical_vector4 xpack195 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack203 = xpack199 - xpack202;
-    const three_ups_upu_s_physical_vector4 xpack204 = xpack203 * xpack33;
-    const three_ups_upu_s_physical_vector4 xpack205 = xgathered1 * xpack204;
-    const three_ups_upu_s_physical_vector4 xpack206 = xpack201 - xpack205;
-    const three_ups_upu_s_physical_vector4 xpack217 = xgathered4 * xpack204;
-    const three_ups_upu_s_physical_vector4 xpack218 = xpack216 + xpack217;
+    const three_ups_upu_s_physical_vector4 xpack196 = xpack192 - xpack195;
+    const three_ups_upu_s_physical_vector4 xpack197 = xpack196 * xpack33;
+    const three_ups_upu_s_physical_vector4 xpack198 = xgathered1 * xpack197;
+    const three_ups_upu_s_physical_vector4 xpack199 = xpack194 - xpack198;
+    const three_ups_upu_s_physical_vector4 xpack210 = xgathered4 * xpack197;
+    const three_ups_upu_s_physical_vector4 xpack211 = xpack209 + xpack210;
     const three_ups_upu_s_physical_vector4 xgathered8 = {x46, x130, x118, x103};
-    const three_ups_upu_s_physical_vector4 xpack207 = xgathered8 * xpack206;
-    const three_ups_upu_s_physical_vector4 xpack213 = xgathered6 * xpack206;
+    const three_ups_upu_s_physical_vector4 xpack200 = xgathered8 * xpack199;
+    const three_ups_upu_s_physical_vector4 xpack206 = xgathered6 * xpack199;
     const three_ups_upu_s_physical_vector4 xgathered9 = {x32, x35, x38, x41};
     const three_ups_upu_s_physical_vector4 xpack48 = xgathered9 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
         (-1.0), (-1.0)} * xpack47;
-    const three_ups_upu_s_physical_vector4 xpack49 = xpack199 * xpack48;
+    const three_ups_upu_s_physical_vector4 xpack49 = xpack192 * xpack48;
     const three_ups_upu_s_physical_vector4 xpack55 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
         0.213} * xpack48;
     const three_ups_upu_s_physical_vector4 xpack39 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
@@ -30262,7 +29997,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const three_ups_upu_s_physical_vector4 xpack56 = xpack54 - xpack55;
     const three_ups_upu_s_physical_vector4 xpack53 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
         0.213} * xpack52;
-    const three_ups_upu_s_physical_vector4 xpack57 = xpack199 * xpack56;
+    const three_ups_upu_s_physical_vector4 xpack57 = xpack192 * xpack56;
     const three_ups_upu_s_physical_vector4 xpack58 = xpack53 - xpack57;
     const three_ups_upu_s_physical_vector4 xpack60 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
         0.085988, 0.085988} * xpack47;
@@ -30284,10 +30019,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
         1.0, (-1.0)} * xpack67;
     const three_ups_upu_s_physical_vector4 xpack65 = xgathered4 * xpack1;
     const three_ups_upu_s_physical_vector4 xpack66 = xpack64 * xpack65;
-    const three_ups_upu_s_physical_vector4 xpack209 = xpack203 * xpack66;
+    const three_ups_upu_s_physical_vector4 xpack202 = xpack196 * xpack66;
     const three_ups_upu_s_physical_vector4 xpack35 = xgathered2 * xgathered2;
     const three_ups_upu_s_physical_vector4 xpack36 = xpack34 + xpack35;
-    const three_ups_upu_s_physical_vector4 xpack38 = xpack199 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack38 = xpack192 * xpack36;
     const three_ups_upu_s_physical_vector4 xpack41 = xpack38 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
         (-1.0), 1.0} * xpack40;
     const three_ups_upu_s_physical_vector4 xgathered10 = {x33, x36, x39, x42};
@@ -30301,12 +30036,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
         1.42} * xpack40;
     const three_ups_upu_s_physical_vector4 xpack73 = xpack37 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
         (-1.0), 1.0} * xpack72;
-    const three_ups_upu_s_physical_vector4 xpack208 = xpack196 * xpack44;
-    const three_ups_upu_s_physical_vector4 xpack210 = xpack209 + xpack208;
-    const three_ups_upu_s_physical_vector4 xpack211 = xgathered6 * xpack210;
-    const three_ups_upu_s_physical_vector4 xpack212 = xpack211 + xpack207;
-    const three_ups_upu_s_physical_vector4 xpack214 = xgathered8 * xpack210;
-    const three_ups_upu_s_physical_vector4 xpack215 = xpack214 - xpack213;
+    const three_ups_upu_s_physical_vector4 xpack201 = xpack189 * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack203 = xpack202 + xpack201;
+    const three_ups_upu_s_physical_vector4 xpack204 = xgathered6 * xpack203;
+    const three_ups_upu_s_physical_vector4 xpack205 = xpack204 + xpack200;
+    const three_ups_upu_s_physical_vector4 xpack207 = xgathered8 * xpack203;
+    const three_ups_upu_s_physical_vector4 xpack208 = xpack207 - xpack206;
     const double x54 = 2.0 * x15;
     const double x59 = x14 * x54;
     const double x52 = 2.0 * x13;
@@ -30345,13 +30080,13 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x414 = 0.0921 * x45;
     const double x415 = x413 * x414;
     const double x416 = x410 - x415;
-    const double x491 = xpack212[0];
+    const double x491 = xpack205[0];
     const double x492 = x416 - x491;
-    const double x392 = xpack212[1];
+    const double x392 = xpack205[1];
     const double x493 = x392 + x492;
-    const double x310 = -xpack212[2];
+    const double x310 = -xpack205[2];
     const double x494 = x310 - x493;
-    const double x228 = -xpack212[3];
+    const double x228 = -xpack205[3];
     const double x495 = x228 - x494;
     const double x55 = x15 * x54;
     const double x56 = x53 + x55;
@@ -30365,12 +30100,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x65 = x64 * x63;
     const double x68 = xpack1[0];
     const double x69 = x65 * x68;
-    const double x49 = xpack196[0];
+    const double x49 = xpack189[0];
     const double x70 = x49 * x69;
     const double x71 = x63 - x70;
     const double x72 = x48 * x71;
     const double x108 = x64 * x71;
-    const double x74 = xpack203[0];
+    const double x74 = xpack196[0];
     const double x75 = x74 * x69;
     const double x76 = x64 * x75;
     const double x77 = x72 + x76;
@@ -30405,52 +30140,52 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x544 = x542 - x543;
     const double x510 = x509 * x414;
     const double x511 = x508 - x510;
-    const double x514 = xpack218[0];
+    const double x514 = xpack211[0];
     const double x515 = x511 - x514;
-    const double x518 = -xpack215[1];
+    const double x518 = -xpack208[1];
     const double x519 = x515 + x518;
-    const double x503 = -xpack218[2];
+    const double x503 = -xpack211[2];
     const double x520 = x503 + x519;
-    const double x500 = xpack215[3];
+    const double x500 = xpack208[3];
     const double x521 = x500 + x520;
     const double x522 = x497 - x521;
     const double x546 = x545 * x414;
     const double x547 = x544 - x546;
-    const double x550 = -xpack215[0];
+    const double x550 = -xpack208[0];
     const double x551 = x547 + x550;
-    const double x540 = xpack218[1];
+    const double x540 = xpack211[1];
     const double x552 = x540 - x551;
-    const double x537 = xpack215[2];
+    const double x537 = xpack208[2];
     const double x553 = x537 - x552;
-    const double x534 = -xpack218[3];
+    const double x534 = -xpack211[3];
     const double x554 = x534 + x553;
-    const three_ups_upu_s_physical_vector4 xpack198 = xgathered6 * xpack196;
-    const three_ups_upu_s_physical_vector4 xpack197 = xgathered8 * xpack196;
-    const double x136 = xpack198[1];
+    const three_ups_upu_s_physical_vector4 xpack191 = xgathered6 * xpack189;
+    const three_ups_upu_s_physical_vector4 xpack190 = xgathered8 * xpack189;
+    const double x136 = xpack191[1];
     const double x137 = x136 * x99;
     const double x138 = x110 * x137;
-    const double x134 = xpack197[1];
+    const double x134 = xpack190[1];
     const double x139 = x134 + x138;
     const double x140 = x94 * x137;
     const double x141 = x139 * x140;
-    const double x95 = xpack198[0];
+    const double x95 = xpack191[0];
     const double x100 = x95 * x99;
     const double x101 = x94 * x100;
-    const double x50 = xpack197[0];
+    const double x50 = xpack190[0];
     const double x102 = x50 + x101;
     const double x142 = x110 * x100;
     const double x143 = x102 * x142;
     const double x144 = x141 + x143;
-    const double x124 = xpack198[2];
+    const double x124 = xpack191[2];
     const double x125 = x124 * x99;
-    const double x112 = xpack198[3];
+    const double x112 = xpack191[3];
     const double x113 = x112 * x99;
     const double x126 = x94 * x125;
-    const double x122 = xpack197[2];
+    const double x122 = xpack190[2];
     const double x127 = x122 + x126;
     const double x128 = x110 * x125;
     const double x114 = x110 * x113;
-    const double x107 = xpack197[3];
+    const double x107 = xpack190[3];
     const double x115 = x107 + x114;
     const double x129 = x127 * x128;
     const double x145 = x129 + x144;
@@ -30504,7 +30239,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x587 = -x586;
     u[3] = x587;
     const three_ups_upu_s_physical_vector4 xgathered11 = {x576, x580, x583, x586};
-    const three_ups_upu_s_physical_vector4 xpack160 = xpack44 + (three_ups_upu_s_physical_vector4){1.0,
+    const three_ups_upu_s_physical_vector4 xpack159 = xpack44 + (three_ups_upu_s_physical_vector4){1.0,
         (-1.0), (-1.0), 1.0} * xgathered11;
     const three_ups_upu_s_physical_vector4 xpack74 = xpack73 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
         (-1.0), 1.0} * xgathered11;
@@ -30530,12 +30265,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const three_ups_upu_s_physical_vector4 xpack69 = xpack56 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
         1.0, 1.0} * xgathered12;
     const three_ups_upu_s_physical_vector4 xpack70 = xpack68 + xpack69;
-    const three_ups_upu_s_physical_vector4 xpack186 = xgathered1 * xgathered12;
-    const three_ups_upu_s_physical_vector4 xpack185 = xgathered4 * xpack160;
-    const three_ups_upu_s_physical_vector4 xpack187 = xpack186 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), (-1.0)} * xpack185;
-    const three_ups_upu_s_physical_vector4 xpack192 = xgathered8 * xpack187;
-    const three_ups_upu_s_physical_vector4 xpack188 = xgathered6 * xpack187;
+    const three_ups_upu_s_physical_vector4 xpack183 = xgathered1 * xgathered12;
+    const three_ups_upu_s_physical_vector4 xpack182 = xgathered4 * xpack159;
+    const three_ups_upu_s_physical_vector4 xpack184 = xpack183 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), (-1.0)} * xpack182;
+    const three_ups_upu_s_physical_vector4 xpack187 = xgathered8 * xpack184;
+    const three_ups_upu_s_physical_vector4 xpack185 = xgathered6 * xpack184;
     const double x624 = x69 * x100;
     const double x625 = x576 * x624;
     const double x648 = x100 * x576;
@@ -30566,12 +30301,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x182 = -xpack33[3];
     const three_ups_upu_s_physical_vector4 xgathered13 = {x631, x346, x264, x182};
     const three_ups_upu_s_physical_vector4 xpack77 = xgathered13 + xpack20;
-    const three_ups_upu_s_physical_vector4 xpack169 = xgathered6 * xgathered13;
-    const three_ups_upu_s_physical_vector4 xpack164 = xgathered8 * xgathered13;
-    const three_ups_upu_s_physical_vector4 xpack193 = xpack192 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), (-1.0), (-1.0)} * xpack169;
-    const three_ups_upu_s_physical_vector4 xpack189 = xpack188 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, 1.0} * xpack164;
+    const three_ups_upu_s_physical_vector4 xpack168 = xgathered6 * xgathered13;
+    const three_ups_upu_s_physical_vector4 xpack163 = xgathered8 * xgathered13;
+    const three_ups_upu_s_physical_vector4 xpack188 = xpack187 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), (-1.0), (-1.0)} * xpack168;
+    const three_ups_upu_s_physical_vector4 xpack186 = xpack185 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, 1.0} * xpack163;
     const double x1139 = 28.1547 * x395;
     const double x1140 = x1138 + x1139;
     const double x1183 = x395 * x1140;
@@ -30593,135 +30328,135 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x1153 = x1151 - x1152;
     const double x1186 = x413 * x1153;
     const double x1187 = x1185 - x1186;
-    const double x1189 = xpack193[0];
+    const double x1189 = xpack188[0];
     const double x1190 = x1187 - x1189;
-    const double x1182 = -xpack193[1];
+    const double x1182 = -xpack188[1];
     const double x1191 = x1182 + x1190;
-    const double x1180 = -xpack193[2];
+    const double x1180 = -xpack188[2];
     const double x1192 = x1180 + x1191;
-    const double x1194 = -xpack193[3];
+    const double x1194 = -xpack188[3];
     const double x1195 = x1192 - x1194;
     reactions[74] = x1195;
     const double x1168 = x545 * x1153;
     const double x1169 = x1167 - x1168;
     const double x1154 = x509 * x1153;
     const double x1155 = x1147 - x1154;
-    const double x1174 = xpack189[0];
+    const double x1174 = xpack186[0];
     const double x1175 = x1169 + x1174;
-    const three_ups_upu_s_physical_vector4 xpack162 = xgathered4 * xgathered12;
-    const three_ups_upu_s_physical_vector4 xpack161 = xgathered1 * xpack160;
-    const three_ups_upu_s_physical_vector4 xpack163 = xpack161 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), 1.0, 1.0} * xpack162;
-    const double x729 = xpack163[0];
+    const three_ups_upu_s_physical_vector4 xpack161 = xgathered4 * xgathered12;
+    const three_ups_upu_s_physical_vector4 xpack160 = xgathered1 * xpack159;
+    const three_ups_upu_s_physical_vector4 xpack162 = xpack160 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), 1.0, 1.0} * xpack161;
+    const double x729 = xpack162[0];
     const double x730 = -x729;
     reactions[12] = x730;
-    const double x866 = xpack163[1];
+    const double x866 = xpack162[1];
     const double x867 = -x866;
     reactions[31] = x867;
-    const double x985 = xpack163[2];
+    const double x985 = xpack162[2];
     reactions[48] = x985;
-    const double x1112 = xpack163[3];
+    const double x1112 = xpack162[3];
     reactions[67] = x1112;
     const double x1176 = x866 + x1175;
-    const double x1164 = xpack189[2];
+    const double x1164 = xpack186[2];
     const double x1177 = x1164 + x1176;
     const double x1178 = x1177 - x1112;
     reactions[73] = x1178;
     const double x1156 = x1155 + x729;
-    const double x1136 = xpack189[1];
+    const double x1136 = xpack186[1];
     const double x1157 = x1136 - x1156;
     const double x1158 = x985 + x1157;
-    const double x1131 = xpack189[3];
+    const double x1131 = xpack186[3];
     const double x1159 = x1131 - x1158;
     reactions[72] = x1159;
     const three_ups_upu_s_physical_vector4 xpack118 = xgathered6 * xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack165 = xpack118 * xgathered12;
+    const three_ups_upu_s_physical_vector4 xpack164 = xpack118 * xgathered12;
     const three_ups_upu_s_physical_vector4 xpack128 = xgathered6 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack166 = xpack128 * xpack160;
-    const three_ups_upu_s_physical_vector4 xpack167 = xpack166 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), (-1.0)} * xpack165;
-    const three_ups_upu_s_physical_vector4 xpack168 = xpack167 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), (-1.0)} * xpack164;
-    const double x735 = xpack168[0];
+    const three_ups_upu_s_physical_vector4 xpack165 = xpack128 * xpack159;
+    const three_ups_upu_s_physical_vector4 xpack166 = xpack165 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), (-1.0)} * xpack164;
+    const three_ups_upu_s_physical_vector4 xpack167 = xpack166 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), (-1.0)} * xpack163;
+    const double x735 = xpack167[0];
     reactions[13] = x735;
-    const double x863 = xpack168[1];
+    const double x863 = xpack167[1];
     reactions[30] = x863;
-    const double x990 = -xpack168[2];
+    const double x990 = -xpack167[2];
     const double x991 = -x990;
     reactions[49] = x991;
-    const double x1108 = -xpack168[3];
+    const double x1108 = -xpack167[3];
     const double x1109 = -x1108;
     reactions[66] = x1109;
-    const three_ups_upu_s_physical_vector4 xpack136 = xgathered1 * xpack199;
+    const three_ups_upu_s_physical_vector4 xpack136 = xgathered1 * xpack192;
     const three_ups_upu_s_physical_vector4 xpack137 = xpack136 - (three_ups_upu_s_physical_vector4){0.8, 0.8,
         0.8, 0.8};
-    const three_ups_upu_s_physical_vector4 xpack181 = xpack137 * xpack168;
-    const three_ups_upu_s_physical_vector4 xpack129 = xpack199 * xpack128;
-    const three_ups_upu_s_physical_vector4 xpack180 = xpack129 * xpack163;
-    const three_ups_upu_s_physical_vector4 xpack182 = xpack181 - xpack180;
-    const double x883 = -xpack182[1];
+    const three_ups_upu_s_physical_vector4 xpack180 = xpack137 * xpack167;
+    const three_ups_upu_s_physical_vector4 xpack129 = xpack192 * xpack128;
+    const three_ups_upu_s_physical_vector4 xpack179 = xpack129 * xpack162;
+    const three_ups_upu_s_physical_vector4 xpack181 = xpack180 - xpack179;
+    const double x883 = -xpack181[1];
     reactions[35] = x883;
-    const double x1006 = -xpack182[2];
+    const double x1006 = -xpack181[2];
     reactions[53] = x1006;
-    const double x1126 = xpack182[3];
+    const double x1126 = xpack181[3];
     reactions[71] = x1126;
     const double x753 = x51 * x708;
     const three_ups_upu_s_physical_vector4 xpack125 = xgathered8 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack171 = xpack125 * xpack160;
+    const three_ups_upu_s_physical_vector4 xpack170 = xpack125 * xpack159;
     const double x688 = xpack125[0];
     const double x754 = x688 * x653;
     const double x755 = x753 + x754;
-    const double x758 = -xpack182[0];
+    const double x758 = -xpack181[0];
     const double x759 = x755 - x758;
     reactions[17] = x759;
     const three_ups_upu_s_physical_vector4 xpack122 = xgathered8 * xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack170 = xpack122 * xgathered12;
+    const three_ups_upu_s_physical_vector4 xpack169 = xpack122 * xgathered12;
+    const three_ups_upu_s_physical_vector4 xpack171 = xpack170 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), (-1.0)} * xpack169;
     const three_ups_upu_s_physical_vector4 xpack172 = xpack171 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), (-1.0)} * xpack170;
-    const three_ups_upu_s_physical_vector4 xpack173 = xpack172 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, 1.0} * xpack169;
-    const double x740 = -xpack173[0];
+        (-1.0), 1.0, 1.0} * xpack168;
+    const double x740 = -xpack172[0];
     reactions[14] = x740;
-    const double x872 = -xpack173[1];
+    const double x872 = -xpack172[1];
     const double x873 = -x872;
     reactions[32] = x873;
-    const double x996 = xpack173[2];
+    const double x996 = xpack172[2];
     const double x997 = -x996;
     reactions[50] = x997;
-    const double x1117 = xpack173[3];
+    const double x1117 = xpack172[3];
     reactions[68] = x1117;
-    const three_ups_upu_s_physical_vector4 xpack177 = xpack137 * xpack173;
-    const three_ups_upu_s_physical_vector4 xpack175 = xpack129 * xpack173;
-    const three_ups_upu_s_physical_vector4 xpack126 = xpack199 * xpack125;
-    const three_ups_upu_s_physical_vector4 xpack178 = xpack126 * xpack163;
-    const three_ups_upu_s_physical_vector4 xpack179 = xpack178 - xpack177;
-    const double x876 = -xpack179[1];
+    const three_ups_upu_s_physical_vector4 xpack176 = xpack137 * xpack172;
+    const three_ups_upu_s_physical_vector4 xpack174 = xpack129 * xpack172;
+    const three_ups_upu_s_physical_vector4 xpack126 = xpack192 * xpack125;
+    const three_ups_upu_s_physical_vector4 xpack177 = xpack126 * xpack162;
+    const three_ups_upu_s_physical_vector4 xpack178 = xpack177 - xpack176;
+    const double x876 = -xpack178[1];
     reactions[33] = x876;
-    const double x1003 = xpack179[2];
+    const double x1003 = xpack178[2];
     reactions[52] = x1003;
-    const double x1120 = xpack179[3];
+    const double x1120 = xpack178[3];
     reactions[69] = x1120;
-    const three_ups_upu_s_physical_vector4 xpack174 = xpack126 * xpack168;
-    const three_ups_upu_s_physical_vector4 xpack176 = xpack174 - xpack175;
-    const double x879 = xpack176[1];
+    const three_ups_upu_s_physical_vector4 xpack173 = xpack126 * xpack167;
+    const three_ups_upu_s_physical_vector4 xpack175 = xpack173 - xpack174;
+    const double x879 = xpack175[1];
     const double x880 = -x879;
     reactions[34] = x880;
-    const double x1000 = -xpack176[2];
+    const double x1000 = -xpack175[2];
     reactions[51] = x1000;
-    const double x1123 = -xpack176[3];
+    const double x1123 = -xpack175[3];
     reactions[70] = x1123;
-    const three_ups_upu_s_physical_vector4 xpack101 = xpack199 * xpack77;
+    const three_ups_upu_s_physical_vector4 xpack101 = xpack192 * xpack77;
     const three_ups_upu_s_physical_vector4 xpack102 = xpack100 - xpack101;
     const three_ups_upu_s_physical_vector4 xpack104 = xpack102 - xpack103;
     const double x749 = x46 * x708;
     const double x691 = xpack128[0];
     const double x750 = x691 * x653;
     const double x751 = x749 - x750;
-    const double x748 = -xpack179[0];
+    const double x748 = -xpack178[0];
     const double x752 = x748 + x751;
     reactions[16] = x752;
     const double x741 = x64 * x653;
-    const double x744 = xpack176[0];
+    const double x744 = xpack175[0];
     const double x745 = x741 - x744;
     reactions[15] = x745;
     const three_ups_upu_s_physical_vector4 xpack117 = xgathered8 * xpack77;
@@ -30740,7 +30475,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x1062 = -x1061;
     reactions[60] = x1062;
     const three_ups_upu_s_physical_vector4 xpack142 = xpack118 * xpack100;
-    const three_ups_upu_s_physical_vector4 xpack157 = xpack137 * xpack120;
+    const three_ups_upu_s_physical_vector4 xpack156 = xpack137 * xpack120;
     const three_ups_upu_s_physical_vector4 xpack127 = xpack126 * xpack120;
     const three_ups_upu_s_physical_vector4 xpack116 = xgathered4 * xpack69;
     const double x677 = xpack116[0];
@@ -30752,10 +30487,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x1063 = xpack116[3];
     reactions[61] = x1063;
     const three_ups_upu_s_physical_vector4 xpack123 = xpack122 * xpack69;
-    const three_ups_upu_s_physical_vector4 xpack152 = xpack122 * xpack100;
+    const three_ups_upu_s_physical_vector4 xpack151 = xpack122 * xpack100;
     const three_ups_upu_s_physical_vector4 xpack139 = xpack126 * xpack116;
-    const three_ups_upu_s_physical_vector4 xpack156 = xpack129 * xpack116;
-    const three_ups_upu_s_physical_vector4 xpack158 = xpack157 + xpack156;
+    const three_ups_upu_s_physical_vector4 xpack155 = xpack129 * xpack116;
+    const three_ups_upu_s_physical_vector4 xpack157 = xpack156 + xpack155;
     const three_ups_upu_s_physical_vector4 xpack133 = xgathered4 * xpack100;
     const three_ups_upu_s_physical_vector4 xpack90 = xgathered3 * xgathered1;
     const three_ups_upu_s_physical_vector4 xpack91 = xpack3 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
@@ -30771,8 +30506,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x913 = xpack94[2];
     const double x1036 = xpack94[3];
     const three_ups_upu_s_physical_vector4 xgathered14 = {x654, x788, x913, x1036};
-    const three_ups_upu_s_physical_vector4 xpack151 = xpack125 * xgathered14;
-    const three_ups_upu_s_physical_vector4 xpack153 = xpack151 - xpack152;
+    const three_ups_upu_s_physical_vector4 xpack150 = xpack125 * xgathered14;
+    const three_ups_upu_s_physical_vector4 xpack152 = xpack150 - xpack151;
     const three_ups_upu_s_physical_vector4 xpack141 = xpack128 * xgathered14;
     const three_ups_upu_s_physical_vector4 xpack143 = xpack141 - xpack142;
     const three_ups_upu_s_physical_vector4 xpack144 = (three_ups_upu_s_physical_vector4){0.04335, 0.04335,
@@ -30793,20 +30528,20 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x1081 = xpack146[3];
     const double x1082 = x211 - x1081;
     const three_ups_upu_s_physical_vector4 xgathered15 = {x709, x836, x969, x1082};
-    const three_ups_upu_s_physical_vector4 xpack154 = xgathered6 * xgathered15;
-    const three_ups_upu_s_physical_vector4 xpack148 = xgathered8 * xgathered15;
-    const three_ups_upu_s_physical_vector4 xpack155 = xpack153 - xpack154;
-    const three_ups_upu_s_physical_vector4 xpack159 = xpack158 + xpack155;
-    const double x725 = xpack159[0];
+    const three_ups_upu_s_physical_vector4 xpack153 = xgathered6 * xgathered15;
+    const three_ups_upu_s_physical_vector4 xpack147 = xgathered8 * xgathered15;
+    const three_ups_upu_s_physical_vector4 xpack154 = xpack152 - xpack153;
+    const three_ups_upu_s_physical_vector4 xpack158 = xpack157 + xpack154;
+    const double x725 = xpack158[0];
     reactions[11] = x725;
-    const double x856 = xpack159[1];
+    const double x856 = xpack158[1];
     const double x857 = -x856;
     reactions[29] = x857;
-    const double x981 = xpack159[2];
+    const double x981 = xpack158[2];
     reactions[47] = x981;
-    const double x1102 = -xpack159[3];
+    const double x1102 = -xpack158[3];
     reactions[65] = x1102;
-    const three_ups_upu_s_physical_vector4 xpack149 = xpack143 + xpack148;
+    const three_ups_upu_s_physical_vector4 xpack148 = xpack143 + xpack147;
     const three_ups_upu_s_physical_vector4 xpack121 = xgathered6 * xpack77;
     const three_ups_upu_s_physical_vector4 xpack124 = xpack123 - xpack121;
     const double x686 = xpack124[0];
@@ -30821,15 +30556,15 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     reactions[62] = x1067;
     const three_ups_upu_s_physical_vector4 xpack138 = xpack137 * xpack124;
     const three_ups_upu_s_physical_vector4 xpack140 = xpack139 + xpack138;
-    const three_ups_upu_s_physical_vector4 xpack150 = xpack149 - xpack140;
-    const double x715 = xpack150[0];
+    const three_ups_upu_s_physical_vector4 xpack149 = xpack148 - xpack140;
+    const double x715 = xpack149[0];
     const double x716 = -x715;
     reactions[10] = x716;
-    const double x839 = -xpack150[1];
+    const double x839 = -xpack149[1];
     reactions[27] = x839;
-    const double x972 = -xpack150[2];
+    const double x972 = -xpack149[2];
     reactions[46] = x972;
-    const double x1085 = -xpack150[3];
+    const double x1085 = -xpack149[3];
     reactions[63] = x1085;
     const three_ups_upu_s_physical_vector4 xpack130 = xpack129 * xpack124;
     const three_ups_upu_s_physical_vector4 xpack131 = xpack127 - xpack130;
@@ -30845,14 +30580,14 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x1093 = xpack135[3];
     reactions[64] = x1093;
     const double x655 = x644 + x654;
+    const three_ups_upu_s_physical_vector4 xgathered16 = {x655, x788, x913, x1036};
+    const three_ups_upu_s_physical_vector4 xpack95 = (three_ups_upu_s_physical_vector4){1.0, 2.0, 2.0, 2.0} *
+        xgathered16;
     const three_ups_upu_s_physical_vector4 xpack109 = xgathered1 * xpack104;
     const three_ups_upu_s_physical_vector4 xpack105 = xgathered4 * xpack104;
-    const double x789 = 2.0 * x788;
-    const double x914 = 2.0 * x913;
-    const double x1037 = 2.0 * x1036;
-    const three_ups_upu_s_physical_vector4 xgathered16 = {x655, x789, x914, x1037};
-    const three_ups_upu_s_physical_vector4 xpack108 = xgathered4 * xgathered16;
-    const three_ups_upu_s_physical_vector4 xpack96 = xgathered1 * xgathered16;
+    const three_ups_upu_s_physical_vector4 xpack108 = xgathered4 * xpack95;
+    const three_ups_upu_s_physical_vector4 xpack110 = xpack108 - xpack109;
+    const three_ups_upu_s_physical_vector4 xpack96 = xgathered1 * xpack95;
     const three_ups_upu_s_physical_vector4 xpack106 = xpack105 + xpack96;
     const double x666 = xpack106[0];
     reactions[3] = x666;
@@ -30864,7 +30599,6 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     const double x1053 = xpack106[3];
     const double x1054 = -x1053;
     reactions[58] = x1054;
-    const three_ups_upu_s_physical_vector4 xpack110 = xpack108 - xpack109;
     const three_ups_upu_s_physical_vector4 xpack113 = xgathered8 * xpack110;
     const three_ups_upu_s_physical_vector4 xpack111 = xgathered6 * xpack110;
     const three_ups_upu_s_physical_vector4 xpack82 = xgathered1 * xpack70;
@@ -30942,7 +30676,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_jo
     reactions[57] = x1050;
     const three_ups_upu_s_physical_vector4 every =
         (three_ups_upu_s_physical_vector4)((three_ups_upu_s_physical_vector4_mask)((((xpack0 + xpack76) +
-        (xpack106 + xpack112)) + ((xpack115 + xpack120) + (xpack135 + xpack150))) + xpack159) | ((xpack0 <=
+        (xpack106 + xpack112)) + ((xpack115 + xpack120) + (xpack135 + xpack149))) + xpack158) | ((xpack0 <=
         (three_ups_upu_s_physical_vector4){6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10}) &
         (xpack0 >= -(three_ups_upu_s_physical_vector4){6.233100000000001e-10, 6.3211e-10, 6.4044e-10,
         6.284e-10})));
@@ -34644,19 +34378,19 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x373 = x371 + x372;
     const three_ups_upu_s_physical_vector4 xgathered0 = {x16, x25, x22, x19};
     const three_ups_upu_s_physical_vector4 xgathered1 = {x113, x330, x417, x373};
-    const three_ups_upu_s_physical_vector4 xpack51 = xgathered0 * xgathered1;
+    const three_ups_upu_s_physical_vector4 xpack24 = xgathered0 * xgathered1;
     const three_ups_upu_s_physical_vector4 xgathered2 = {x2, x11, x8, x5};
     const three_ups_upu_s_physical_vector4 xpack0 = xgathered2 + (three_ups_upu_s_physical_vector4){0.3, 0.3,
         0.3, 0.3};
     const three_ups_upu_s_physical_vector4 xgathered3 = {x52, x191, x226, x247};
-    const three_ups_upu_s_physical_vector4 xpack6 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xpack5 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered3;
-    const three_ups_upu_s_physical_vector4 xpack7 = xpack0 - xpack6;
-    const three_ups_upu_s_physical_vector4 xpack52 = xpack7 * xpack51;
+    const three_ups_upu_s_physical_vector4 xpack6 = xpack0 - xpack5;
+    const three_ups_upu_s_physical_vector4 xpack25 = xpack6 * xpack24;
     const three_ups_upu_s_physical_vector4 xgathered4 = {x17, x26, x23, x20};
     const three_ups_upu_s_physical_vector4 xgathered5 = {x18, x27, x24, x21};
-    const three_ups_upu_s_physical_vector4 xpack53 = xgathered4 * xgathered5;
-    const three_ups_upu_s_physical_vector4 xpack54 = xpack52 + xpack53;
+    const three_ups_upu_s_physical_vector4 xpack26 = xgathered4 * xgathered5;
+    const three_ups_upu_s_physical_vector4 xpack27 = xpack25 + xpack26;
     const double x89 = x35 * x88;
     const double x101 = x45 * x100;
     const double x102 = x89 + x101;
@@ -34670,98 +34404,99 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x361 = x245 * x127;
     const double x362 = x360 - x361;
     const three_ups_upu_s_physical_vector4 xgathered6 = {x37, x195, x230, x251};
-    const three_ups_upu_s_physical_vector4 xpack25 = xgathered4 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack55 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xpack25;
-    const three_ups_upu_s_physical_vector4 xpack56 = xpack55 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+    const three_ups_upu_s_physical_vector4 xpack17 = xgathered4 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack28 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xpack17;
+    const three_ups_upu_s_physical_vector4 xpack29 = xpack28 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
         1.0, (-1.0)} * xgathered5;
     const three_ups_upu_s_physical_vector4 xgathered7 = {x102, x319, x406, x362};
-    const three_ups_upu_s_physical_vector4 xpack57 = xgathered7 * xpack56;
-    const three_ups_upu_s_physical_vector4 xpack58 = xpack57 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), (-1.0)} * xpack54;
-    const three_ups_upu_s_physical_vector4 xpack26 = xpack0 * xpack25;
+    const three_ups_upu_s_physical_vector4 xpack30 = xgathered7 * xpack29;
+    const three_ups_upu_s_physical_vector4 xpack31 = xpack30 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), (-1.0)} * xpack27;
+    const three_ups_upu_s_physical_vector4 xpack18 = xpack0 * xpack17;
     const three_ups_upu_s_physical_vector4 xpack3 = xgathered6 * xpack0;
     const three_ups_upu_s_physical_vector4 xpack4 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
         xpack3;
-    const three_ups_upu_s_physical_vector4 xpack8 = xgathered6 * xpack4;
-    const three_ups_upu_s_physical_vector4 xpack130 = xpack58 * xpack8;
-    const three_ups_upu_s_physical_vector4 xpack60 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+    const three_ups_upu_s_physical_vector4 xpack7 = xgathered6 * xpack4;
+    const three_ups_upu_s_physical_vector4 xpack103 = xpack31 * xpack7;
+    const three_ups_upu_s_physical_vector4 xpack33 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
         1.42} * xpack0;
-    const three_ups_upu_s_physical_vector4 xpack61 = xpack60 - (three_ups_upu_s_physical_vector4){0.426,
+    const three_ups_upu_s_physical_vector4 xpack34 = xpack33 - (three_ups_upu_s_physical_vector4){0.426,
         0.426, 0.426, 0.426};
-    const three_ups_upu_s_physical_vector4 xpack78 = xpack60 + xpack61;
-    const three_ups_upu_s_physical_vector4 xpack62 = xpack0 * xpack61;
-    const three_ups_upu_s_physical_vector4 xpack127 = xpack53 * xpack78;
-    const three_ups_upu_s_physical_vector4 xpack92 = xpack62 + (three_ups_upu_s_physical_vector4){0.0867,
+    const three_ups_upu_s_physical_vector4 xpack51 = xpack33 + xpack34;
+    const three_ups_upu_s_physical_vector4 xpack35 = xpack0 * xpack34;
+    const three_ups_upu_s_physical_vector4 xpack100 = xpack26 * xpack51;
+    const three_ups_upu_s_physical_vector4 xpack65 = xpack35 + (three_ups_upu_s_physical_vector4){0.0867,
         0.0867, 0.0867, 0.0867};
-    const three_ups_upu_s_physical_vector4 xpack63 = xpack62 - (three_ups_upu_s_physical_vector4){(-0.085988),
+    const three_ups_upu_s_physical_vector4 xpack36 = xpack35 - (three_ups_upu_s_physical_vector4){(-0.085988),
         (-0.085988), (-0.085988), (-0.085988)};
-    const three_ups_upu_s_physical_vector4 xpack131 = xpack92 * xpack130;
-    const three_ups_upu_s_physical_vector4 xpack64 = xgathered6 * xpack63;
-    const three_ups_upu_s_physical_vector4 xpack73 = xgathered3 * xpack63;
-    const three_ups_upu_s_physical_vector4 xpack74 = xgathered6 * xpack73;
-    const three_ups_upu_s_physical_vector4 xpack72 = xgathered3 * xpack64;
-    const three_ups_upu_s_physical_vector4 xpack75 = xpack72 + xpack74;
-    const three_ups_upu_s_physical_vector4 xpack65 = xgathered6 * xpack64;
-    const three_ups_upu_s_physical_vector4 xpack66 = xpack65 + (three_ups_upu_s_physical_vector4){0.001112,
+    const three_ups_upu_s_physical_vector4 xpack104 = xpack65 * xpack103;
+    const three_ups_upu_s_physical_vector4 xpack37 = xgathered6 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack46 = xgathered3 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack47 = xgathered6 * xpack46;
+    const three_ups_upu_s_physical_vector4 xpack45 = xgathered3 * xpack37;
+    const three_ups_upu_s_physical_vector4 xpack48 = xpack45 + xpack47;
+    const three_ups_upu_s_physical_vector4 xpack38 = xgathered6 * xpack37;
+    const three_ups_upu_s_physical_vector4 xpack39 = xpack38 + (three_ups_upu_s_physical_vector4){0.001112,
         0.001112, 0.001112, 0.001112};
-    const three_ups_upu_s_physical_vector4 xpack125 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
-        xpack75;
-    const three_ups_upu_s_physical_vector4 xpack107 = xgathered0 * xgathered0;
-    const three_ups_upu_s_physical_vector4 xpack126 = xpack107 * xpack125;
-    const three_ups_upu_s_physical_vector4 xpack128 = xpack126 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), (-1.0), 1.0} * xpack127;
+    const three_ups_upu_s_physical_vector4 xpack98 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
+        xpack48;
+    const three_ups_upu_s_physical_vector4 xpack80 = xgathered0 * xgathered0;
+    const three_ups_upu_s_physical_vector4 xpack99 = xpack80 * xpack98;
+    const three_ups_upu_s_physical_vector4 xpack101 = xpack99 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), (-1.0), 1.0} * xpack100;
     const three_ups_upu_s_physical_vector4 xgathered8 = {x35, x189, x224, x245};
-    const three_ups_upu_s_physical_vector4 xpack103 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
+    const three_ups_upu_s_physical_vector4 xpack76 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
         9.81} * xgathered8;
-    const three_ups_upu_s_physical_vector4 xpack122 = xgathered3 * xpack103;
-    const three_ups_upu_s_physical_vector4 xpack123 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack122;
-    const three_ups_upu_s_physical_vector4 xpack124 = xpack0 * xpack123;
-    const three_ups_upu_s_physical_vector4 xpack129 = xpack124 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), 1.0} * xpack128;
-    const three_ups_upu_s_physical_vector4 xpack132 = xpack131 + xpack129;
-    const three_ups_upu_s_physical_vector4 xpack104 = xgathered6 * xpack103;
-    const three_ups_upu_s_physical_vector4 xpack105 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack104;
+    const three_ups_upu_s_physical_vector4 xpack95 = xgathered3 * xpack76;
+    const three_ups_upu_s_physical_vector4 xpack96 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack95;
+    const three_ups_upu_s_physical_vector4 xpack97 = xpack0 * xpack96;
+    const three_ups_upu_s_physical_vector4 xpack102 = xpack97 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), 1.0} * xpack101;
+    const three_ups_upu_s_physical_vector4 xpack105 = xpack104 + xpack102;
+    const three_ups_upu_s_physical_vector4 xpack77 = xgathered6 * xpack76;
+    const three_ups_upu_s_physical_vector4 xpack78 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack77;
     const three_ups_upu_s_physical_vector4 xgathered9 = {x31, x34, x33, x32};
-    const three_ups_upu_s_physical_vector4 xpack106 = xgathered9 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), 1.0} * xpack105;
-    const three_ups_upu_s_physical_vector4 xpack91 = xpack7 * xpack8;
-    const three_ups_upu_s_physical_vector4 xpack133 = xpack91 * xpack132;
-    const three_ups_upu_s_physical_vector4 xpack93 = xpack92 * xpack91;
-    const three_ups_upu_s_physical_vector4 xpack94 = xpack91 * xpack93;
-    const three_ups_upu_s_physical_vector4 xpack88 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xpack79 = xgathered9 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), 1.0} * xpack78;
+    const three_ups_upu_s_physical_vector4 xpack64 = xpack6 * xpack7;
+    const three_ups_upu_s_physical_vector4 xpack106 = xpack64 * xpack105;
+    const three_ups_upu_s_physical_vector4 xpack66 = xpack65 * xpack64;
+    const three_ups_upu_s_physical_vector4 xpack67 = xpack64 * xpack66;
+    const three_ups_upu_s_physical_vector4 xpack61 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack115 = xpack88 * xpack51;
-    const three_ups_upu_s_physical_vector4 xpack15 = xgathered4 * xgathered3;
-    const three_ups_upu_s_physical_vector4 xpack116 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xpack15;
-    const three_ups_upu_s_physical_vector4 xpack117 = xgathered7 * xpack116;
-    const three_ups_upu_s_physical_vector4 xpack13 = xgathered0 * xgathered7;
-    const three_ups_upu_s_physical_vector4 xpack118 = xpack117 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), (-1.0)} * xpack115;
-    const three_ups_upu_s_physical_vector4 xpack16 = xpack0 * xpack15;
+    const three_ups_upu_s_physical_vector4 xpack88 = xpack61 * xpack24;
+    const three_ups_upu_s_physical_vector4 xpack10 = xgathered4 * xgathered3;
+    const three_ups_upu_s_physical_vector4 xpack89 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xpack10;
+    const three_ups_upu_s_physical_vector4 xpack90 = xgathered7 * xpack89;
+    const three_ups_upu_s_physical_vector4 xpack8 = xgathered0 * xgathered7;
+    const three_ups_upu_s_physical_vector4 xpack91 = xpack90 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), (-1.0)} * xpack88;
+    const three_ups_upu_s_physical_vector4 xpack11 = xpack0 * xpack10;
     const double x133 = x17 - x102;
-    const three_ups_upu_s_physical_vector4 xpack119 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack118;
-    const three_ups_upu_s_physical_vector4 xpack79 = xgathered6 * xpack78;
-    const three_ups_upu_s_physical_vector4 xpack80 = xgathered6 * xpack79;
-    const three_ups_upu_s_physical_vector4 xpack111 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
-        xpack78;
-    const three_ups_upu_s_physical_vector4 xpack108 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
-        xpack80;
-    const three_ups_upu_s_physical_vector4 xpack109 = xpack107 * xpack108;
-    const three_ups_upu_s_physical_vector4 xpack110 = xgathered4 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack112 = xpack110 * xpack111;
-    const three_ups_upu_s_physical_vector4 xpack113 = xpack109 + xpack112;
-    const three_ups_upu_s_physical_vector4 xpack114 = xpack113 + xpack106;
-    const three_ups_upu_s_physical_vector4 xpack120 = xpack119 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), 1.0, (-1.0)} * xpack114;
-    const three_ups_upu_s_physical_vector4 xpack121 = xpack88 * xpack120;
-    const three_ups_upu_s_physical_vector4 xpack134 = xpack121 + xpack133;
-    const double x656 = -xpack134[2];
-    const double x657 = x387 * x656;
+    const three_ups_upu_s_physical_vector4 xpack92 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack91;
+    const three_ups_upu_s_physical_vector4 xpack52 = xgathered6 * xpack51;
+    const three_ups_upu_s_physical_vector4 xpack53 = xgathered6 * xpack52;
+    const three_ups_upu_s_physical_vector4 xpack84 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
+        xpack51;
+    const three_ups_upu_s_physical_vector4 xpack81 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
+        xpack53;
+    const three_ups_upu_s_physical_vector4 xpack82 = xpack80 * xpack81;
+    const three_ups_upu_s_physical_vector4 xpack83 = xgathered4 * xgathered4;
+    const three_ups_upu_s_physical_vector4 xpack85 = xpack83 * xpack84;
+    const three_ups_upu_s_physical_vector4 xpack86 = xpack82 + xpack85;
+    const three_ups_upu_s_physical_vector4 xpack87 = xpack86 + xpack79;
+    const three_ups_upu_s_physical_vector4 xpack93 = xpack92 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        1.0, (-1.0)} * xpack87;
+    const three_ups_upu_s_physical_vector4 xpack94 = xpack61 * xpack93;
+    const three_ups_upu_s_physical_vector4 xpack107 = xpack94 + xpack106;
+    const three_ups_upu_s_physical_vector4 xgathered10 = {x45, x188, x387, x244};
+    const three_ups_upu_s_physical_vector4 xpack108 = xgathered10 * xpack107;
+    const three_ups_upu_s_physical_vector4 xpack111 = xgathered8 * xpack107;
     const double x472 = 14.62961126155784 * x48;
     const double x470 = x29 * x30;
     const double x471 = 0.7515 * x470;
@@ -34773,75 +34508,59 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x478 = x476 + x477;
     const double x615 = x48 * x478;
     const double x616 = x614 - x615;
+    const double x657 = -xpack108[2];
     const double x658 = x616 + x657;
-    const double x520 = -xpack134[3];
-    const double x613 = x244 * x520;
+    const double x613 = -xpack108[3];
     const double x659 = x613 - x658;
-    const double x468 = -xpack134[1];
-    const double x612 = x188 * x468;
+    const double x612 = -xpack108[1];
     const double x660 = x612 - x659;
-    const double x610 = -xpack134[0];
-    const double x611 = x45 * x610;
+    const double x611 = -xpack108[0];
     const double x661 = x611 - x660;
     const three_ups_upu_s_physical_vector4 xpack1 = xgathered3 * xpack0;
     const three_ups_upu_s_physical_vector4 xpack2 = xpack1 - (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8,
         0.8};
-    const three_ups_upu_s_physical_vector4 xpack14 = xpack2 * xpack13;
-    const three_ups_upu_s_physical_vector4 xpack17 = xgathered5 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack18 = xpack17 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        1.0, (-1.0)} * xpack16;
-    const three_ups_upu_s_physical_vector4 xgathered10 = {x127, x88, x127, x88};
-    const three_ups_upu_s_physical_vector4 xpack30 = xgathered10 * xpack18;
-    const three_ups_upu_s_physical_vector4 xpack19 = xgathered0 * xpack18;
-    const three_ups_upu_s_physical_vector4 xpack20 = xpack19 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, 1.0} * xpack14;
-    const three_ups_upu_s_physical_vector4 xpack24 = xgathered5 * xgathered3;
-    const three_ups_upu_s_physical_vector4 xpack27 = xpack26 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        (-1.0), 1.0} * xpack24;
-    const three_ups_upu_s_physical_vector4 xpack28 = xgathered1 * xpack27;
-    const three_ups_upu_s_physical_vector4 xpack29 = xpack28 - xpack20;
-    const three_ups_upu_s_physical_vector4 xpack31 = xpack30 + xpack29;
-    const three_ups_upu_s_physical_vector4 xpack85 = xpack4 * xpack31;
-    const three_ups_upu_s_physical_vector4 xpack86 = xpack66 * xpack85;
-    const three_ups_upu_s_physical_vector4 xpack76 = xgathered0 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack77 = xpack75 * xpack76;
-    const three_ups_upu_s_physical_vector4 xpack81 = xgathered0 * xgathered5;
-    const three_ups_upu_s_physical_vector4 xpack82 = xpack80 * xpack81;
-    const three_ups_upu_s_physical_vector4 xpack83 = xpack82 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        1.0, (-1.0)} * xpack77;
-    const three_ups_upu_s_physical_vector4 xgathered11 = {x45, x188, x387, x244};
-    const three_ups_upu_s_physical_vector4 xpack69 = (three_ups_upu_s_physical_vector4){13.9302, 13.9302,
-        13.9302, 13.9302} * xgathered11;
-    const three_ups_upu_s_physical_vector4 xpack70 = xpack0 * xpack69;
-    const three_ups_upu_s_physical_vector4 xpack71 = xgathered6 * xpack70;
-    const three_ups_upu_s_physical_vector4 xpack84 = xpack83 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        (-1.0), 1.0} * xpack71;
-    const three_ups_upu_s_physical_vector4 xpack87 = xpack86 + xpack84;
-    const three_ups_upu_s_physical_vector4 xpack59 = xpack2 * xpack4;
-    const double x233 = -xpack59[2];
-    const double x428 = -xpack87[2];
-    const double x577 = x233 * x428;
-    const double x578 = x224 * x577;
+    const three_ups_upu_s_physical_vector4 xpack9 = xpack2 * xpack8;
+    const three_ups_upu_s_physical_vector4 xpack12 = xgathered5 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack13 = xpack12 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        1.0, (-1.0)} * xpack11;
+    const three_ups_upu_s_physical_vector4 xgathered11 = {x127, x88, x127, x88};
+    const three_ups_upu_s_physical_vector4 xpack22 = xgathered11 * xpack13;
+    const three_ups_upu_s_physical_vector4 xpack14 = xgathered0 * xpack13;
+    const three_ups_upu_s_physical_vector4 xpack15 = xpack14 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, 1.0} * xpack9;
+    const three_ups_upu_s_physical_vector4 xpack16 = xgathered5 * xgathered3;
+    const three_ups_upu_s_physical_vector4 xpack19 = xpack18 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        (-1.0), 1.0} * xpack16;
+    const three_ups_upu_s_physical_vector4 xpack20 = xgathered1 * xpack19;
+    const three_ups_upu_s_physical_vector4 xpack21 = xpack20 - xpack15;
+    const three_ups_upu_s_physical_vector4 xpack23 = xpack22 + xpack21;
+    const three_ups_upu_s_physical_vector4 xpack58 = xpack4 * xpack23;
+    const three_ups_upu_s_physical_vector4 xpack59 = xpack39 * xpack58;
+    const three_ups_upu_s_physical_vector4 xpack49 = xgathered0 * xgathered4;
+    const three_ups_upu_s_physical_vector4 xpack50 = xpack48 * xpack49;
+    const three_ups_upu_s_physical_vector4 xpack54 = xgathered0 * xgathered5;
+    const three_ups_upu_s_physical_vector4 xpack55 = xpack53 * xpack54;
+    const three_ups_upu_s_physical_vector4 xpack56 = xpack55 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        1.0, (-1.0)} * xpack50;
+    const three_ups_upu_s_physical_vector4 xpack42 = (three_ups_upu_s_physical_vector4){13.9302, 13.9302,
+        13.9302, 13.9302} * xgathered10;
+    const three_ups_upu_s_physical_vector4 xpack43 = xpack0 * xpack42;
+    const three_ups_upu_s_physical_vector4 xpack44 = xgathered6 * xpack43;
+    const three_ups_upu_s_physical_vector4 xpack57 = xpack56 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        (-1.0), 1.0} * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack60 = xpack59 + xpack57;
+    const three_ups_upu_s_physical_vector4 xpack32 = xpack2 * xpack4;
+    const three_ups_upu_s_physical_vector4 xpack74 = xpack32 * xpack60;
+    const three_ups_upu_s_physical_vector4 xpack75 = xgathered8 * xpack74;
+    const double x578 = xpack75[2];
     const double x662 = x578 + x661;
-    const double x680 = x387 * x577;
-    const double x254 = -xpack59[3];
-    const double x384 = xpack87[3];
-    const double x385 = x254 * x384;
-    const double x576 = x245 * x385;
+    const double x576 = -xpack75[3];
     const double x663 = x576 - x662;
-    const double x386 = x244 * x385;
-    const double x198 = -xpack59[1];
-    const double x341 = xpack87[1];
-    const double x342 = x198 * x341;
-    const double x575 = x189 * x342;
+    const double x575 = -xpack75[1];
     const double x664 = x575 - x663;
-    const double x343 = x188 * x342;
-    const double x178 = -xpack59[0];
-    const double x300 = -xpack87[0];
-    const double x573 = x178 * x300;
-    const double x574 = x35 * x573;
+    const double x574 = xpack75[0];
     const double x665 = x574 - x664;
-    const double x679 = x45 * x573;
+    const three_ups_upu_s_physical_vector4 xpack110 = xgathered10 * xpack74;
     const double x135 = x52 * x113;
     const double x145 = x37 * x113;
     const double x136 = x37 * x127;
@@ -34873,11 +34592,11 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x72 = x66 - x71;
     const double x151 = x72 * x150;
     const double x152 = x142 - x151;
-    const double x75 = xpack8[0];
+    const double x75 = xpack7[0];
     const double x76 = x72 * x75;
-    const double x173 = xpack58[0];
+    const double x173 = xpack31[0];
     const double x174 = x173 * x76;
-    const double x74 = xpack7[0];
+    const double x74 = xpack6[0];
     const double x77 = x74 * x76;
     const double x78 = x72 - x77;
     const double x157 = x72 * x138;
@@ -34896,7 +34615,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x56 = x52 * x50;
     const double x58 = xpack4[0];
     const double x59 = x56 * x58;
-    const double x129 = -xpack31[0];
+    const double x129 = -xpack23[0];
     const double x130 = x59 * x129;
     const double x176 = x130 - x175;
     const double x55 = -xpack2[0];
@@ -34912,58 +34631,74 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x529 = x45 * x61;
     const double x531 = x529 - x530;
     const double x532 = x81 * x531;
-    const three_ups_upu_s_physical_vector4 xpack67 = xpack59 * xpack66;
-    const three_ups_upu_s_physical_vector4 xpack96 = xpack59 * xpack67;
-    const three_ups_upu_s_physical_vector4 xpack89 = (three_ups_upu_s_physical_vector4){1.136, 1.136, 1.136,
+    const three_ups_upu_s_physical_vector4 xpack40 = xpack32 * xpack39;
+    const three_ups_upu_s_physical_vector4 xpack69 = xpack32 * xpack40;
+    const three_ups_upu_s_physical_vector4 xpack62 = (three_ups_upu_s_physical_vector4){1.136, 1.136, 1.136,
         1.136} * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack90 = xpack88 * xpack89;
-    const three_ups_upu_s_physical_vector4 xpack95 = xpack90 + xpack94;
-    const three_ups_upu_s_physical_vector4 xpack97 = xpack96 - xpack95;
-    const three_ups_upu_s_physical_vector4 xpack98 = xgathered8 * xpack97;
-    const three_ups_upu_s_physical_vector4 xpack99 = xgathered8 * xpack98;
-    const three_ups_upu_s_physical_vector4 xpack100 = xpack95 + xpack99;
-    const three_ups_upu_s_physical_vector4 xpack140 = xpack96 - xpack99;
-    const three_ups_upu_s_physical_vector4 xpack136 = xgathered11 * xpack98;
+    const three_ups_upu_s_physical_vector4 xpack63 = xpack61 * xpack62;
+    const three_ups_upu_s_physical_vector4 xpack68 = xpack63 + xpack67;
+    const three_ups_upu_s_physical_vector4 xpack70 = xpack69 - xpack68;
+    const three_ups_upu_s_physical_vector4 xpack71 = xgathered8 * xpack70;
+    const three_ups_upu_s_physical_vector4 xpack72 = xgathered8 * xpack71;
+    const three_ups_upu_s_physical_vector4 xpack73 = xpack68 + xpack72;
+    const three_ups_upu_s_physical_vector4 xpack113 = xpack69 - xpack72;
+    const three_ups_upu_s_physical_vector4 xpack109 = xgathered10 * xpack71;
     const double x222 = 0.7515 * x92;
     const double x550 = x92 * x222;
     const double x551 = 0.8436 - x550;
-    const double x567 = xpack100[2];
+    const double x567 = xpack73[2];
     const double x568 = x551 + x567;
-    const double x549 = xpack100[3];
+    const double x549 = xpack73[3];
     const double x569 = x549 + x568;
-    const double x547 = xpack100[1];
+    const double x547 = xpack73[1];
     const double x570 = x547 + x569;
-    const double x545 = xpack100[0];
+    const double x545 = xpack73[0];
     const double x571 = x545 + x570;
     const double x223 = x125 * x222;
     const double x572 = x177 * x571;
     const double x666 = x572 + x665;
     const double x667 = x532 * x666;
     const double x713 = x532 * x571;
-    const double x685 = x224 * x656;
     const double x682 = x83 * x473;
     const double x474 = x121 * x473;
     const double x683 = x43 * x478;
     const double x684 = x682 - x683;
+    const double x685 = -xpack111[2];
     const double x686 = x684 + x685;
+    const double x681 = -xpack111[0];
+    const double x687 = x681 - x686;
+    const double x680 = xpack110[2];
+    const double x688 = x680 - x687;
+    const double x384 = xpack60[3];
+    const double x689 = x384 - x688;
+    const double x341 = xpack60[1];
+    const double x690 = x341 + x689;
+    const double x679 = xpack110[0];
+    const double x691 = x679 + x690;
     const double x479 = x70 * x478;
     const double x480 = x474 - x479;
-    const double x681 = x35 * x610;
-    const double x687 = x681 - x686;
-    const double x688 = x680 - x687;
-    const double x689 = x384 - x688;
-    const double x690 = x341 + x689;
-    const double x691 = x679 + x690;
+    const double x521 = -xpack111[3];
+    const double x522 = x480 + x521;
+    const double x469 = -xpack111[1];
+    const double x523 = x469 - x522;
+    const double x428 = -xpack60[2];
+    const double x524 = x428 - x523;
+    const double x386 = -xpack110[3];
+    const double x525 = x386 + x524;
+    const double x343 = -xpack110[1];
+    const double x526 = x343 - x525;
+    const double x300 = -xpack60[0];
+    const double x527 = x300 - x526;
     const double x671 = 0.7515 * x86;
     const double x672 = x92 * x671;
-    const double x673 = xpack136[2];
+    const double x673 = xpack109[2];
     const double x674 = x672 + x673;
-    const three_ups_upu_s_physical_vector4 xpack68 = xgathered8 * xpack67;
-    const double x670 = -xpack68[3];
+    const three_ups_upu_s_physical_vector4 xpack41 = xgathered8 * xpack40;
+    const double x670 = -xpack41[3];
     const double x675 = x670 + x674;
-    const double x669 = -xpack68[1];
+    const double x669 = -xpack41[1];
     const double x676 = x669 - x675;
-    const double x668 = xpack136[0];
+    const double x668 = xpack109[0];
     const double x677 = x668 - x676;
     const double x714 = x677 - x713;
     const double x715 = x677 + x714;
@@ -34971,63 +34706,55 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x692 = x678 + x691;
     const double x693 = x667 - x692;
     const double x716 = x532 * x715;
-    const double x242 = -xpack68[2];
+    const double x242 = -xpack41[2];
     const double x243 = x223 + x242;
-    const double x277 = xpack136[3];
+    const double x277 = xpack109[3];
     const double x278 = x243 - x277;
-    const double x221 = xpack136[1];
+    const double x221 = xpack109[1];
     const double x279 = x221 - x278;
-    const double x187 = -xpack68[0];
+    const double x187 = -xpack41[0];
     const double x280 = x187 + x279;
-    const three_ups_upu_s_physical_vector4 xpack139 = xgathered11 * xpack67;
+    const three_ups_upu_s_physical_vector4 xpack112 = xgathered10 * xpack40;
     const double x706 = x86 * x671;
     const double x707 = 0.8436 - x706;
-    const double x708 = xpack140[2];
+    const double x708 = xpack113[2];
     const double x709 = x707 + x708;
-    const double x261 = xpack66[3];
+    const double x261 = xpack39[3];
     const double x710 = x261 + x709;
-    const double x205 = xpack66[1];
+    const double x205 = xpack39[1];
     const double x711 = x205 + x710;
-    const double x705 = xpack140[0];
+    const double x705 = xpack113[0];
     const double x712 = x705 + x711;
     const double x717 = x712 - x716;
     const double x718 = 1.0 / x717;
     const double x694 = x125 * x671;
-    const double x695 = -xpack139[2];
+    const double x695 = -xpack112[2];
     const double x696 = x694 - x695;
-    const double x697 = -xpack139[3];
+    const double x697 = -xpack112[3];
     const double x698 = x696 + x697;
-    const double x699 = -xpack139[1];
+    const double x699 = -xpack112[1];
     const double x700 = x698 - x699;
-    const double x701 = -xpack139[0];
+    const double x701 = -xpack112[0];
     const double x702 = x700 + x701;
     const double x703 = x532 * x280;
     const double x704 = x702 - x703;
     const double x281 = x177 * x280;
+    const double x528 = x281 + x527;
     const double x719 = x704 * x718;
     const double x731 = x704 * x719;
     const double x735 = x693 * x718;
     const double x720 = x693 * x719;
-    const double x521 = x245 * x520;
-    const double x522 = x480 + x521;
-    const double x469 = x189 * x468;
-    const double x523 = x469 - x522;
-    const double x524 = x428 - x523;
-    const double x525 = x386 + x524;
-    const double x526 = x343 - x525;
-    const double x527 = x300 - x526;
-    const double x528 = x281 + x527;
     const double x721 = x528 + x720;
     const double x723 = 0.7515 * x125;
     const double x724 = x125 * x723;
     const double x725 = 0.8436 - x724;
-    const double x240 = xpack66[2];
+    const double x240 = xpack39[2];
     const double x726 = x240 + x725;
-    const double x727 = xpack140[3];
+    const double x727 = xpack113[3];
     const double x728 = x726 + x727;
-    const double x722 = xpack140[1];
+    const double x722 = xpack113[1];
     const double x729 = x722 + x728;
-    const double x185 = xpack66[0];
+    const double x185 = xpack39[0];
     const double x730 = x185 + x729;
     const double x732 = x730 - x731;
     const double x733 = x721 / x732;
@@ -35056,88 +34783,92 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x739 = x35 * x738;
     const double x740 = x45 * x736;
     const double x741 = x739 + x740;
+    const double x178 = -xpack32[0];
     const double x742 = x178 * x741;
-    const double x298 = -xpack85[0];
+    const double x298 = -xpack58[0];
     const double x743 = x298 + x742;
     const double x744 = x733 - x743;
     a[0] = x744;
     const double x745 = x45 * x738;
     const double x746 = x35 * x736;
     const double x747 = x745 - x746;
-    const double x536 = xpack91[0];
+    const double x536 = xpack64[0];
     const double x748 = x536 * x747;
-    const double x606 = xpack130[0];
+    const double x606 = xpack103[0];
     const double x749 = x606 + x748;
     const double x750 = -x749;
     a[1] = x750;
-    const double x533 = xpack88[0];
+    const double x533 = xpack61[0];
     const double x751 = x533 * x747;
-    const double x594 = xpack118[0];
+    const double x594 = xpack91[0];
     const double x752 = x594 + x751;
     const double x753 = -x752;
     a[2] = x753;
     const double x754 = x245 * x738;
     const double x755 = x244 * x733;
     const double x756 = x754 - x755;
+    const double x254 = -xpack32[3];
     const double x757 = x254 * x756;
-    const double x382 = xpack85[3];
+    const double x382 = xpack58[3];
     const double x758 = x382 + x757;
     const double x759 = x736 + x758;
     a[3] = x759;
     const double x760 = x244 * x738;
     const double x761 = x245 * x733;
     const double x762 = x760 + x761;
-    const double x270 = xpack91[3];
+    const double x270 = xpack64[3];
     const double x763 = x270 * x762;
-    const double x516 = -xpack130[3];
+    const double x516 = -xpack103[3];
     const double x764 = x763 - x516;
     a[4] = x764;
-    const double x264 = xpack88[3];
+    const double x264 = xpack61[3];
     const double x765 = x264 * x762;
-    const double x497 = -xpack118[3];
+    const double x497 = -xpack91[3];
     const double x766 = x765 - x497;
     a[5] = x766;
     const double x767 = x224 * x738;
     const double x768 = x387 * x736;
     const double x769 = x767 + x768;
+    const double x233 = -xpack32[2];
     const double x770 = x233 * x769;
-    const double x426 = xpack85[2];
+    const double x426 = xpack58[2];
     const double x771 = x426 + x770;
     const double x772 = x733 + x771;
     a[6] = x772;
     const double x773 = x387 * x738;
     const double x774 = x224 * x736;
     const double x775 = x773 - x774;
-    const double x558 = xpack91[2];
+    const double x558 = xpack64[2];
     const double x776 = x558 * x775;
-    const double x652 = -xpack130[2];
+    const double x652 = -xpack103[2];
     const double x777 = x652 + x776;
     const double x778 = -x777;
     a[7] = x778;
-    const double x552 = xpack88[2];
+    const double x552 = xpack61[2];
     const double x779 = x552 * x775;
-    const double x633 = -xpack118[2];
+    const double x633 = -xpack91[2];
     const double x780 = x633 + x779;
     a[8] = x780;
     const double x781 = x189 * x738;
     const double x787 = x188 * x738;
     const double x782 = x188 * x733;
     const double x783 = x781 - x782;
+    const double x198 = -xpack32[1];
     const double x784 = x198 * x783;
-    const double x339 = -xpack85[1];
+    const double x339 = -xpack58[1];
     const double x785 = x339 + x784;
     const double x786 = x736 - x785;
     a[9] = x786;
     const double x788 = x189 * x733;
     const double x789 = x787 + x788;
-    const double x214 = xpack91[1];
+    const double x214 = xpack64[1];
     const double x790 = x214 * x789;
-    const double x464 = xpack130[1];
+    const double x464 = xpack103[1];
     const double x791 = x790 - x464;
     a[10] = x791;
-    const double x208 = xpack88[1];
+    const double x208 = xpack61[1];
     const double x792 = x208 * x789;
-    const double x445 = xpack118[1];
+    const double x445 = xpack91[1];
     const double x793 = x445 - x792;
     a[11] = x793;
     const three_ups_upu_s_physical_vector4 every =
@@ -37198,11 +36929,11 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x314 = cosine[6];
     const double x284 = sine[7];
     const double x288 = cosine[7];
+    const double x27 = 2.0 * x15;
+    const double x28 = x15 * x27;
     const double x25 = 2.0 * x13;
     const double x26 = x13 * x25;
     const double x34 = x12 * x25;
-    const double x27 = 2.0 * x15;
-    const double x28 = x15 * x27;
     const double x29 = x26 + x28;
     const double x30 = 1.0 - x29;
     const double x50 = x32 * x30;
@@ -37222,20 +36953,20 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x58 = x39 * x57;
     const double x59 = x53 - x58;
     const three_ups_upu_s_physical_vector4 xgathered0 = {x8, x5, x11, x2};
-    const three_ups_upu_s_physical_vector4 xpack31 = xgathered0 + (three_ups_upu_s_physical_vector4){0.3, 0.3,
+    const three_ups_upu_s_physical_vector4 xpack0 = xgathered0 + (three_ups_upu_s_physical_vector4){0.3, 0.3,
         0.3, 0.3};
     const three_ups_upu_s_physical_vector4 xgathered1 = {x248, x268, x288, x24};
-    const three_ups_upu_s_physical_vector4 xpack34 = xgathered1 * xpack31;
-    const three_ups_upu_s_physical_vector4 xpack35 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
-        xpack34;
-    const three_ups_upu_s_physical_vector4 xpack58 = xgathered1 * xpack35;
-    const double x62 = xpack58[3];
+    const three_ups_upu_s_physical_vector4 xpack3 = xgathered1 * xpack0;
+    const three_ups_upu_s_physical_vector4 xpack4 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
+        xpack3;
+    const three_ups_upu_s_physical_vector4 xpack22 = xgathered1 * xpack4;
+    const double x62 = xpack22[3];
     const double x63 = x59 * x62;
     const three_ups_upu_s_physical_vector4 xgathered2 = {x244, x264, x284, x39};
-    const three_ups_upu_s_physical_vector4 xpack56 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xpack20 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered2;
-    const three_ups_upu_s_physical_vector4 xpack57 = xpack31 - xpack56;
-    const double x61 = xpack57[3];
+    const three_ups_upu_s_physical_vector4 xpack21 = xpack0 - xpack20;
+    const double x61 = xpack21[3];
     const double x64 = x61 * x63;
     const double x65 = x59 - x64;
     const double x66 = x32 * x65;
@@ -37244,12 +36975,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x36 = x32 * x35;
     const double x37 = x31 + x36;
     const double x43 = x39 * x37;
-    const double x45 = xpack35[3];
+    const double x45 = xpack4[3];
     const double x46 = x43 * x45;
-    const three_ups_upu_s_physical_vector4 xpack32 = xgathered2 * xpack31;
-    const three_ups_upu_s_physical_vector4 xpack33 = xpack32 - (three_ups_upu_s_physical_vector4){0.8, 0.8,
-        0.8, 0.8};
-    const double x42 = -xpack33[3];
+    const three_ups_upu_s_physical_vector4 xpack1 = xgathered2 * xpack0;
+    const three_ups_upu_s_physical_vector4 xpack2 = xpack1 - (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8,
+        0.8};
+    const double x42 = -xpack2[3];
     const double x47 = x42 * x46;
     const double x38 = x24 * x37;
     const double x48 = x38 - x47;
@@ -37307,249 +37038,205 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x138 = x133 + x137;
     const double x163 = x118 * x138;
     const double x167 = x163 + x166;
-    const double x563 = x332 * x167;
-    const double x170 = x30 * x144;
-    const double x171 = x150 * x154;
-    const double x172 = x170 + x171;
-    const double x169 = x134 * x138;
-    const double x173 = x169 + x172;
-    const double x564 = x242 * x173;
-    const double x565 = x563 - x564;
     const double x145 = x57 * x144;
-    const double x689 = x138 * x144;
-    const double x690 = 0.7515 * x689;
     const double x155 = x147 * x154;
     const double x156 = x145 + x155;
-    const double x684 = x138 * x154;
     const double x139 = x132 * x138;
     const double x157 = x139 + x156;
+    const three_ups_upu_s_physical_vector4 xgathered3 = {x332, x262, x282, x22};
+    const three_ups_upu_s_physical_vector4 xgathered4 = {x167, x157, x157, x167};
+    const three_ups_upu_s_physical_vector4 xpack49 = xgathered3 * xgathered4;
+    const double x170 = x30 * x144;
+    const double x689 = x138 * x144;
+    const double x690 = 0.7515 * x689;
+    const double x171 = x150 * x154;
+    const double x172 = x170 + x171;
+    const double x684 = x138 * x154;
+    const double x169 = x134 * x138;
+    const double x173 = x169 + x172;
     const double x685 = 0.7515 * x684;
-    const double x508 = x262 * x157;
-    const double x509 = x335 * x167;
-    const double x510 = x508 + x509;
-    const double x453 = x282 * x157;
-    const double x454 = x314 * x167;
-    const double x455 = x453 + x454;
-    const double x168 = x22 * x167;
-    const double x174 = x32 * x173;
-    const double x175 = x168 - x174;
-    const three_ups_upu_s_physical_vector4 xgathered3 = {x332, x335, x314, x22};
-    const three_ups_upu_s_physical_vector4 xgathered4 = {x92, x92, x92, x92};
-    const three_ups_upu_s_physical_vector4 xpack94 = xgathered3 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xgathered5 = {x242, x262, x282, x32};
-    const three_ups_upu_s_physical_vector4 xgathered6 = {x90, x87, x87, x90};
-    const three_ups_upu_s_physical_vector4 xpack95 = xgathered5 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack96 = xpack95 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        1.0, (-1.0)} * xpack94;
-    const three_ups_upu_s_physical_vector4 xpack97 = xpack33 * xpack96;
-    const three_ups_upu_s_physical_vector4 xpack98 = xpack35 * xpack97;
-    const three_ups_upu_s_physical_vector4 xgathered7 = {x87, x90, x90, x87};
-    const three_ups_upu_s_physical_vector4 xpack99 = xpack98 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
-        (-1.0), 1.0} * xgathered7;
-    const three_ups_upu_s_physical_vector4 xgathered8 = {x565, x510, x455, x175};
-    const three_ups_upu_s_physical_vector4 xpack135 = xpack99 * xgathered8;
-    const three_ups_upu_s_physical_vector4 xpack136 = xpack57 * xpack135;
-    const three_ups_upu_s_physical_vector4 xpack75 = xgathered5 * xgathered4;
-    const three_ups_upu_s_physical_vector4 xpack76 = xgathered3 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack77 = xpack76 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        (-1.0), 1.0} * xpack75;
-    const three_ups_upu_s_physical_vector4 xpack80 = xpack57 * xpack77;
-    const three_ups_upu_s_physical_vector4 xpack81 = xpack80 * xpack58;
-    const three_ups_upu_s_physical_vector4 xpack59 = xpack57 * xpack58;
-    const three_ups_upu_s_physical_vector4 xpack53 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+    const three_ups_upu_s_physical_vector4 xgathered5 = {x242, x335, x314, x32};
+    const three_ups_upu_s_physical_vector4 xgathered6 = {x173, x167, x167, x173};
+    const three_ups_upu_s_physical_vector4 xpack50 = xgathered5 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack51 = xpack50 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        1.0, (-1.0)} * xpack49;
+    const three_ups_upu_s_physical_vector4 xgathered7 = {x332, x335, x314, x22};
+    const three_ups_upu_s_physical_vector4 xgathered8 = {x92, x92, x92, x92};
+    const three_ups_upu_s_physical_vector4 xpack53 = xgathered7 * xgathered8;
+    const three_ups_upu_s_physical_vector4 xgathered9 = {x242, x262, x282, x32};
+    const three_ups_upu_s_physical_vector4 xgathered10 = {x90, x87, x87, x90};
+    const three_ups_upu_s_physical_vector4 xpack54 = xgathered9 * xgathered10;
+    const three_ups_upu_s_physical_vector4 xpack55 = xpack54 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        1.0, (-1.0)} * xpack53;
+    const three_ups_upu_s_physical_vector4 xpack56 = xpack2 * xpack55;
+    const three_ups_upu_s_physical_vector4 xpack57 = xpack4 * xpack56;
+    const three_ups_upu_s_physical_vector4 xgathered11 = {x87, x90, x90, x87};
+    const three_ups_upu_s_physical_vector4 xpack58 = xpack57 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        (-1.0), 1.0} * xgathered11;
+    const three_ups_upu_s_physical_vector4 xpack93 = xpack58 * xpack51;
+    const three_ups_upu_s_physical_vector4 xpack94 = xpack21 * xpack93;
+    const three_ups_upu_s_physical_vector4 xpack34 = xgathered9 * xgathered8;
+    const three_ups_upu_s_physical_vector4 xpack35 = xgathered7 * xgathered10;
+    const three_ups_upu_s_physical_vector4 xpack36 = xpack35 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        (-1.0), 1.0} * xpack34;
+    const three_ups_upu_s_physical_vector4 xpack39 = xpack21 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack40 = xpack39 * xpack22;
+    const three_ups_upu_s_physical_vector4 xpack23 = xpack21 * xpack22;
+    const three_ups_upu_s_physical_vector4 xpack17 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
         xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack78 = xpack53 * xpack77;
-    const three_ups_upu_s_physical_vector4 xpack155 = xpack53 * xpack135;
-    const three_ups_upu_s_physical_vector4 xpack134 = xpack78 * xpack81;
-    const three_ups_upu_s_physical_vector4 xpack137 = xpack136 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack134;
-    const three_ups_upu_s_physical_vector4 xgathered9 = {x242, x335, x314, x32};
-    const three_ups_upu_s_physical_vector4 xgathered10 = {x167, x157, x157, x167};
-    const three_ups_upu_s_physical_vector4 xpack101 = xgathered9 * xgathered10;
-    const three_ups_upu_s_physical_vector4 xgathered11 = {x332, x262, x282, x22};
-    const three_ups_upu_s_physical_vector4 xgathered12 = {x173, x167, x167, x173};
-    const three_ups_upu_s_physical_vector4 xpack102 = xgathered11 * xgathered12;
-    const three_ups_upu_s_physical_vector4 xpack103 = xpack102 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), (-1.0), 1.0} * xpack101;
-    const three_ups_upu_s_physical_vector4 xpack87 = xgathered1 * xpack81;
-    const three_ups_upu_s_physical_vector4 xpack131 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xpack87;
-    const three_ups_upu_s_physical_vector4 xpack132 = xpack78 - xpack131;
-    const three_ups_upu_s_physical_vector4 xpack133 = xpack103 * xpack132;
-    const three_ups_upu_s_physical_vector4 xpack138 = xpack137 + xpack133;
-    const three_ups_upu_s_physical_vector4 xpack139 = xpack58 * xpack138;
-    const double x200 = xpack138[3];
+    const three_ups_upu_s_physical_vector4 xpack37 = xpack17 * xpack36;
+    const three_ups_upu_s_physical_vector4 xpack113 = xpack17 * xpack93;
+    const three_ups_upu_s_physical_vector4 xpack92 = xpack37 * xpack40;
+    const three_ups_upu_s_physical_vector4 xpack95 = xpack94 + xpack92;
+    const three_ups_upu_s_physical_vector4 xpack60 = xgathered5 * xgathered4;
+    const three_ups_upu_s_physical_vector4 xpack61 = xgathered3 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack62 = xpack60 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        (-1.0), 1.0} * xpack61;
+    const three_ups_upu_s_physical_vector4 xpack46 = xgathered1 * xpack40;
+    const three_ups_upu_s_physical_vector4 xpack89 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xpack46;
+    const three_ups_upu_s_physical_vector4 xpack90 = xpack37 - xpack89;
+    const three_ups_upu_s_physical_vector4 xpack91 = xpack62 * xpack90;
+    const three_ups_upu_s_physical_vector4 xpack96 = xpack95 - xpack91;
+    const three_ups_upu_s_physical_vector4 xpack97 = xpack22 * xpack96;
+    const double x200 = -xpack96[3];
     const double x201 = x63 * x200;
-    const three_ups_upu_s_physical_vector4 xpack88 = xpack31 * xpack87;
-    const three_ups_upu_s_physical_vector4 xpack37 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack31;
-    const three_ups_upu_s_physical_vector4 xpack38 = xpack37 - (three_ups_upu_s_physical_vector4){0.426,
-        0.426, 0.426, 0.426};
-    const three_ups_upu_s_physical_vector4 xpack114 = xpack37 + xpack38;
-    const three_ups_upu_s_physical_vector4 xpack39 = xpack31 * xpack38;
-    const three_ups_upu_s_physical_vector4 xpack145 = xpack114 * xpack134;
-    const three_ups_upu_s_physical_vector4 xpack60 = xpack39 + (three_ups_upu_s_physical_vector4){0.0867,
+    const three_ups_upu_s_physical_vector4 xpack47 = xpack0 * xpack46;
+    const three_ups_upu_s_physical_vector4 xpack6 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42, 1.42}
+        * xpack0;
+    const three_ups_upu_s_physical_vector4 xpack7 = xpack6 - (three_ups_upu_s_physical_vector4){0.426, 0.426,
+        0.426, 0.426};
+    const three_ups_upu_s_physical_vector4 xpack73 = xpack6 + xpack7;
+    const three_ups_upu_s_physical_vector4 xpack8 = xpack0 * xpack7;
+    const three_ups_upu_s_physical_vector4 xpack103 = xpack73 * xpack92;
+    const three_ups_upu_s_physical_vector4 xpack24 = xpack8 + (three_ups_upu_s_physical_vector4){0.0867,
         0.0867, 0.0867, 0.0867};
-    const three_ups_upu_s_physical_vector4 xpack140 = xpack60 * xpack139;
-    const three_ups_upu_s_physical_vector4 xpack40 = xpack39 - (three_ups_upu_s_physical_vector4){(-0.085988),
+    const three_ups_upu_s_physical_vector4 xpack98 = xpack24 * xpack97;
+    const three_ups_upu_s_physical_vector4 xpack9 = xpack8 - (three_ups_upu_s_physical_vector4){(-0.085988),
         (-0.085988), (-0.085988), (-0.085988)};
-    const three_ups_upu_s_physical_vector4 xpack61 = xpack60 * xpack59;
-    const three_ups_upu_s_physical_vector4 xpack62 = xpack59 * xpack61;
-    const three_ups_upu_s_physical_vector4 xpack147 = xpack99 * xpack99;
-    const three_ups_upu_s_physical_vector4 xpack41 = xgathered1 * xpack40;
-    const three_ups_upu_s_physical_vector4 xpack120 = xgathered2 * xpack40;
-    const three_ups_upu_s_physical_vector4 xpack121 = xgathered1 * xpack120;
-    const three_ups_upu_s_physical_vector4 xpack119 = xgathered2 * xpack41;
-    const three_ups_upu_s_physical_vector4 xpack122 = xpack119 + xpack121;
-    const three_ups_upu_s_physical_vector4 xpack42 = xgathered1 * xpack41;
-    const three_ups_upu_s_physical_vector4 xpack43 = xpack42 + (three_ups_upu_s_physical_vector4){0.001112,
+    const three_ups_upu_s_physical_vector4 xpack25 = xpack24 * xpack23;
+    const three_ups_upu_s_physical_vector4 xpack26 = xpack23 * xpack25;
+    const three_ups_upu_s_physical_vector4 xpack105 = xpack58 * xpack58;
+    const three_ups_upu_s_physical_vector4 xpack10 = xgathered1 * xpack9;
+    const three_ups_upu_s_physical_vector4 xpack79 = xgathered2 * xpack9;
+    const three_ups_upu_s_physical_vector4 xpack80 = xgathered1 * xpack79;
+    const three_ups_upu_s_physical_vector4 xpack78 = xgathered2 * xpack10;
+    const three_ups_upu_s_physical_vector4 xpack81 = xpack78 + xpack80;
+    const three_ups_upu_s_physical_vector4 xpack11 = xgathered1 * xpack10;
+    const three_ups_upu_s_physical_vector4 xpack12 = xpack11 + (three_ups_upu_s_physical_vector4){0.001112,
         0.001112, 0.001112, 0.001112};
-    const three_ups_upu_s_physical_vector4 xpack146 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
-        xpack122;
-    const three_ups_upu_s_physical_vector4 xpack148 = xpack146 * xpack147;
-    const three_ups_upu_s_physical_vector4 xpack149 = xpack145 + xpack148;
-    const three_ups_upu_s_physical_vector4 xpack141 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
-        9.81} * xgathered3;
-    const three_ups_upu_s_physical_vector4 xpack142 = xgathered2 * xpack141;
-    const three_ups_upu_s_physical_vector4 xpack143 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack142;
-    const three_ups_upu_s_physical_vector4 xpack144 = xpack31 * xpack143;
-    const three_ups_upu_s_physical_vector4 xpack150 = xpack144 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack149;
-    const three_ups_upu_s_physical_vector4 xpack151 = xpack140 - xpack150;
-    const three_ups_upu_s_physical_vector4 xpack152 = xpack59 * xpack151;
-    const three_ups_upu_s_physical_vector4 xpack158 = xgathered1 * xpack141;
-    const three_ups_upu_s_physical_vector4 xpack159 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack158;
-    const three_ups_upu_s_physical_vector4 xgathered13 = {x20, x19, x21, x18};
-    const three_ups_upu_s_physical_vector4 xpack160 = xgathered13 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack159;
-    const three_ups_upu_s_physical_vector4 xpack82 = xgathered2 * xpack81;
-    const three_ups_upu_s_physical_vector4 xpack153 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
-        xpack82;
-    const three_ups_upu_s_physical_vector4 xpack154 = xpack103 * xpack153;
-    const three_ups_upu_s_physical_vector4 xpack156 = xpack155 - xpack154;
-    const three_ups_upu_s_physical_vector4 xpack157 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack156;
-    const three_ups_upu_s_physical_vector4 xpack83 = xpack31 * xpack82;
-    const three_ups_upu_s_physical_vector4 xpack115 = xgathered1 * xpack114;
-    const three_ups_upu_s_physical_vector4 xpack116 = xgathered1 * xpack115;
-    const three_ups_upu_s_physical_vector4 xpack161 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
-        xpack114;
-    const three_ups_upu_s_physical_vector4 xpack164 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
-        xpack116;
-    const three_ups_upu_s_physical_vector4 xpack165 = xpack164 * xpack147;
-    const three_ups_upu_s_physical_vector4 xpack162 = xpack81 * xpack81;
-    const three_ups_upu_s_physical_vector4 xpack163 = xpack161 * xpack162;
-    const three_ups_upu_s_physical_vector4 xpack166 = xpack163 + xpack165;
-    const three_ups_upu_s_physical_vector4 xpack167 = xpack166 + xpack160;
-    const three_ups_upu_s_physical_vector4 xpack168 = xpack157 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack167;
-    const three_ups_upu_s_physical_vector4 xpack169 = xpack53 * xpack168;
-    const three_ups_upu_s_physical_vector4 xpack170 = xpack152 + xpack169;
-    const three_ups_upu_s_physical_vector4 xpack171 = xgathered9 * xpack170;
-    const three_ups_upu_s_physical_vector4 xpack177 = xgathered11 * xpack170;
+    const three_ups_upu_s_physical_vector4 xpack104 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
+        xpack81;
+    const three_ups_upu_s_physical_vector4 xpack106 = xpack104 * xpack105;
+    const three_ups_upu_s_physical_vector4 xpack107 = xpack103 + xpack106;
+    const three_ups_upu_s_physical_vector4 xpack99 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
+        9.81} * xgathered7;
+    const three_ups_upu_s_physical_vector4 xpack100 = xgathered2 * xpack99;
+    const three_ups_upu_s_physical_vector4 xpack101 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack100;
+    const three_ups_upu_s_physical_vector4 xpack102 = xpack0 * xpack101;
+    const three_ups_upu_s_physical_vector4 xpack108 = xpack107 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack102;
+    const three_ups_upu_s_physical_vector4 xpack109 = xpack98 - xpack108;
+    const three_ups_upu_s_physical_vector4 xpack110 = xpack23 * xpack109;
+    const three_ups_upu_s_physical_vector4 xpack116 = xgathered1 * xpack99;
+    const three_ups_upu_s_physical_vector4 xpack117 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack116;
+    const three_ups_upu_s_physical_vector4 xgathered12 = {x20, x19, x21, x18};
+    const three_ups_upu_s_physical_vector4 xpack118 = xgathered12 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, (-1.0)} * xpack117;
+    const three_ups_upu_s_physical_vector4 xpack41 = xgathered2 * xpack40;
+    const three_ups_upu_s_physical_vector4 xpack111 = (three_ups_upu_s_physical_vector4){0.8, 0.8, 0.8, 0.8} *
+        xpack41;
+    const three_ups_upu_s_physical_vector4 xpack112 = xpack62 * xpack111;
+    const three_ups_upu_s_physical_vector4 xpack114 = xpack113 + xpack112;
+    const three_ups_upu_s_physical_vector4 xpack115 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack114;
+    const three_ups_upu_s_physical_vector4 xpack42 = xpack0 * xpack41;
+    const three_ups_upu_s_physical_vector4 xpack74 = xgathered1 * xpack73;
+    const three_ups_upu_s_physical_vector4 xpack75 = xgathered1 * xpack74;
+    const three_ups_upu_s_physical_vector4 xpack119 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
+        xpack73;
+    const three_ups_upu_s_physical_vector4 xpack122 = (three_ups_upu_s_physical_vector4){0.5, 0.5, 0.5, 0.5} *
+        xpack75;
+    const three_ups_upu_s_physical_vector4 xpack123 = xpack122 * xpack105;
+    const three_ups_upu_s_physical_vector4 xpack120 = xpack40 * xpack40;
+    const three_ups_upu_s_physical_vector4 xpack121 = xpack119 * xpack120;
+    const three_ups_upu_s_physical_vector4 xpack124 = xpack121 + xpack123;
+    const three_ups_upu_s_physical_vector4 xpack125 = xpack124 + xpack118;
+    const three_ups_upu_s_physical_vector4 xpack126 = xpack115 + xpack125;
+    const three_ups_upu_s_physical_vector4 xpack127 = xpack17 * xpack126;
+    const three_ups_upu_s_physical_vector4 xpack128 = xpack110 + xpack127;
+    const three_ups_upu_s_physical_vector4 xpack129 = xgathered9 * xpack128;
+    const three_ups_upu_s_physical_vector4 xpack131 = xgathered7 * xpack128;
     const double x683 = 14.62961126155784 * x148;
     const double x686 = x683 + x685;
-    const double x94 = x13 * x92;
-    const double x93 = x15 * x87;
-    const double x95 = x93 - x94;
-    const double x96 = x12 * x90;
-    const double x97 = x95 - x96;
-    const double x98 = 0.5 * x97;
-    const three_ups_upu_s_physical_vector4 xgathered14 = {x35, x57, x35, x98};
-    const three_ups_upu_s_physical_vector4 xgathered15 = {x686, x686, x686, x92};
-    const three_ups_upu_s_physical_vector4 xpack172 = xgathered14 * xgathered15;
-    const double x802 = x30 * x686;
+    const double x784 = x35 * x686;
     const double x688 = 14.62961126155784 * x35;
     const double x691 = x688 + x690;
-    const double x103 = x12 * x92;
-    const double x100 = x13 * x90;
-    const double x101 = x14 * x87;
-    const double x102 = x100 - x101;
-    const double x104 = x102 - x103;
-    const double x105 = 0.5 * x104;
-    const three_ups_upu_s_physical_vector4 xgathered16 = {x148, x147, x148, x90};
-    const three_ups_upu_s_physical_vector4 xgathered17 = {x691, x691, x691, x105};
-    const three_ups_upu_s_physical_vector4 xpack173 = xgathered16 * xgathered17;
-    const three_ups_upu_s_physical_vector4 xpack174 = xpack172 - xpack173;
-    const double x803 = x150 * x691;
-    const double x804 = x802 - x803;
-    const double x801 = xpack177[0];
-    const double x805 = x801 - x804;
-    const double x800 = xpack177[3];
-    const double x806 = x800 - x805;
-    const double x869 = x87 * x105;
-    const double x783 = xpack171[0];
-    const double x786 = xpack174[0];
+    const double x785 = x148 * x691;
+    const double x786 = x784 - x785;
+    const double x783 = -xpack129[0];
     const double x787 = x783 - x786;
-    const double x742 = xpack177[1];
+    const double x742 = xpack129[1];
     const double x788 = x742 - x787;
-    const double x741 = xpack177[2];
+    const double x741 = xpack129[2];
     const double x789 = x741 - x788;
-    const double x740 = xpack171[3];
+    const double x740 = -xpack129[3];
     const double x790 = x740 - x789;
-    const three_ups_upu_s_physical_vector4 xpack104 = xpack99 * xpack103;
-    const three_ups_upu_s_physical_vector4 xpack105 = xpack33 * xpack104;
-    const three_ups_upu_s_physical_vector4 xpack36 = xpack33 * xpack35;
-    const double x126 = xpack81[3];
-    const double x186 = xpack103[3];
+    const three_ups_upu_s_physical_vector4 xpack63 = xpack58 * xpack62;
+    const three_ups_upu_s_physical_vector4 xpack64 = xpack2 * xpack63;
+    const three_ups_upu_s_physical_vector4 xpack5 = xpack2 * xpack4;
+    const double x126 = xpack40[3];
+    const double x186 = xpack62[3];
     const double x202 = x126 - x186;
-    const three_ups_upu_s_physical_vector4 xpack79 = xgathered1 * xpack78;
-    const three_ups_upu_s_physical_vector4 xpack84 = xpack79 - xpack83;
-    const three_ups_upu_s_physical_vector4 xgathered18 = {x157, x173, x173, x157};
-    const three_ups_upu_s_physical_vector4 xpack85 = xgathered18 * xpack84;
-    const three_ups_upu_s_physical_vector4 xpack100 = xpack99 * xpack84;
-    const three_ups_upu_s_physical_vector4 xpack106 = xpack105 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack100;
-    const three_ups_upu_s_physical_vector4 xpack86 = xgathered2 * xpack78;
-    const three_ups_upu_s_physical_vector4 xpack89 = xpack86 + xpack88;
-    const three_ups_upu_s_physical_vector4 xpack93 = xpack89 * xgathered8;
-    const three_ups_upu_s_physical_vector4 xpack107 = xpack106 - xpack93;
-    const three_ups_upu_s_physical_vector4 xpack108 = xpack107 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, 1.0} * xpack85;
-    const three_ups_upu_s_physical_vector4 xpack109 = xpack35 * xpack108;
-    const double x191 = xpack108[3];
+    const three_ups_upu_s_physical_vector4 xpack38 = xgathered1 * xpack37;
+    const three_ups_upu_s_physical_vector4 xpack43 = xpack38 - xpack42;
+    const three_ups_upu_s_physical_vector4 xgathered13 = {x157, x173, x173, x157};
+    const three_ups_upu_s_physical_vector4 xpack44 = xgathered13 * xpack43;
+    const three_ups_upu_s_physical_vector4 xpack59 = xpack58 * xpack43;
+    const three_ups_upu_s_physical_vector4 xpack65 = xpack64 - xpack59;
+    const three_ups_upu_s_physical_vector4 xpack45 = xgathered2 * xpack37;
+    const three_ups_upu_s_physical_vector4 xpack48 = xpack45 + xpack47;
+    const three_ups_upu_s_physical_vector4 xpack52 = xpack48 * xpack51;
+    const three_ups_upu_s_physical_vector4 xpack66 = xpack65 + xpack52;
+    const three_ups_upu_s_physical_vector4 xpack67 = xpack66 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        (-1.0), 1.0} * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack68 = xpack4 * xpack67;
+    const double x191 = xpack67[3];
     const double x192 = x46 * x191;
-    const three_ups_upu_s_physical_vector4 xpack110 = xpack43 * xpack109;
-    const three_ups_upu_s_physical_vector4 xpack117 = xpack78 * xpack99;
-    const three_ups_upu_s_physical_vector4 xpack118 = xpack116 * xpack117;
-    const three_ups_upu_s_physical_vector4 xpack123 = xpack81 * xpack99;
-    const three_ups_upu_s_physical_vector4 xpack124 = xpack122 * xpack123;
-    const three_ups_upu_s_physical_vector4 xpack125 = xpack118 - xpack124;
-    const three_ups_upu_s_physical_vector4 xpack111 = (three_ups_upu_s_physical_vector4){13.9302, 13.9302,
-        13.9302, 13.9302} * xgathered5;
-    const three_ups_upu_s_physical_vector4 xpack112 = xpack31 * xpack111;
-    const three_ups_upu_s_physical_vector4 xpack113 = xgathered1 * xpack112;
-    const three_ups_upu_s_physical_vector4 xpack126 = xpack113 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, (-1.0)} * xpack125;
-    const three_ups_upu_s_physical_vector4 xpack127 = xpack126 - xpack110;
-    const three_ups_upu_s_physical_vector4 xpack129 = xpack36 * xpack127;
-    const three_ups_upu_s_physical_vector4 xpack130 = xgathered11 * xpack129;
-    const double x707 = -xpack130[0];
+    const three_ups_upu_s_physical_vector4 xpack69 = xpack12 * xpack68;
+    const three_ups_upu_s_physical_vector4 xpack76 = xpack37 * xpack58;
+    const three_ups_upu_s_physical_vector4 xpack77 = xpack75 * xpack76;
+    const three_ups_upu_s_physical_vector4 xpack82 = xpack40 * xpack58;
+    const three_ups_upu_s_physical_vector4 xpack83 = xpack81 * xpack82;
+    const three_ups_upu_s_physical_vector4 xpack84 = xpack77 - xpack83;
+    const three_ups_upu_s_physical_vector4 xpack70 = (three_ups_upu_s_physical_vector4){13.9302, 13.9302,
+        13.9302, 13.9302} * xgathered9;
+    const three_ups_upu_s_physical_vector4 xpack71 = xpack0 * xpack70;
+    const three_ups_upu_s_physical_vector4 xpack72 = xgathered1 * xpack71;
+    const three_ups_upu_s_physical_vector4 xpack85 = xpack84 + (three_ups_upu_s_physical_vector4){(-1.0), 1.0,
+        1.0, (-1.0)} * xpack72;
+    const three_ups_upu_s_physical_vector4 xpack86 = xpack85 + xpack69;
+    const three_ups_upu_s_physical_vector4 xpack87 = xpack5 * xpack86;
+    const three_ups_upu_s_physical_vector4 xpack88 = xgathered7 * xpack87;
+    const double x707 = xpack88[0];
     const double x791 = x707 + x790;
-    const three_ups_upu_s_physical_vector4 xpack176 = xgathered9 * xpack129;
-    const double x705 = xpack176[1];
+    const double x705 = xpack88[1];
     const double x792 = x705 + x791;
-    const double x704 = -xpack176[2];
+    const double x704 = -xpack88[2];
     const double x793 = x704 + x792;
-    const double x703 = xpack130[3];
+    const double x703 = -xpack88[3];
     const double x794 = x703 + x793;
-    const double x799 = -xpack176[0];
-    const double x807 = x799 - x806;
-    const double x545 = -xpack127[1];
-    const double x808 = x545 + x807;
-    const double x490 = xpack127[2];
-    const double x809 = x490 - x808;
-    const double x798 = xpack176[3];
-    const double x810 = x798 - x809;
+    const three_ups_upu_s_physical_vector4 xpack130 = xgathered9 * xpack87;
+    const double x175 = -xpack51[3];
     const double x208 = x39 * x175;
     const double x216 = x24 * x175;
     const double x207 = x24 * x157;
     const double x209 = x207 - x208;
     const double x215 = x39 * x157;
     const double x217 = x215 + x216;
-    const double x182 = xpack99[3];
+    const double x182 = xpack58[3];
     const double x210 = x24 * x182;
     const double x211 = x209 - x210;
     const double x218 = x39 * x182;
@@ -37580,44 +37267,74 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x237 = x201 - x236;
     const double x238 = x192 + x237;
     const double x239 = x68 * x238;
-    const three_ups_upu_s_physical_vector4 xpack44 = xpack36 * xpack43;
-    const three_ups_upu_s_physical_vector4 xpack52 = xpack36 * xpack44;
-    const three_ups_upu_s_physical_vector4 xpack54 = (three_ups_upu_s_physical_vector4){1.136, 1.136, 1.136,
+    const three_ups_upu_s_physical_vector4 xpack13 = xpack5 * xpack12;
+    const three_ups_upu_s_physical_vector4 xpack16 = xpack5 * xpack13;
+    const three_ups_upu_s_physical_vector4 xpack18 = (three_ups_upu_s_physical_vector4){1.136, 1.136, 1.136,
         1.136} * xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack55 = xpack53 * xpack54;
-    const three_ups_upu_s_physical_vector4 xpack63 = xpack55 + xpack62;
-    const three_ups_upu_s_physical_vector4 xpack64 = xpack52 - xpack63;
-    const three_ups_upu_s_physical_vector4 xpack65 = xgathered3 * xpack64;
-    const three_ups_upu_s_physical_vector4 xpack66 = xgathered3 * xpack65;
-    const three_ups_upu_s_physical_vector4 xpack73 = xpack63 + xpack66;
-    const three_ups_upu_s_physical_vector4 xpack67 = xpack52 - xpack66;
-    const three_ups_upu_s_physical_vector4 xpack69 = xgathered5 * xpack65;
+    const three_ups_upu_s_physical_vector4 xpack19 = xpack17 * xpack18;
+    const three_ups_upu_s_physical_vector4 xpack27 = xpack19 + xpack26;
+    const three_ups_upu_s_physical_vector4 xpack28 = xpack16 - xpack27;
+    const three_ups_upu_s_physical_vector4 xpack29 = xgathered7 * xpack28;
+    const three_ups_upu_s_physical_vector4 xpack30 = xgathered7 * xpack29;
+    const three_ups_upu_s_physical_vector4 xpack33 = xpack27 + xpack30;
+    const three_ups_upu_s_physical_vector4 xpack31 = xpack16 - xpack30;
+    const three_ups_upu_s_physical_vector4 xpack32 = xgathered9 * xpack29;
     const double x330 = 0.7515 * x118;
     const double x404 = x118 * x330;
     const double x405 = 0.8436 - x404;
-    const double x406 = xpack73[0];
+    const double x406 = xpack33[0];
     const double x407 = x405 + x406;
-    const double x403 = xpack73[1];
+    const double x403 = xpack33[1];
     const double x408 = x403 + x407;
-    const double x401 = xpack73[2];
+    const double x401 = xpack33[2];
     const double x409 = x401 + x408;
-    const double x399 = xpack73[3];
+    const double x399 = xpack33[3];
     const double x410 = x399 + x409;
     const double x331 = x132 * x330;
     const double x701 = x239 * x410;
     const double x795 = x701 + x794;
     const double x796 = x72 * x795;
     const double x411 = x72 * x410;
+    const double x802 = x30 * x686;
+    const double x687 = x57 * x686;
+    const double x803 = x150 * x691;
+    const double x804 = x802 - x803;
+    const double x801 = -xpack131[0];
+    const double x805 = x801 - x804;
+    const double x800 = -xpack131[3];
+    const double x806 = x800 - x805;
+    const double x799 = xpack130[0];
+    const double x807 = x799 - x806;
+    const double x545 = -xpack86[1];
+    const double x808 = x545 + x807;
+    const double x490 = xpack86[2];
+    const double x809 = x490 - x808;
+    const double x798 = -xpack130[3];
+    const double x810 = x798 - x809;
+    const double x692 = x147 * x691;
+    const double x693 = x687 - x692;
+    const double x682 = xpack131[1];
+    const double x694 = x682 - x693;
+    const double x641 = xpack131[2];
+    const double x695 = x641 - x694;
+    const double x600 = -xpack86[0];
+    const double x696 = x600 - x695;
+    const double x547 = xpack130[1];
+    const double x697 = x547 - x696;
+    const double x492 = -xpack130[2];
+    const double x698 = x492 + x697;
+    const double x437 = xpack86[3];
+    const double x699 = x437 + x698;
     const double x240 = 0.7515 * x134;
     const double x393 = x118 * x240;
-    const double x394 = xpack69[0];
+    const double x394 = xpack32[0];
     const double x395 = x393 + x394;
-    const three_ups_upu_s_physical_vector4 xpack49 = xgathered3 * xpack44;
-    const double x392 = -xpack49[1];
+    const three_ups_upu_s_physical_vector4 xpack15 = xgathered7 * xpack13;
+    const double x392 = -xpack15[1];
     const double x396 = x392 + x395;
-    const double x391 = -xpack49[2];
+    const double x391 = -xpack15[2];
     const double x397 = x391 - x396;
-    const double x390 = xpack69[3];
+    const double x390 = xpack32[3];
     const double x398 = x390 - x397;
     const double x412 = x398 - x411;
     const double x413 = x398 + x412;
@@ -37625,68 +37342,55 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x811 = x797 + x810;
     const double x812 = x796 - x811;
     const double x414 = x72 * x413;
-    const double x333 = -xpack49[0];
+    const double x333 = -xpack15[0];
     const double x334 = x331 + x333;
-    const double x350 = xpack69[1];
+    const double x350 = xpack32[1];
     const double x351 = x334 - x350;
-    const double x329 = xpack69[2];
+    const double x329 = xpack32[2];
     const double x352 = x329 - x351;
-    const double x313 = -xpack49[3];
+    const double x313 = -xpack15[3];
     const double x353 = x313 + x352;
-    const three_ups_upu_s_physical_vector4 xpack45 = xgathered5 * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack14 = xgathered9 * xpack13;
     const double x368 = x134 * x240;
     const double x369 = 0.8436 - x368;
-    const double x385 = xpack67[0];
+    const double x385 = xpack31[0];
     const double x386 = x369 + x385;
-    const double x278 = xpack43[1];
+    const double x278 = xpack12[1];
     const double x387 = x278 + x386;
-    const double x298 = xpack43[2];
+    const double x298 = xpack12[2];
     const double x388 = x298 + x387;
-    const double x367 = xpack67[3];
+    const double x367 = xpack31[3];
     const double x389 = x367 + x388;
     const double x415 = x389 - x414;
     const double x416 = 1.0 / x415;
     const double x241 = x132 * x240;
-    const double x260 = -xpack45[0];
+    const double x260 = -xpack14[0];
     const double x261 = x241 - x260;
-    const double x280 = -xpack45[1];
+    const double x280 = -xpack14[1];
     const double x281 = x261 + x280;
-    const double x300 = -xpack45[2];
+    const double x300 = -xpack14[2];
     const double x301 = x281 - x300;
-    const double x311 = -xpack45[3];
+    const double x311 = -xpack14[3];
     const double x312 = x301 + x311;
     const double x354 = x72 * x353;
     const double x355 = x312 - x354;
     const double x418 = x239 * x353;
+    const double x700 = x418 + x699;
     const double x417 = x355 * x416;
     const double x824 = x355 * x417;
     const double x828 = x416 * x812;
     const double x813 = x417 * x812;
-    const double x682 = xpack171[1];
-    const double x693 = xpack174[1];
-    const double x694 = x682 - x693;
-    const double x641 = xpack171[2];
-    const double x695 = x641 - x694;
-    const double x600 = xpack127[0];
-    const double x696 = x600 - x695;
-    const double x547 = xpack130[1];
-    const double x697 = x547 - x696;
-    const double x492 = -xpack130[2];
-    const double x698 = x492 + x697;
-    const double x437 = -xpack127[3];
-    const double x699 = x437 + x698;
-    const double x700 = x418 + x699;
     const double x814 = x700 + x813;
     const double x816 = 0.7515 * x132;
     const double x817 = x132 * x816;
     const double x818 = 0.8436 - x817;
-    const double x258 = xpack43[0];
+    const double x258 = xpack12[0];
     const double x819 = x258 + x818;
-    const double x820 = xpack67[1];
+    const double x820 = xpack31[1];
     const double x821 = x819 + x820;
-    const double x815 = xpack67[2];
+    const double x815 = xpack31[2];
     const double x822 = x815 + x821;
-    const double x309 = xpack43[3];
+    const double x309 = xpack12[3];
     const double x823 = x309 + x822;
     const double x825 = x823 - x824;
     const double x826 = x814 / x825;
@@ -37734,6 +37438,22 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x880 = x15 * x864;
     const double x882 = x880 - x881;
     const double x884 = x882 - x883;
+    const double x94 = x13 * x92;
+    const double x93 = x15 * x87;
+    const double x95 = x93 - x94;
+    const double x96 = x12 * x90;
+    const double x97 = x95 - x96;
+    const double x98 = 0.5 * x97;
+    const double x99 = x92 * x98;
+    const double x103 = x12 * x92;
+    const double x100 = x13 * x90;
+    const double x101 = x14 * x87;
+    const double x102 = x100 - x101;
+    const double x104 = x102 - x103;
+    const double x105 = 0.5 * x104;
+    const double x106 = x90 * x105;
+    const double x107 = x99 - x106;
+    const double x869 = x87 * x105;
     const double x108 = x15 * x92;
     const double x109 = x14 * x90;
     const double x110 = x13 * x87;
@@ -37741,7 +37461,6 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x112 = x108 + x111;
     const double x113 = 0.5 * x112;
     const double x114 = x87 * x113;
-    const double x107 = xpack174[3];
     const double x115 = x107 - x114;
     const double x867 = x115 - x866;
     const double x868 = 0.5 * x867;
@@ -37760,8 +37479,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_fo
     const double x886 = 0.5 * x885;
     y_ddot[1] = x886;
     const three_ups_upu_s_physical_vector4 every =
-        (three_ups_upu_s_physical_vector4)((three_ups_upu_s_physical_vector4_mask)(xpack34) | ((xpack34 <=
-        (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (xpack34 >=
+        (three_ups_upu_s_physical_vector4)((three_ups_upu_s_physical_vector4_mask)(xpack3) | ((xpack3 <=
+        (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (xpack3 >=
         -(three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})));
     return fabs(x67) <= 1.0e-09 || fabs(x75) <= 1.0e-09 || fabs(x86) <= 1.0e-09 || fabs(x415) <= 2.8035e-09 ||
         fabs(x825) <= 2.7975000000000003e-09 ? (double)NAN : (((x67 + x75) + (x86 + x415)) + ((x825 + x868) +
@@ -50060,7 +49779,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x39 = x34 - x38;
     const double x147 = x34 + x38;
     const three_ups_upu_s_physical_vector4 xgathered0 = {x39, x117, x147, x178};
-    const three_ups_upu_s_physical_vector4 xpack2 = xgathered0 * xgathered0;
+    const three_ups_upu_s_physical_vector4 xpack1 = xgathered0 * xgathered0;
     const double x11 = x1 * x10;
     const double x23 = x3 * x10;
     const double x24 = x18 + x23;
@@ -50077,13 +49796,13 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x120 = x28 - x119;
     const double x180 = x28 + x119;
     const three_ups_upu_s_physical_vector4 xgathered1 = {x22, x120, x148, x180};
-    const three_ups_upu_s_physical_vector4 xpack4 = xgathered1 * xgathered1;
-    const three_ups_upu_s_physical_vector4 xpack5 = xpack2 + xpack4;
-    const three_ups_upu_s_physical_vector4 xpack6 = three_ups_upu_s_physical_vector4_sqrt(xpack5);
-    const three_ups_upu_s_physical_vector4 xpack7 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
-        xpack6;
+    const three_ups_upu_s_physical_vector4 xpack2 = xgathered1 * xgathered1;
+    const three_ups_upu_s_physical_vector4 xpack3 = xpack1 + xpack2;
+    const three_ups_upu_s_physical_vector4 xpack4 = three_ups_upu_s_physical_vector4_sqrt(xpack3);
+    const three_ups_upu_s_physical_vector4 xpack5 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
+        xpack4;
     const three_ups_upu_s_physical_vector4 xgathered2 = {x39, x117, x148, x178};
-    const three_ups_upu_s_physical_vector4 xpack8 = xgathered2 * xpack7;
+    const three_ups_upu_s_physical_vector4 xpack6 = xgathered2 * xpack5;
     const double x264 = x4 * x25;
     const double x265 = x5 * x64;
     const double x266 = x264 + x265;
@@ -50101,70 +49820,70 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x261 = x259 + x260;
     const double x262 = x258 + x261;
     const three_ups_upu_s_physical_vector4 xgathered5 = {x262, x268, x262, x268};
-    const three_ups_upu_s_physical_vector4 xpack28 = xpack0 * xgathered5;
+    const three_ups_upu_s_physical_vector4 xpack24 = xpack0 * xgathered5;
     const double x273 = x5 * x57;
     const double x274 = x4 * x33;
     const double x275 = x273 + x274;
     const double x276 = x6 * x37;
     const double x277 = x275 + x276;
     const three_ups_upu_s_physical_vector4 xgathered6 = {x268, x277, x268, x277};
-    const three_ups_upu_s_physical_vector4 xpack29 = xgathered1 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack30 = xpack28 - xpack29;
-    const three_ups_upu_s_physical_vector4 xpack31 = xpack30 * xpack8;
+    const three_ups_upu_s_physical_vector4 xpack25 = xgathered1 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack26 = xpack24 - xpack25;
+    const three_ups_upu_s_physical_vector4 xpack27 = xpack26 * xpack6;
     const three_ups_upu_s_physical_vector4 xgathered7 = {x22, x120, x147, x180};
-    const three_ups_upu_s_physical_vector4 xpack21 = xgathered7 * xpack7;
-    const three_ups_upu_s_physical_vector4 xpack44 = xpack30 * xpack21;
-    const three_ups_upu_s_physical_vector4 xpack32 = xgathered0 * xgathered6;
-    const three_ups_upu_s_physical_vector4 xpack39 = xgathered0 * xgathered5;
+    const three_ups_upu_s_physical_vector4 xpack18 = xgathered7 * xpack5;
+    const three_ups_upu_s_physical_vector4 xpack40 = xpack26 * xpack18;
+    const three_ups_upu_s_physical_vector4 xpack28 = xgathered0 * xgathered6;
+    const three_ups_upu_s_physical_vector4 xpack35 = xgathered0 * xgathered5;
     const three_ups_upu_s_physical_vector4 xgathered8 = {x277, x262, x277, x262};
-    const three_ups_upu_s_physical_vector4 xpack33 = xpack0 * xgathered8;
-    const three_ups_upu_s_physical_vector4 xpack34 = xpack32 - xpack33;
-    const three_ups_upu_s_physical_vector4 xpack38 = xgathered1 * xgathered8;
-    const three_ups_upu_s_physical_vector4 xpack40 = xpack38 - xpack39;
-    const three_ups_upu_s_physical_vector4 xpack35 = xpack34 * xpack21;
-    const three_ups_upu_s_physical_vector4 xpack36 = xpack31 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), 1.0} * xpack35;
-    const three_ups_upu_s_physical_vector4 xpack45 = xpack34 * xpack8;
-    const three_ups_upu_s_physical_vector4 xpack46 = xpack44 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, (-1.0)} * xpack45;
-    const three_ups_upu_s_physical_vector4 xpack9 = xpack0 + (three_ups_upu_s_physical_vector4){(-0.8), 0.8,
+    const three_ups_upu_s_physical_vector4 xpack29 = xpack0 * xgathered8;
+    const three_ups_upu_s_physical_vector4 xpack30 = xpack28 - xpack29;
+    const three_ups_upu_s_physical_vector4 xpack34 = xgathered1 * xgathered8;
+    const three_ups_upu_s_physical_vector4 xpack36 = xpack34 - xpack35;
+    const three_ups_upu_s_physical_vector4 xpack31 = xpack30 * xpack18;
+    const three_ups_upu_s_physical_vector4 xpack32 = xpack27 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), 1.0} * xpack31;
+    const three_ups_upu_s_physical_vector4 xpack41 = xpack30 * xpack6;
+    const three_ups_upu_s_physical_vector4 xpack42 = xpack40 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, (-1.0)} * xpack41;
+    const three_ups_upu_s_physical_vector4 xpack7 = xpack0 + (three_ups_upu_s_physical_vector4){(-0.8), 0.8,
         (-0.8), (-0.8)};
-    const three_ups_upu_s_physical_vector4 xpack10 = xpack9 * xpack9;
-    const three_ups_upu_s_physical_vector4 xpack11 = xpack5 + xpack10;
-    const three_ups_upu_s_physical_vector4 xpack12 = three_ups_upu_s_physical_vector4_sqrt(xpack11);
-    const three_ups_upu_s_physical_vector4 xpack13 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
-        xpack12;
-    const three_ups_upu_s_physical_vector4 xpack17 = xpack9 * xpack13;
-    const three_ups_upu_s_physical_vector4 xpack14 = xpack6 * xpack13;
-    const double x281 = xpack36[0];
-    const double x452 = xpack36[1];
-    const double x598 = xpack46[2];
-    const double x723 = xpack36[3];
+    const three_ups_upu_s_physical_vector4 xpack8 = xpack7 * xpack7;
+    const three_ups_upu_s_physical_vector4 xpack9 = xpack3 + xpack8;
+    const three_ups_upu_s_physical_vector4 xpack10 = three_ups_upu_s_physical_vector4_sqrt(xpack9);
+    const three_ups_upu_s_physical_vector4 xpack11 = (three_ups_upu_s_physical_vector4){1.0, 1.0, 1.0, 1.0} /
+        xpack10;
+    const three_ups_upu_s_physical_vector4 xpack15 = xpack7 * xpack11;
+    const three_ups_upu_s_physical_vector4 xpack12 = xpack4 * xpack11;
+    const double x281 = xpack32[0];
+    const double x452 = xpack32[1];
+    const double x598 = xpack42[2];
+    const double x723 = xpack32[3];
     const three_ups_upu_s_physical_vector4 xgathered9 = {x281, x452, x598, x723};
-    const three_ups_upu_s_physical_vector4 xpack37 = xpack17 * xgathered9;
-    const three_ups_upu_s_physical_vector4 xpack41 = xpack40 * xpack14;
-    const three_ups_upu_s_physical_vector4 xpack42 = xpack37 - xpack41;
-    const three_ups_upu_s_physical_vector4 xpack43 = xpack13 * xpack42;
-    const three_ups_upu_s_physical_vector4 xpack53 = xpack40 * xpack17;
-    const double x298 = xpack46[0];
-    const double x462 = xpack46[1];
-    const double x615 = xpack36[2];
-    const double x733 = xpack46[3];
+    const three_ups_upu_s_physical_vector4 xpack33 = xpack15 * xgathered9;
+    const three_ups_upu_s_physical_vector4 xpack37 = xpack36 * xpack12;
+    const three_ups_upu_s_physical_vector4 xpack38 = xpack33 - xpack37;
+    const three_ups_upu_s_physical_vector4 xpack39 = xpack11 * xpack38;
+    const three_ups_upu_s_physical_vector4 xpack49 = xpack36 * xpack15;
+    const double x298 = xpack42[0];
+    const double x462 = xpack42[1];
+    const double x615 = xpack32[2];
+    const double x733 = xpack42[3];
     const three_ups_upu_s_physical_vector4 xgathered10 = {x298, x462, x615, x733};
-    const three_ups_upu_s_physical_vector4 xpack47 = xpack7 * xgathered10;
-    const three_ups_upu_s_physical_vector4 xpack52 = xpack14 * xgathered9;
-    const three_ups_upu_s_physical_vector4 xpack54 = xpack52 + xpack53;
-    const three_ups_upu_s_physical_vector4 xpack58 = xpack17 * xpack47;
-    const three_ups_upu_s_physical_vector4 xpack48 = xpack14 * xpack47;
-    const three_ups_upu_s_physical_vector4 xpack59 = xpack43 * xpack58;
-    const three_ups_upu_s_physical_vector4 xpack98 = xpack58 * xpack48;
-    const three_ups_upu_s_physical_vector4 xpack60 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
-        xpack59;
-    const three_ups_upu_s_physical_vector4 xpack61 = xpack12 * xpack60;
-    const three_ups_upu_s_physical_vector4 xpack55 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
-        xpack48;
-    const three_ups_upu_s_physical_vector4 xpack56 = xpack54 * xpack55;
-    const three_ups_upu_s_physical_vector4 xpack62 = xpack61 + xpack56;
+    const three_ups_upu_s_physical_vector4 xpack43 = xpack5 * xgathered10;
+    const three_ups_upu_s_physical_vector4 xpack48 = xpack12 * xgathered9;
+    const three_ups_upu_s_physical_vector4 xpack50 = xpack48 + xpack49;
+    const three_ups_upu_s_physical_vector4 xpack54 = xpack15 * xpack43;
+    const three_ups_upu_s_physical_vector4 xpack44 = xpack12 * xpack43;
+    const three_ups_upu_s_physical_vector4 xpack55 = xpack39 * xpack54;
+    const three_ups_upu_s_physical_vector4 xpack94 = xpack54 * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack56 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
+        xpack55;
+    const three_ups_upu_s_physical_vector4 xpack57 = xpack10 * xpack56;
+    const three_ups_upu_s_physical_vector4 xpack51 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
+        xpack44;
+    const three_ups_upu_s_physical_vector4 xpack52 = xpack50 * xpack51;
+    const three_ups_upu_s_physical_vector4 xpack58 = xpack57 + xpack52;
     const double x309 = x4 * x5;
     const double x310 = x9 + x309;
     const double x479 = x9 - x309;
@@ -50223,13 +49942,13 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x334 = 0.5 * x333;
     const three_ups_upu_s_physical_vector4 xgathered11 = {x316, x340, x334, x340};
     const three_ups_upu_s_physical_vector4 xgathered12 = {x326, x487, x340, x487};
-    const three_ups_upu_s_physical_vector4 xpack63 = xgathered11 + (three_ups_upu_s_physical_vector4){1.0,
+    const three_ups_upu_s_physical_vector4 xpack59 = xgathered11 + (three_ups_upu_s_physical_vector4){1.0,
         1.0, (-1.0), (-1.0)} * xgathered12;
     const double x348 = x27 * x313;
     const double x349 = x347 + x348;
     const double x350 = 0.5 * x349;
-    const three_ups_upu_s_physical_vector4 xpack64 = xpack21 * xpack63;
-    const three_ups_upu_s_physical_vector4 xpack101 = xpack8 * xpack63;
+    const three_ups_upu_s_physical_vector4 xpack60 = xpack18 * xpack59;
+    const three_ups_upu_s_physical_vector4 xpack97 = xpack6 * xpack59;
     const double x490 = x25 * x479;
     const double x536 = x33 * x479;
     const double x491 = x64 * x481;
@@ -50241,146 +49960,146 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x495 = 0.5 * x494;
     const three_ups_upu_s_physical_vector4 xgathered13 = {x334, x356, x316, x356};
     const three_ups_upu_s_physical_vector4 xgathered14 = {x340, x495, x326, x495};
-    const three_ups_upu_s_physical_vector4 xpack65 = xgathered13 + (three_ups_upu_s_physical_vector4){1.0,
+    const three_ups_upu_s_physical_vector4 xpack61 = xgathered13 + (three_ups_upu_s_physical_vector4){1.0,
         1.0, (-1.0), (-1.0)} * xgathered14;
     const double x539 = x37 * x484;
     const double x540 = x538 - x539;
     const double x541 = 0.5 * x540;
     const three_ups_upu_s_physical_vector4 xgathered15 = {x350, x326, x350, x326};
     const three_ups_upu_s_physical_vector4 xgathered16 = {x356, x541, x356, x541};
-    const three_ups_upu_s_physical_vector4 xpack105 = xgathered15 + (three_ups_upu_s_physical_vector4){1.0,
+    const three_ups_upu_s_physical_vector4 xpack101 = xgathered15 + (three_ups_upu_s_physical_vector4){1.0,
         1.0, (-1.0), (-1.0)} * xgathered16;
-    const three_ups_upu_s_physical_vector4 xpack66 = xpack8 * xpack65;
-    const three_ups_upu_s_physical_vector4 xpack67 = xpack64 - xpack66;
-    const three_ups_upu_s_physical_vector4 xpack68 = xpack62 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
-        (-1.0), (-1.0)} * xpack67;
-    const three_ups_upu_s_physical_vector4 xpack69 = xpack7 * xpack68;
-    const three_ups_upu_s_physical_vector4 xpack102 = xpack21 * xpack65;
-    const three_ups_upu_s_physical_vector4 xpack103 = xpack101 + xpack102;
-    const three_ups_upu_s_physical_vector4 xpack70 = xpack14 * xpack69;
-    const three_ups_upu_s_physical_vector4 xpack71 = xpack59 - xpack70;
-    const three_ups_upu_s_physical_vector4 xpack90 = (three_ups_upu_s_physical_vector4){0.001112, 0.001112,
-        0.001112, 0.001112} * xpack69;
-    const three_ups_upu_s_physical_vector4 xpack72 = xpack59 + xpack71;
-    const three_ups_upu_s_physical_vector4 xpack82 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
-        0.085988, 0.085988} * xpack71;
-    const three_ups_upu_s_physical_vector4 xpack83 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
-        0.0867, 0.0867} * xpack59;
-    const three_ups_upu_s_physical_vector4 xpack84 = xpack82 + xpack83;
-    const three_ups_upu_s_physical_vector4 xpack73 = xpack12 * xpack72;
-    const three_ups_upu_s_physical_vector4 xpack78 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack72;
-    const double x58 = xpack8[0];
-    const double x138 = xpack21[1];
-    const double x164 = xpack21[2];
-    const double x198 = xpack21[3];
+    const three_ups_upu_s_physical_vector4 xpack62 = xpack6 * xpack61;
+    const three_ups_upu_s_physical_vector4 xpack63 = xpack60 - xpack62;
+    const three_ups_upu_s_physical_vector4 xpack64 = xpack58 + (three_ups_upu_s_physical_vector4){1.0, (-1.0),
+        (-1.0), (-1.0)} * xpack63;
+    const three_ups_upu_s_physical_vector4 xpack65 = xpack5 * xpack64;
+    const three_ups_upu_s_physical_vector4 xpack98 = xpack18 * xpack61;
+    const three_ups_upu_s_physical_vector4 xpack99 = xpack97 + xpack98;
+    const three_ups_upu_s_physical_vector4 xpack66 = xpack12 * xpack65;
+    const three_ups_upu_s_physical_vector4 xpack67 = xpack55 - xpack66;
+    const three_ups_upu_s_physical_vector4 xpack86 = (three_ups_upu_s_physical_vector4){0.001112, 0.001112,
+        0.001112, 0.001112} * xpack65;
+    const three_ups_upu_s_physical_vector4 xpack68 = xpack55 + xpack67;
+    const three_ups_upu_s_physical_vector4 xpack78 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
+        0.085988, 0.085988} * xpack67;
+    const three_ups_upu_s_physical_vector4 xpack79 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
+        0.0867, 0.0867} * xpack55;
+    const three_ups_upu_s_physical_vector4 xpack80 = xpack78 + xpack79;
+    const three_ups_upu_s_physical_vector4 xpack69 = xpack10 * xpack68;
+    const three_ups_upu_s_physical_vector4 xpack74 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack68;
+    const double x58 = xpack6[0];
+    const double x138 = xpack18[1];
+    const double x164 = xpack18[2];
+    const double x198 = xpack18[3];
     const three_ups_upu_s_physical_vector4 xgathered17 = {x58, x138, x164, x198};
-    const three_ups_upu_s_physical_vector4 xpack57 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
+    const three_ups_upu_s_physical_vector4 xpack53 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
         9.81} * xgathered17;
-    const three_ups_upu_s_physical_vector4 xpack74 = xpack73 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), 1.0} * xpack57;
-    const three_ups_upu_s_physical_vector4 xpack75 = xpack74 + xpack56;
-    const three_ups_upu_s_physical_vector4 xpack77 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack75;
-    const three_ups_upu_s_physical_vector4 xpack79 = xpack77 - xpack78;
-    const three_ups_upu_s_physical_vector4 xpack80 = xpack12 * xpack79;
-    const three_ups_upu_s_physical_vector4 xpack76 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack75;
-    const three_ups_upu_s_physical_vector4 xpack81 = xpack76 - xpack80;
-    const three_ups_upu_s_physical_vector4 xpack85 = (three_ups_upu_s_physical_vector4){2.08953, 2.08953,
+    const three_ups_upu_s_physical_vector4 xpack70 = xpack69 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), 1.0} * xpack53;
+    const three_ups_upu_s_physical_vector4 xpack71 = xpack70 + xpack52;
+    const three_ups_upu_s_physical_vector4 xpack73 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack71;
+    const three_ups_upu_s_physical_vector4 xpack75 = xpack73 - xpack74;
+    const three_ups_upu_s_physical_vector4 xpack76 = xpack10 * xpack75;
+    const three_ups_upu_s_physical_vector4 xpack72 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack71;
+    const three_ups_upu_s_physical_vector4 xpack77 = xpack72 - xpack76;
+    const three_ups_upu_s_physical_vector4 xpack81 = (three_ups_upu_s_physical_vector4){2.08953, 2.08953,
         2.08953, 2.08953} * xgathered17;
-    const three_ups_upu_s_physical_vector4 xpack86 = xpack84 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), 1.0} * xpack85;
-    const three_ups_upu_s_physical_vector4 xpack87 = xpack81 - xpack86;
-    const three_ups_upu_s_physical_vector4 xpack88 = xpack14 * xpack87;
-    const three_ups_upu_s_physical_vector4 xpack49 = xpack43 * xpack48;
-    const three_ups_upu_s_physical_vector4 xpack50 = (three_ups_upu_s_physical_vector4){0.000712, 0.000712,
-        0.000712, 0.000712} * xpack49;
-    const three_ups_upu_s_physical_vector4 xpack51 = xpack17 * xpack50;
-    const three_ups_upu_s_physical_vector4 xpack89 = xpack51 + xpack88;
-    const three_ups_upu_s_physical_vector4 xpack91 = xpack89 + xpack90;
-    const three_ups_upu_s_physical_vector4 xpack92 = xpack7 * xpack91;
-    const three_ups_upu_s_physical_vector4 xpack128 = xpack48 * xpack48;
-    const three_ups_upu_s_physical_vector4 xpack147 = xpack21 * xpack92;
-    const three_ups_upu_s_physical_vector4 xpack93 = xpack8 * xpack92;
-    const three_ups_upu_s_physical_vector4 xpack94 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
-        xpack43;
-    const three_ups_upu_s_physical_vector4 xpack95 = xpack54 * xpack94;
-    const three_ups_upu_s_physical_vector4 xpack129 = xpack43 * xpack43;
+    const three_ups_upu_s_physical_vector4 xpack82 = xpack80 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), 1.0} * xpack81;
+    const three_ups_upu_s_physical_vector4 xpack83 = xpack77 - xpack82;
+    const three_ups_upu_s_physical_vector4 xpack84 = xpack12 * xpack83;
+    const three_ups_upu_s_physical_vector4 xpack45 = xpack39 * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack46 = (three_ups_upu_s_physical_vector4){0.000712, 0.000712,
+        0.000712, 0.000712} * xpack45;
+    const three_ups_upu_s_physical_vector4 xpack47 = xpack15 * xpack46;
+    const three_ups_upu_s_physical_vector4 xpack85 = xpack47 + xpack84;
+    const three_ups_upu_s_physical_vector4 xpack87 = xpack85 + xpack86;
+    const three_ups_upu_s_physical_vector4 xpack88 = xpack5 * xpack87;
+    const three_ups_upu_s_physical_vector4 xpack124 = xpack44 * xpack44;
+    const three_ups_upu_s_physical_vector4 xpack143 = xpack18 * xpack88;
+    const three_ups_upu_s_physical_vector4 xpack89 = xpack6 * xpack88;
+    const three_ups_upu_s_physical_vector4 xpack90 = (three_ups_upu_s_physical_vector4){2.0, 2.0, 2.0, 2.0} *
+        xpack39;
+    const three_ups_upu_s_physical_vector4 xpack91 = xpack50 * xpack90;
+    const three_ups_upu_s_physical_vector4 xpack125 = xpack39 * xpack39;
+    const three_ups_upu_s_physical_vector4 xpack126 = xpack124 + xpack125;
+    const three_ups_upu_s_physical_vector4 xpack95 = xpack10 * xpack94;
+    const three_ups_upu_s_physical_vector4 xpack96 = xpack95 - xpack91;
+    const three_ups_upu_s_physical_vector4 xpack100 = xpack15 * xpack99;
+    const three_ups_upu_s_physical_vector4 xpack128 = xpack12 * xpack99;
+    const three_ups_upu_s_physical_vector4 xpack102 = xpack12 * xpack101;
+    const three_ups_upu_s_physical_vector4 xpack103 = xpack100 - xpack102;
+    const three_ups_upu_s_physical_vector4 xpack104 = xpack96 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), 1.0} * xpack103;
+    const three_ups_upu_s_physical_vector4 xpack105 = xpack11 * xpack104;
+    const three_ups_upu_s_physical_vector4 xpack129 = xpack15 * xpack101;
     const three_ups_upu_s_physical_vector4 xpack130 = xpack128 + xpack129;
-    const three_ups_upu_s_physical_vector4 xpack99 = xpack12 * xpack98;
-    const three_ups_upu_s_physical_vector4 xpack100 = xpack99 - xpack95;
-    const three_ups_upu_s_physical_vector4 xpack104 = xpack17 * xpack103;
-    const three_ups_upu_s_physical_vector4 xpack132 = xpack14 * xpack103;
-    const three_ups_upu_s_physical_vector4 xpack106 = xpack14 * xpack105;
-    const three_ups_upu_s_physical_vector4 xpack107 = xpack104 - xpack106;
-    const three_ups_upu_s_physical_vector4 xpack108 = xpack100 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), 1.0} * xpack107;
-    const three_ups_upu_s_physical_vector4 xpack109 = xpack13 * xpack108;
-    const three_ups_upu_s_physical_vector4 xpack133 = xpack17 * xpack105;
-    const three_ups_upu_s_physical_vector4 xpack134 = xpack132 + xpack133;
-    const three_ups_upu_s_physical_vector4 xpack110 = xpack98 - xpack109;
-    const three_ups_upu_s_physical_vector4 xpack120 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
-        0.0867, 0.0867} * xpack109;
-    const three_ups_upu_s_physical_vector4 xpack121 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
-        0.085988, 0.085988} * xpack98;
-    const three_ups_upu_s_physical_vector4 xpack122 = xpack120 - xpack121;
-    const three_ups_upu_s_physical_vector4 xpack111 = xpack12 * xpack110;
-    const three_ups_upu_s_physical_vector4 xpack116 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack110;
-    const double x51 = xpack21[0];
-    const double x125 = xpack8[1];
-    const double x154 = xpack8[2];
-    const double x185 = xpack8[3];
+    const three_ups_upu_s_physical_vector4 xpack106 = xpack94 - xpack105;
+    const three_ups_upu_s_physical_vector4 xpack116 = (three_ups_upu_s_physical_vector4){0.0867, 0.0867,
+        0.0867, 0.0867} * xpack105;
+    const three_ups_upu_s_physical_vector4 xpack117 = (three_ups_upu_s_physical_vector4){0.085988, 0.085988,
+        0.085988, 0.085988} * xpack94;
+    const three_ups_upu_s_physical_vector4 xpack118 = xpack116 - xpack117;
+    const three_ups_upu_s_physical_vector4 xpack107 = xpack10 * xpack106;
+    const three_ups_upu_s_physical_vector4 xpack112 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack106;
+    const double x51 = xpack18[0];
+    const double x125 = xpack6[1];
+    const double x154 = xpack6[2];
+    const double x185 = xpack6[3];
     const three_ups_upu_s_physical_vector4 xgathered18 = {x51, x125, x154, x185};
-    const three_ups_upu_s_physical_vector4 xpack96 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
+    const three_ups_upu_s_physical_vector4 xpack92 = (three_ups_upu_s_physical_vector4){9.81, 9.81, 9.81,
         9.81} * xgathered18;
-    const three_ups_upu_s_physical_vector4 xpack97 = xpack17 * xpack96;
-    const three_ups_upu_s_physical_vector4 xpack112 = xpack111 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), (-1.0), (-1.0)} * xpack97;
-    const three_ups_upu_s_physical_vector4 xpack113 = xpack112 - xpack95;
-    const three_ups_upu_s_physical_vector4 xpack123 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack97;
-    const three_ups_upu_s_physical_vector4 xpack124 = xpack122 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, 1.0, 1.0} * xpack123;
-    const three_ups_upu_s_physical_vector4 xpack136 = xpack14 * xpack96;
-    const three_ups_upu_s_physical_vector4 xpack115 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack113;
-    const three_ups_upu_s_physical_vector4 xpack117 = xpack115 - xpack116;
-    const three_ups_upu_s_physical_vector4 xpack118 = xpack12 * xpack117;
-    const three_ups_upu_s_physical_vector4 xpack114 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack113;
-    const three_ups_upu_s_physical_vector4 xpack119 = xpack114 - xpack118;
-    const three_ups_upu_s_physical_vector4 xpack125 = xpack119 + xpack124;
-    const three_ups_upu_s_physical_vector4 xpack126 = xpack13 * xpack125;
-    const three_ups_upu_s_physical_vector4 xpack131 = xpack12 * xpack130;
-    const three_ups_upu_s_physical_vector4 xpack135 = xpack131 + (three_ups_upu_s_physical_vector4){(-1.0),
-        1.0, (-1.0), 1.0} * xpack134;
-    const three_ups_upu_s_physical_vector4 xpack137 = xpack131 + (three_ups_upu_s_physical_vector4){1.0,
-        (-1.0), (-1.0), (-1.0)} * xpack136;
-    const three_ups_upu_s_physical_vector4 xpack138 = xpack135 - xpack137;
-    const three_ups_upu_s_physical_vector4 xpack139 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
-        1.42} * xpack138;
-    const three_ups_upu_s_physical_vector4 xpack140 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
-        0.213} * xpack130;
-    const three_ups_upu_s_physical_vector4 xpack141 = xpack139 + xpack140;
-    const three_ups_upu_s_physical_vector4 xpack127 = xpack17 * xpack126;
-    const three_ups_upu_s_physical_vector4 xpack152 = xpack14 * xpack126;
-    const three_ups_upu_s_physical_vector4 xpack142 = xpack14 * xpack141;
-    const three_ups_upu_s_physical_vector4 xpack143 = xpack127 + xpack142;
-    const three_ups_upu_s_physical_vector4 xpack153 = xpack17 * xpack141;
-    const three_ups_upu_s_physical_vector4 xpack154 = xpack152 - xpack153;
-    const three_ups_upu_s_physical_vector4 xpack148 = xpack8 * xpack143;
-    const three_ups_upu_s_physical_vector4 xpack149 = xpack147 + (three_ups_upu_s_physical_vector4){(-1.0),
-        (-1.0), 1.0, (-1.0)} * xpack148;
-    const three_ups_upu_s_physical_vector4 xpack144 = xpack21 * xpack143;
-    const three_ups_upu_s_physical_vector4 xpack145 = xpack93 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
-        (-1.0), 1.0} * xpack144;
-    const three_ups_upu_s_physical_vector4 xpack158 = xpack0 * xpack149;
-    const three_ups_upu_s_physical_vector4 xpack159 = xgathered0 * xpack154;
-    const three_ups_upu_s_physical_vector4 xpack155 = xgathered1 * xpack154;
-    const double x848 = xpack158[0];
-    const double x849 = xpack159[0];
+    const three_ups_upu_s_physical_vector4 xpack93 = xpack15 * xpack92;
+    const three_ups_upu_s_physical_vector4 xpack108 = xpack107 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), (-1.0), (-1.0)} * xpack93;
+    const three_ups_upu_s_physical_vector4 xpack109 = xpack108 - xpack91;
+    const three_ups_upu_s_physical_vector4 xpack119 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack93;
+    const three_ups_upu_s_physical_vector4 xpack120 = xpack118 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, 1.0, 1.0} * xpack119;
+    const three_ups_upu_s_physical_vector4 xpack132 = xpack12 * xpack92;
+    const three_ups_upu_s_physical_vector4 xpack111 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack109;
+    const three_ups_upu_s_physical_vector4 xpack113 = xpack111 - xpack112;
+    const three_ups_upu_s_physical_vector4 xpack114 = xpack10 * xpack113;
+    const three_ups_upu_s_physical_vector4 xpack110 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack109;
+    const three_ups_upu_s_physical_vector4 xpack115 = xpack110 - xpack114;
+    const three_ups_upu_s_physical_vector4 xpack121 = xpack115 + xpack120;
+    const three_ups_upu_s_physical_vector4 xpack122 = xpack11 * xpack121;
+    const three_ups_upu_s_physical_vector4 xpack127 = xpack10 * xpack126;
+    const three_ups_upu_s_physical_vector4 xpack131 = xpack127 + (three_ups_upu_s_physical_vector4){(-1.0),
+        1.0, (-1.0), 1.0} * xpack130;
+    const three_ups_upu_s_physical_vector4 xpack133 = xpack127 + (three_ups_upu_s_physical_vector4){1.0,
+        (-1.0), (-1.0), (-1.0)} * xpack132;
+    const three_ups_upu_s_physical_vector4 xpack134 = xpack131 - xpack133;
+    const three_ups_upu_s_physical_vector4 xpack135 = (three_ups_upu_s_physical_vector4){1.42, 1.42, 1.42,
+        1.42} * xpack134;
+    const three_ups_upu_s_physical_vector4 xpack136 = (three_ups_upu_s_physical_vector4){0.213, 0.213, 0.213,
+        0.213} * xpack126;
+    const three_ups_upu_s_physical_vector4 xpack137 = xpack135 + xpack136;
+    const three_ups_upu_s_physical_vector4 xpack123 = xpack15 * xpack122;
+    const three_ups_upu_s_physical_vector4 xpack148 = xpack12 * xpack122;
+    const three_ups_upu_s_physical_vector4 xpack138 = xpack12 * xpack137;
+    const three_ups_upu_s_physical_vector4 xpack139 = xpack123 + xpack138;
+    const three_ups_upu_s_physical_vector4 xpack149 = xpack15 * xpack137;
+    const three_ups_upu_s_physical_vector4 xpack150 = xpack148 - xpack149;
+    const three_ups_upu_s_physical_vector4 xpack144 = xpack6 * xpack139;
+    const three_ups_upu_s_physical_vector4 xpack145 = xpack143 + (three_ups_upu_s_physical_vector4){(-1.0),
+        (-1.0), 1.0, (-1.0)} * xpack144;
+    const three_ups_upu_s_physical_vector4 xpack140 = xpack18 * xpack139;
+    const three_ups_upu_s_physical_vector4 xpack141 = xpack89 + (three_ups_upu_s_physical_vector4){1.0, 1.0,
+        (-1.0), 1.0} * xpack140;
+    const three_ups_upu_s_physical_vector4 xpack153 = xpack0 * xpack145;
+    const three_ups_upu_s_physical_vector4 xpack154 = xgathered0 * xpack150;
+    const three_ups_upu_s_physical_vector4 xpack151 = xgathered1 * xpack150;
+    const double x848 = xpack153[0];
+    const double x849 = xpack154[0];
     const double x850 = x848 - x849;
     const double x240 = 14.62961126155784 * x60;
     const double x243 = 0.8436 * x7;
@@ -50401,35 +50120,35 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x851 = x844 + x850;
     const double x880 = x27 * x255;
     const double x256 = x37 * x255;
-    const three_ups_upu_s_physical_vector4 xpack156 = xpack0 * xpack145;
-    const double x855 = -xpack155[1];
-    const double x856 = xpack156[1];
+    const three_ups_upu_s_physical_vector4 xpack152 = xpack0 * xpack141;
+    const double x855 = -xpack151[1];
+    const double x856 = xpack152[1];
     const double x857 = x855 - x856;
     const double x858 = x851 - x857;
-    const double x862 = xpack156[2];
-    const double x863 = xpack159[2];
+    const double x862 = xpack152[2];
+    const double x863 = xpack154[2];
     const double x864 = x862 - x863;
     const double x865 = x858 + x864;
-    const double x869 = xpack155[3];
-    const double x870 = xpack156[3];
+    const double x869 = xpack151[3];
+    const double x870 = xpack152[3];
     const double x871 = x869 + x870;
     const double x872 = x865 + x871;
-    const double x396 = xpack155[0];
-    const double x441 = xpack156[0];
+    const double x396 = xpack151[0];
+    const double x441 = xpack152[0];
     const double x442 = x396 + x441;
-    const double x667 = xpack155[2];
-    const double x712 = xpack158[2];
+    const double x667 = xpack151[2];
+    const double x712 = xpack153[2];
     const double x713 = x667 + x712;
     const double x59 = x57 * x58;
     const double x61 = x60 * x51;
     const double x62 = x59 + x61;
-    const double x52 = xpack14[0];
+    const double x52 = xpack12[0];
     const double x63 = x52 * x62;
     const double x69 = x60 * x58;
-    const double x47 = -xpack17[0];
+    const double x47 = -xpack15[0];
     const double x65 = x64 * x47;
     const double x66 = x63 - x65;
-    const double x46 = xpack13[0];
+    const double x46 = xpack11[0];
     const double x74 = x46 * x66;
     const double x878 = x64 * x252;
     const double x879 = x877 - x878;
@@ -50445,7 +50164,7 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x93 = x58 * x77;
     const double x78 = x51 * x77;
     const double x79 = x47 * x70;
-    const double x50 = xpack7[0];
+    const double x50 = xpack5[0];
     const double x80 = x50 * x79;
     const double x71 = x52 * x70;
     const double x94 = x51 * x80;
@@ -50467,8 +50186,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x873 = x872 * x100;
     const double x72 = x58 * x71;
     const double x73 = x67 - x72;
-    const three_ups_upu_s_physical_vector4 xpack15 = xpack8 * xpack14;
-    const three_ups_upu_s_physical_vector4 xpack22 = xpack21 * xpack14;
+    const three_ups_upu_s_physical_vector4 xpack13 = xpack6 * xpack12;
+    const three_ups_upu_s_physical_vector4 xpack19 = xpack18 * xpack12;
     const double x107 = x39 * x82;
     const double x109 = x107 - x108;
     const double x110 = x79 - x109;
@@ -50477,96 +50196,96 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x85 = x73 - x84;
     const double x898 = x110 * x873;
     const double x874 = x85 * x873;
-    const double x440 = xpack145[0];
-    const double x582 = xpack145[1];
-    const double x711 = xpack149[2];
-    const double x832 = xpack145[3];
+    const double x440 = xpack141[0];
+    const double x582 = xpack141[1];
+    const double x711 = xpack145[2];
+    const double x832 = xpack141[3];
     const three_ups_upu_s_physical_vector4 xgathered19 = {x440, x582, x711, x832};
-    const three_ups_upu_s_physical_vector4 xpack146 = xgathered0 * xgathered19;
-    const double x847 = xpack149[0];
-    const double x586 = xpack149[1];
-    const double x861 = xpack145[2];
-    const double x836 = xpack149[3];
+    const three_ups_upu_s_physical_vector4 xpack142 = xgathered0 * xgathered19;
+    const double x847 = xpack145[0];
+    const double x586 = xpack145[1];
+    const double x861 = xpack141[2];
+    const double x836 = xpack145[3];
     const three_ups_upu_s_physical_vector4 xgathered20 = {x847, x586, x861, x836};
-    const three_ups_upu_s_physical_vector4 xpack150 = xgathered1 * xgathered20;
-    const three_ups_upu_s_physical_vector4 xpack151 = xpack146 + xpack150;
-    const double x884 = xpack151[0];
+    const three_ups_upu_s_physical_vector4 xpack146 = xgathered1 * xgathered20;
+    const three_ups_upu_s_physical_vector4 xpack147 = xpack142 + xpack146;
+    const double x884 = xpack147[0];
     const double x885 = x881 - x884;
-    const double x588 = xpack151[1];
+    const double x588 = xpack147[1];
     const double x589 = x443 - x588;
     const double x714 = x589 + x713;
-    const double x838 = xpack151[3];
+    const double x838 = xpack147[3];
     const double x839 = x714 - x838;
     const double x875 = x839 + x874;
-    const double x886 = xpack158[1];
-    const double x887 = -xpack159[1];
+    const double x886 = xpack153[1];
+    const double x887 = -xpack154[1];
     const double x888 = x886 + x887;
     const double x889 = x885 + x888;
-    const double x892 = xpack151[2];
+    const double x892 = xpack147[2];
     const double x893 = x889 - x892;
-    const double x894 = xpack158[3];
-    const double x895 = xpack159[3];
+    const double x894 = xpack153[3];
+    const double x895 = xpack154[3];
     const double x896 = x894 - x895;
     const double x897 = x893 + x896;
     const double x899 = x897 + x898;
-    const three_ups_upu_s_physical_vector4 xpack16 = xpack0 * xpack15;
-    const three_ups_upu_s_physical_vector4 xpack23 = xpack0 * xpack22;
-    const three_ups_upu_s_physical_vector4 xpack18 = xgathered0 * xpack17;
-    const double x53 = xpack22[0];
-    const double x139 = xpack22[1];
-    const double x162 = xpack15[2];
-    const double x199 = xpack22[3];
+    const three_ups_upu_s_physical_vector4 xpack14 = xpack0 * xpack13;
+    const three_ups_upu_s_physical_vector4 xpack20 = xpack0 * xpack19;
+    const three_ups_upu_s_physical_vector4 xpack16 = xgathered0 * xpack15;
+    const double x53 = xpack19[0];
+    const double x139 = xpack19[1];
+    const double x162 = xpack13[2];
+    const double x199 = xpack19[3];
     const three_ups_upu_s_physical_vector4 xgathered21 = {x53, x139, x162, x199};
-    const three_ups_upu_s_physical_vector4 xpack25 = xgathered0 * xgathered21;
-    const double x86 = xpack15[0];
-    const double x132 = xpack15[1];
-    const double x165 = xpack22[2];
-    const double x192 = xpack15[3];
+    const three_ups_upu_s_physical_vector4 xpack21 = xgathered0 * xgathered21;
+    const double x86 = xpack13[0];
+    const double x132 = xpack13[1];
+    const double x165 = xpack19[2];
+    const double x192 = xpack13[3];
     const three_ups_upu_s_physical_vector4 xgathered22 = {x86, x132, x165, x192};
-    const three_ups_upu_s_physical_vector4 xpack26 = xgathered1 * xgathered22;
-    const three_ups_upu_s_physical_vector4 xpack20 = xgathered1 * xpack17;
-    const three_ups_upu_s_physical_vector4 xpack27 = xpack25 - xpack26;
-    const double x87 = xpack16[0];
-    const double x88 = -xpack18[0];
+    const three_ups_upu_s_physical_vector4 xpack22 = xgathered1 * xgathered22;
+    const three_ups_upu_s_physical_vector4 xpack17 = xgathered1 * xpack15;
+    const three_ups_upu_s_physical_vector4 xpack23 = xpack21 - xpack22;
+    const double x87 = xpack14[0];
+    const double x88 = -xpack16[0];
     const double x89 = x87 + x88;
     const double x101 = x89 * x100;
     const double x102 = x85 * x101;
     const double x111 = x110 * x101;
-    const double x106 = xpack27[0];
+    const double x106 = xpack23[0];
     const double x112 = x106 + x111;
-    const double x48 = -xpack20[0];
-    const double x54 = xpack23[0];
+    const double x48 = -xpack17[0];
+    const double x54 = xpack20[0];
     const double x55 = x48 + x54;
     const double x103 = x55 - x102;
     const double x207 = x103 * x103;
-    const double x137 = xpack20[1];
-    const double x140 = xpack23[1];
+    const double x137 = xpack17[1];
+    const double x140 = xpack20[1];
     const double x141 = x137 - x140;
     const double x142 = x141 * x100;
     const double x211 = x85 * x142;
-    const double x210 = xpack27[1];
+    const double x210 = xpack23[1];
     const double x212 = x210 + x211;
     const double x143 = x110 * x142;
     const double x213 = x212 * x212;
     const double x214 = x207 + x213;
-    const double x168 = xpack23[2];
-    const double x170 = -xpack18[2];
+    const double x168 = xpack20[2];
+    const double x170 = -xpack16[2];
     const double x171 = x168 + x170;
     const double x172 = x171 * x100;
-    const double x197 = -xpack20[3];
-    const double x200 = xpack23[3];
+    const double x197 = -xpack17[3];
+    const double x200 = xpack20[3];
     const double x201 = x197 + x200;
     const double x202 = x201 * x100;
-    const double x215 = -xpack20[2];
-    const double x216 = xpack16[2];
+    const double x215 = -xpack17[2];
+    const double x216 = xpack14[2];
     const double x217 = x215 + x216;
     const double x218 = x85 * x172;
     const double x219 = x217 - x218;
     const double x225 = x85 * x202;
-    const double x224 = xpack27[3];
+    const double x224 = xpack23[3];
     const double x226 = x224 - x225;
     const double x173 = x110 * x172;
-    const double x167 = xpack27[2];
+    const double x167 = xpack23[2];
     const double x174 = x167 + x173;
     const double x203 = x110 * x202;
     const double x220 = x219 * x219;
@@ -50575,12 +50294,12 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     const double x228 = x221 + x227;
     const double x904 = x899 * x228;
     const double x230 = x112 * x103;
-    const double x133 = xpack16[1];
-    const double x135 = xpack18[1];
+    const double x133 = xpack14[1];
+    const double x135 = xpack16[1];
     const double x136 = x133 - x135;
     const double x144 = x136 + x143;
-    const double x193 = xpack16[3];
-    const double x195 = -xpack18[3];
+    const double x193 = xpack14[3];
+    const double x195 = -xpack16[3];
     const double x196 = x193 + x195;
     const double x204 = x196 - x203;
     const double x231 = x144 * x212;
@@ -50627,10 +50346,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_in
     u[0] = x909;
     const three_ups_upu_s_physical_vector4 every =
         (three_ups_upu_s_physical_vector4)((three_ups_upu_s_physical_vector4_mask)((three_ups_upu_s_physical_vector4){0.0,
-        0.0, 0.0, 0.0}) | ((xpack12 <= (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10}) & (xpack12 >= -(three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10})) | ((xpack6 <= (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10}) & (xpack6 >= -(three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
+        0.0, 0.0, 0.0}) | ((xpack10 <= (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
+        6.62327e-10, 6.62327e-10}) & (xpack10 >= -(three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
+        6.62327e-10, 6.62327e-10})) | ((xpack4 <= (three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
+        6.62327e-10, 6.62327e-10}) & (xpack4 >= -(three_ups_upu_s_physical_vector4){6.62327e-10, 6.62327e-10,
         6.62327e-10, 6.62327e-10})));
     return fabs(x99) <= 4.0171000000000005e-10 || fabs(x238) <= 2.393867125597279e-10 ? (double)NAN : (((x99 +
         x238) + (x909 + x912)) + ((x916 + x919) + (every[0] + every[1]))) + (every[2] + every[3]);
@@ -53120,24 +52839,10 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_co
     const double *restrict sine,
     const double *restrict cosine)
 {
-    const double x3 = q[3];
-    double sum0 = x3;
-    const double x4 = q[4];
-    double sum1 = x4;
-    const double x5 = q[5];
-    double sum2 = x5;
-    const double x6 = q[6];
-    double sum3 = x6;
-    const double x7 = q[7];
-    sum0 = sum0 + x7;
-    const double x8 = q[8];
-    sum1 = sum1 + x8;
-    const double x9 = q[9];
-    sum2 = sum2 + x9;
-    const double x10 = q[10];
-    sum3 = sum3 + x10;
+    const three_ups_upu_s_physical_four fours = THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 3) + THREE_UPS_UPU_S_PHYSICAL_FOUR(q + 7);
+    double sum0 = THREE_UPS_UPU_S_PHYSICAL_SUM(fours);
     const double x11 = q[11];
-    sum0 = sum0 + x11;
+    double sum1 = x11;
     const double x13 = q[13];
     const double x20 = 2.0 * x13;
     const double x21 = x13 * x20;
@@ -53196,8 +52901,8 @@ static inline THREE_UPS_UPU_S_PHYSICAL_INLINE double three_ups_upu_s_physical_co
     const double x67 = x17 * x66;
     const double x68 = x58 - x67;
     margins[0] = x68;
-    sum1 = sum1 + x68;
-    return (sum0 + sum1) + (sum2 + sum3);
+    double sum2 = x68;
+    return (sum0 + sum1) + sum2;
 }
 
 int three_ups_upu_s_physical_constraint_margin(

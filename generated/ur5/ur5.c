@@ -76,6 +76,17 @@ static inline void ur5_sincos(int count, const double *angle, double *sine, doub
 }
 #endif
 
+#if defined(__GNUC__) && defined(__AVX__) && !defined(UR5_SCALAR)
+typedef double ur5_four __attribute__((vector_size(32)));
+typedef double ur5_four_there __attribute__((vector_size(32), aligned(8), may_alias));
+#define UR5_FOUR(x) (*(const ur5_four_there *)(x))
+#define UR5_SUM(four) (((four)[0] + (four)[1]) + ((four)[2] + (four)[3]))
+#else
+typedef double ur5_four;
+#define UR5_FOUR(x) (((x)[0] + (x)[1]) + ((x)[2] + (x)[3]))
+#define UR5_SUM(four) (four)
+#endif
+
 /* Batch functions take 8 states at once; UR5_STATE_BY_STATE or UR5_SCALAR: one by one. */
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(UR5_SCALAR) && !defined(UR5_STATE_BY_STATE)
 #if defined(__AVX512F__)
@@ -5470,36 +5481,26 @@ static inline UR5_INLINE double ur5_joint_rates_lane(
     const double *restrict v,
     double *restrict rates)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
+    const ur5_four fours = UR5_FOUR(q) + UR5_FOUR(v);
+    double sum0 = UR5_SUM(fours);
     const double x4 = q[4];
-    sum0 = sum0 + x4;
+    double sum1 = x4;
     const double x5 = q[5];
-    sum1 = sum1 + x5;
+    double sum2 = x5;
     const double x6 = v[0];
     rates[0] = x6;
-    sum2 = sum2 + x6;
     const double x7 = v[1];
     rates[1] = x7;
-    sum3 = sum3 + x7;
     const double x8 = v[2];
     rates[2] = x8;
-    sum0 = sum0 + x8;
     const double x9 = v[3];
     rates[3] = x9;
-    sum1 = sum1 + x9;
     const double x10 = v[4];
     rates[4] = x10;
-    sum2 = sum2 + x10;
+    double sum3 = x10;
     const double x11 = v[5];
     rates[5] = x11;
-    sum3 = sum3 + x11;
+    sum0 = sum0 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5698,36 +5699,26 @@ static inline UR5_INLINE double ur5_drive_rates_lane(
     const double *restrict v,
     double *restrict rates)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
+    const ur5_four fours = UR5_FOUR(q) + UR5_FOUR(v);
+    double sum0 = UR5_SUM(fours);
     const double x4 = q[4];
-    sum0 = sum0 + x4;
+    double sum1 = x4;
     const double x5 = q[5];
-    sum1 = sum1 + x5;
+    double sum2 = x5;
     const double x6 = v[0];
     rates[0] = x6;
-    sum2 = sum2 + x6;
     const double x7 = v[1];
     rates[1] = x7;
-    sum3 = sum3 + x7;
     const double x8 = v[2];
     rates[2] = x8;
-    sum0 = sum0 + x8;
     const double x9 = v[3];
     rates[3] = x9;
-    sum1 = sum1 + x9;
     const double x10 = v[4];
     rates[4] = x10;
-    sum2 = sum2 + x10;
+    double sum3 = x10;
     const double x11 = v[5];
     rates[5] = x11;
-    sum3 = sum3 + x11;
+    sum0 = sum0 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -5926,36 +5917,26 @@ static inline UR5_INLINE double ur5_velocity_lane(
     const double *restrict y_dot,
     double *restrict v)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
+    const ur5_four fours = UR5_FOUR(q) + UR5_FOUR(y_dot);
+    double sum0 = UR5_SUM(fours);
     const double x4 = q[4];
-    sum0 = sum0 + x4;
+    double sum1 = x4;
     const double x5 = q[5];
-    sum1 = sum1 + x5;
+    double sum2 = x5;
     const double x6 = y_dot[0];
     v[0] = x6;
-    sum2 = sum2 + x6;
     const double x7 = y_dot[1];
     v[1] = x7;
-    sum3 = sum3 + x7;
     const double x8 = y_dot[2];
     v[2] = x8;
-    sum0 = sum0 + x8;
     const double x9 = y_dot[3];
     v[3] = x9;
-    sum1 = sum1 + x9;
     const double x10 = y_dot[4];
     v[4] = x10;
-    sum2 = sum2 + x10;
+    double sum3 = x10;
     const double x11 = y_dot[5];
     v[5] = x11;
-    sum3 = sum3 + x11;
+    sum0 = sum0 + x11;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
@@ -6403,48 +6384,30 @@ static inline UR5_INLINE double ur5_acceleration_lane(
     const double *restrict y_ddot,
     double *restrict a)
 {
-    const double x0 = q[0];
-    double sum0 = x0;
-    const double x1 = q[1];
-    double sum1 = x1;
-    const double x2 = q[2];
-    double sum2 = x2;
-    const double x3 = q[3];
-    double sum3 = x3;
+    const ur5_four fours = (UR5_FOUR(q) + UR5_FOUR(v)) + UR5_FOUR(y_ddot);
+    double sum0 = UR5_SUM(fours);
     const double x4 = q[4];
-    sum0 = sum0 + x4;
+    double sum1 = x4;
     const double x5 = q[5];
-    sum1 = sum1 + x5;
-    const double x6 = v[0];
-    sum2 = sum2 + x6;
-    const double x7 = v[1];
-    sum3 = sum3 + x7;
-    const double x8 = v[2];
-    sum0 = sum0 + x8;
-    const double x9 = v[3];
-    sum1 = sum1 + x9;
+    double sum2 = x5;
     const double x10 = v[4];
-    sum2 = sum2 + x10;
+    double sum3 = x10;
     const double x11 = v[5];
-    sum3 = sum3 + x11;
+    sum0 = sum0 + x11;
     const double x12 = y_ddot[0];
     a[0] = x12;
-    sum0 = sum0 + x12;
     const double x13 = y_ddot[1];
     a[1] = x13;
-    sum1 = sum1 + x13;
     const double x14 = y_ddot[2];
     a[2] = x14;
-    sum2 = sum2 + x14;
     const double x15 = y_ddot[3];
     a[3] = x15;
-    sum3 = sum3 + x15;
     const double x16 = y_ddot[4];
     a[4] = x16;
-    sum0 = sum0 + x16;
+    sum1 = sum1 + x16;
     const double x17 = y_ddot[5];
     a[5] = x17;
-    sum1 = sum1 + x17;
+    sum2 = sum2 + x17;
     return (sum0 + sum1) + (sum2 + sum3);
 }
 
