@@ -144,9 +144,11 @@ class _Padding:
     def _joinable(self, a: int | float, there: Place, lane: int) -> bool:
         """Can an operand have its place, or a copy its place, in this row?"""
         op = self.operations[self.model[there[0]]].op
-        if isinstance(a, int) and a in self.operations and a not in self.place and self.operations[a].op == op:
-            return True
-        return op in NEUTRAL and (isinstance(a, int) or a == 0.0)
+        return self._single(a) == op or (op in NEUTRAL and (isinstance(a, int) or a == 0.0))
+
+    def _single(self, a: int | float) -> str | None:
+        """What an operand does that is an operation in no row."""
+        return self.operations[a].op if isinstance(a, int) and a in self.operations and a not in self.place else None
 
     def _joined(self, operand: Operand, model: Operand, at: Place) -> Operand:
         """The operand, or a copy that has its place in the row of what another lane has here."""
@@ -161,12 +163,7 @@ class _Padding:
         if not self._joinable(a, there, lane):
             return operand
         op = self.operations[self.model[row]].op
-        own = isinstance(a, int) and a in self.operations and a not in self.place and self.operations[a].op == op
-        if own:
-            assert isinstance(a, int)
-            slot = a
-        else:
-            slot = self._copy(a, Operation(op, ()))
+        slot = a if isinstance(a, int) and self._single(a) == op else self._copy(a, Operation(op, ()))
         self.rows[row][lane] = slot
         self.place[slot] = (row, lane)
         self.open.append((row, lane))
@@ -204,7 +201,7 @@ class _Padding:
         """Factor and slot of which something is a product that is in no row; a number has no slot."""
         if not isinstance(a, int):
             return a, None
-        if a in self.operations and a not in self.place and self.operations[a].op == "mul":
+        if self._single(a) == "mul":
             (one, sign), (other, another) = self.operations[a].args
             if isinstance(one, float) and isinstance(other, int):
                 return sign * another * one, other
