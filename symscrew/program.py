@@ -128,7 +128,7 @@ class Program:
         seen: set[int] = set()
         found = []
         for instruction in reversed(self.instructions):
-            if instruction.target in watched - results and instruction.op == "less":
+            if instruction.op == "less" and instruction.target in watched and instruction.target not in results:
                 watched |= {arg for arg in instruction.args if isinstance(arg, int)}
             elif instruction.target in watched and instruction.target not in seen:
                 found.append(instruction.target)
