@@ -279,6 +279,23 @@ def seen_before(tree: Tree, placed: Sequence[Placement], source: int, target: in
     return add(origin, carry_across(tree, placed, source, target, turned))
 
 
+def velocity_across(
+    tree: Tree, placed: Sequence[Placement], twist: Twist, source: int, target: int, point: Vector
+) -> Vector:
+    """Velocity of a link's point in the axes that another one has before its motion; `twist`: the link's own."""
+    spin = placed[source].before(twist.angular)
+    moved = add(placed[source].before(twist.linear), cross(spin, placed[source].before(point)))
+    return carry_across(tree, placed, source, target, moved)
+
+
+def acceleration_across(
+    tree: Tree, placed: Sequence[Placement], rates: Rates, source: int, target: int, point: Vector
+) -> Vector:
+    """Acceleration of a link's point in the axes that another one has before its motion; `rates`: the link's own."""
+    turned = transform(product(placed[source].turn, rates.matrix), point)
+    return carry_across(tree, placed, source, target, add(placed[source].before(rates.origin), turned))
+
+
 def closure_bias(
     cut: Cut,
     tree: Tree,

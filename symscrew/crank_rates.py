@@ -13,10 +13,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.closure import carry_across, seen_before
+from symscrew.closure import acceleration_across, seen_before, velocity_across
 from symscrew.crank_limbs import CrankLimb
 from symscrew.recursion import Rates
-from symscrew.screws import Vector, add, cross, dot, product, subtract, transform
+from symscrew.screws import Vector, dot, subtract
 from symscrew.system import System
 from symscrew.tape import Node
 
@@ -71,18 +71,12 @@ def length_rows(system: System, cranks: Sequence[CrankLimb], guess: Sequence[Nod
 
 def _tip_velocity(system: System, limb: CrankLimb) -> Vector:
     """Velocity of the hub's point at the rod's tip, axes before the crank's motion."""
-    hub, placed = system.twist[limb.cut.hub], system.placed[limb.cut.hub]
-    spin = placed.before(hub.angular)
-    return _carried(system, limb, add(placed.before(hub.linear), cross(spin, placed.before(limb.cut.hub_point))))
+    cut = limb.cut
+    twist = system.twist[cut.hub]
+    return velocity_across(system.tree, system.placed, twist, cut.hub, limb.crank.index, cut.hub_point)
 
 
 def _tip_acceleration(system: System, limb: CrankLimb, hub: Rates) -> Vector:
     """Acceleration of the hub's point at the rod's tip, axes before the crank's motion."""
-    placed = system.placed[limb.cut.hub]
-    turned = transform(product(placed.turn, hub.matrix), limb.cut.hub_point)
-    return _carried(system, limb, add(placed.before(hub.origin), turned))
-
-
-def _carried(system: System, limb: CrankLimb, vector: Vector) -> Vector:
-    """A vector from the axes before the hub's motion to those before the crank's."""
-    return carry_across(system.tree, system.placed, limb.cut.hub, limb.crank.index, vector)
+    cut = limb.cut
+    return acceleration_across(system.tree, system.placed, hub, cut.hub, limb.crank.index, cut.hub_point)

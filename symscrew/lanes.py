@@ -18,7 +18,7 @@ from itertools import permutations
 from symscrew.program import Instruction
 
 PACKED = frozenset(("add", "mul", "div", "reciprocal", "sqrt"))  # what a vector unit does on all lanes at once
-SLOW = frozenset(("div", "reciprocal", "sqrt"))
+SLOW = {"div": 4.0, "reciprocal": 4.0, "sqrt": 6.0}  # what they cost beside 1 for a sum or a product
 MOST_LANES = 8
 MOST_INSTRUCTIONS = 5000  # the search takes seconds beyond
 MOST_CLASSES = 16

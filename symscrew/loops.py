@@ -154,17 +154,19 @@ class Loops:
 
     def operations(self, nodes: Sequence[Node]) -> int:
         """How many operations it takes to compute nodes, in the operation mode if there is one."""
-        return count_operations(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
-
-    def time(self, nodes: Sequence[Node]) -> int:
-        """The same, with what angles take whose sines or cosines are needed."""
-        nodes = substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else list(nodes)
-        angles = {node.args[0] for node in needed(nodes) if node.op in ("sin", "cos")}
-        return count_operations(nodes) + ANGLE * len(angles)
+        return count_operations(self._in_mode(nodes))
 
     def cost(self, nodes: Sequence[Node]) -> int:
         """The same, and what divisions take that wait for each other."""
-        return cost(substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes)
+        return cost(self._in_mode(nodes))
+
+    def time(self, nodes: Sequence[Node]) -> int:
+        """The operations, and what the angles take whose sines or cosines are among them."""
+        found = needed(self._in_mode(nodes))
+        return len(found) + ANGLE * len({node.args[0] for node in found if node.op in ("sin", "cos")})
+
+    def _in_mode(self, nodes: Sequence[Node]) -> Sequence[Node]:
+        return substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes
 
     # -- linear solutions --------------------------------------------------------------------------------
 

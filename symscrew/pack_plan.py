@@ -10,10 +10,9 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 
-from symscrew.lanes import Operand, Operation, Row
+from symscrew.lanes import SLOW, Operand, Operation, Row
 
 WIDTHS = (2, 4)  # of vectors; more lanes than that take several
-SLOW = {"div": 4.0, "reciprocal": 4.0, "sqrt": 6.0}  # beside 1 for a sum or a product
 GATHERED = 1.5  # an entry that is put into a vector
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 PASSES = 2

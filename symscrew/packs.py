@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from symscrew.lane_padding import padded
 from symscrew.lane_signs import Part, fewest_flips
-from symscrew.lanes import Operand, Operation, Row, corresponding, joined, signed
-from symscrew.pack_plan import SLOW, Code, Column, Plan
+from symscrew.lanes import SLOW, Operand, Operation, Row, corresponding, joined, signed
+from symscrew.pack_plan import Code, Column, Plan
 from symscrew.program import Instruction
 
 ENOUGH = 0.9  # the part of the cost that is worth packing at most

@@ -15,11 +15,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.closure import Cut, carry_across, seen_before
+from symscrew.closure import Cut, acceleration_across, carry_across, seen_before, velocity_across
 from symscrew.crank_limbs import RodLimb, rod_limb
 from symscrew.elimination import Affine
 from symscrew.recursion import Rates
-from symscrew.screws import Vector, add, cross, dot, product, scale, subtract, transform, transpose
+from symscrew.screws import Vector, add, cross, dot, scale, subtract, transform, transpose
 from symscrew.system import System
 from symscrew.tape import Node
 from symscrew.tree import GROUND
@@ -48,11 +48,8 @@ class RodRows:
     def bias(self, moving: System, still: Sequence[Rates]) -> list[Node]:
         """(dJ/dt) v per row for a system whose rates keep the loops closed; `still`: rates of links at a = 0."""
         tape, placed, limb = moving.tape, moving.placed, self.limb
-        at, own, hub = placed[self.carrier], moving.twist[self.carrier], placed[limb.cut.hub]
-        turned = transform(product(hub.turn, still[limb.cut.hub].matrix), limb.cut.hub_point)
-        gain = carry_across(
-            moving.tree, placed, limb.cut.hub, self.carrier, add(hub.before(still[limb.cut.hub].origin), turned)
-        )
+        at, hub, point = placed[self.carrier], limb.cut.hub, limb.cut.hub_point
+        gain = acceleration_across(moving.tree, placed, still[hub], hub, self.carrier, point)
         gain = seen = subtract(gain, at.before(still[self.carrier].at(limb.centre)))
         turning, tilting = (moving.inputs.v[link.v.start] for link in (limb.first, limb.second))
         along = dot(self.axis, self.n)
@@ -62,8 +59,11 @@ class RodRows:
             square = tape.settle(dot(limb.tip, limb.tip))
             inwards = turning * turning * (self.aside * self.aside) + tilting * tilting * square
         else:
+            own = moving.twist[self.carrier]
+            far = velocity_across(moving.tree, placed, moving.twist[hub], hub, self.carrier, point)
+            drift = subtract(far, at.before(own.velocity_at(limb.centre)))
             omega, alpha = at.before(own.angular), at.before(still[self.carrier].alpha)
-            swept, drift = cross(omega, self.n), self._drift(moving)
+            swept = cross(omega, self.n)
             rest = subtract(drift, swept)
             seen = subtract(subtract(seen, cross(alpha, self.n)), cross(omega, add(swept, add(rest, rest))))
             inwards = dot(drift, drift)
@@ -74,15 +74,6 @@ class RodRows:
             -(dot(self.axis, seen) + along * (tilting * tilting)),
         )
         return [tape.node(value) for value in values]
-
-    def _drift(self, moving: System) -> Vector:
-        """Velocity of the rod's tip, as the hub has it, less that of its centre."""
-        placed, cut = moving.placed, self.limb.cut
-        hub, own = moving.twist[cut.hub], moving.twist[self.carrier].velocity_at(self.limb.centre)
-        spin = placed[cut.hub].before(hub.angular)
-        far = add(placed[cut.hub].before(hub.linear), cross(spin, placed[cut.hub].before(cut.hub_point)))
-        far = carry_across(moving.tree, placed, cut.hub, self.carrier, far)
-        return subtract(far, placed[self.carrier].before(own))
 
     def _along_crank(self, system: System) -> int:
         """1 or -1 where the rod's first axis is along or against that of a crank on the ground, which carries it.
@@ -96,12 +87,15 @@ class RodRows:
         return {(0, 0, 1): 1, (0, 0, -1): -1}.get((x, y, z), 0)
 
 
+def has_rods(system: System) -> bool:
+    """Whether any cut joint has such rows."""
+    return any(_rod(system, cut) for cut in system.cuts)
+
+
 def rod_rows(system: System, cut: Cut) -> RodRows | None:
     """The rows of a cut spherical joint at the end of a rod, else None."""
-    limb = rod_limb(system, cut)
-    if limb is None or cut.joint.type != "S" or limb.first.parent == cut.hub or cut.arm is not None:
-        return None
-    if any(system.tape.settle(c) is not system.tape.zero for c in subtract(limb.tip, cut.tip_point)):
+    limb = _rod(system, cut)
+    if limb is None:
         return None
     tree, placed, frames = system.tree, system.placed, system.frames
     carrier = limb.first.parent
@@ -112,20 +106,22 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
     n = subtract(far, arm)
     aside = _aside(system, limb)
     across = scale(1 / aside, cross(axis, n))
-    own = {limb.first.v.start: aside, limb.second.v.start: -aside}
-    rows: list[Affine] = []
-    for direction, at_tip, index in (
-        (n, arm, None),
-        (across, far, limb.first.v.start),
-        (axis, far, limb.second.v.start),
-    ):
-        row = _difference(system, cut, carrier, at_tip, direction)
-        if index is not None:
-            row[index] = own[index]
+    own: tuple[Affine, ...] = ({}, {limb.first.v.start: aside}, {limb.second.v.start: -aside})
+    rows = []
+    for direction, tip, entries in zip((n, across, axis), (arm, far, far), own, strict=True):
+        row = _difference(system, cut, carrier, tip, direction) | entries
         rows.append({k: e for k, e in row.items() if e is not system.tape.zero})
     size = system.tape.sqrt(system.tape.node(dot(limb.tip, limb.tip)))
     length = float(system.numeric([size], (system.inputs.q, system.reference))[0])
     return RodRows(limb, axis, across, n, aside, (rows[0], rows[1], rows[2]), length)
+
+
+def _rod(system: System, cut: Cut) -> RodLimb | None:
+    limb = rod_limb(system, cut)
+    if limb is None or cut.joint.type != "S" or limb.first.parent == cut.hub or cut.arm is not None:
+        return None
+    on_line = all(system.tape.settle(c) is system.tape.zero for c in subtract(limb.tip, cut.tip_point))
+    return limb if on_line else None
 
 
 def _aside(system: System, limb: RodLimb) -> Node:

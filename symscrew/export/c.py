@@ -164,7 +164,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         lines += ["", *c_angles.prologue(model.name, precision)]
     every = _straight_lines(model.name, model.programs, precision)
     lines += c_parts.prologue(model.name, every)
-    if any(c_unread.fours(p.inputs, p.program.checked) for p in every if not c_parts.long(p)):
+    if any(c_unread.fours(p.inputs, p.program.checked)[0] for p in every if not c_parts.long(p)):
         lines += c_unread.prologue(model.name, precision)
     lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
     if batches:

@@ -244,10 +244,10 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
             lines.append(f"{name} = {name} + {text};" if terms >= SUMS else f"{form.real} {name} = {text};")
             terms += 1
 
-    if form.stride == "1" and (runs := c_unread.fours(printed.inputs, waiting)):
-        together = {slot for run in runs.values() for slot in run}
-        waiting = dict.fromkeys(slot for slot in waiting if slot not in together)
-        lines.append(c_unread.statement(printed.model, printed.inputs, runs))
+    firsts, others = c_unread.fours(printed.inputs, waiting)
+    if form.stride == "1" and firsts:
+        waiting = dict.fromkeys(others)
+        lines.append(c_unread.statement(printed.model, printed.inputs, firsts))
         lines.append(f"{form.real} sum0 = {c_unread.total(printed.model)};")
         terms = 1
     used = {s for i in printed.order for s in (i.target, *i.args) if isinstance(s, int)}

@@ -186,11 +186,11 @@ def total(
             limit = f"({vector}){{{', '.join(texts)}}}"
             masks.append(f"(({name} <= {limit}) & ({name} >= -{limit}))")
             small = {slot: t for slot, t in small.items() if slot not in pack.targets}
-    runs = c_unread.fours(inputs, left)
-    if runs:
-        body.lines.append(c_unread.statement(body.model, inputs, runs))
-    single = [c_unread.total(body.model)] if runs else []
-    single += [body.scalar(slot) for slot in left if not any(slot in run for run in runs.values())]
+    firsts, others = c_unread.fours(inputs, (slot for slot in left if isinstance(slot, int)))
+    if firsts:
+        body.lines.append(c_unread.statement(body.model, inputs, firsts))
+    single = [c_unread.total(body.model)] if firsts else []
+    single += [body.scalar(slot) for slot in others]
     if terms or masks:
         text = balanced_sum(terms) if terms else body.literal((0.0,) * packing.width)
         if masks:  # all bits set are a NaN

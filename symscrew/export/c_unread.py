@@ -33,15 +33,18 @@ def prologue(model: str, precision: Precision) -> list[str]:
     ]
 
 
-def fours(entries: Mapping[int, tuple[str, int]], slots: Iterable[int | float]) -> dict[int, list[int]]:
-    """Slots that are entries of inputs by fours that follow each other, and the first of each; none if only one."""
-    at = {entries[slot]: slot for slot in slots if isinstance(slot, int) and slot in entries}
-    found: dict[int, list[int]] = {}
+def fours(entries: Mapping[int, tuple[str, int]], slots: Iterable[int]) -> tuple[list[int], list[int]]:
+    """The first slots of fours of entries that follow each other, if there are several, and all other slots."""
+    slots = list(slots)
+    at = {entries[slot]: slot for slot in slots if slot in entries}
+    firsts: list[int] = []
+    together: set[int] = set()
     for (array, k), slot in sorted(at.items()):
         run = [(array, k + n) for n in range(FOUR)]
         if all(entry in at for entry in run):
-            found[slot] = [at.pop(entry) for entry in run]
-    return found if len(found) > 1 else {}
+            firsts.append(slot)
+            together |= {at.pop(entry) for entry in run}
+    return (firsts, [slot for slot in slots if slot not in together]) if len(firsts) > 1 else ([], slots)
 
 
 def statement(model: str, entries: Mapping[int, tuple[str, int]], firsts: Iterable[int]) -> str:

@@ -17,6 +17,7 @@ from symscrew.modes import Mode
 from symscrew.program import Function, Iteration, Port, Program, lower
 from symscrew.rank_revealing import SWITCH, RankRevealing
 from symscrew.reactions import at_origin, joint_wrenches
+from symscrew.rod_rows import has_rods
 from symscrew.screws import ZERO, scale
 from symscrew.system import System
 from symscrew.tape import Node
@@ -89,8 +90,9 @@ def fewest_operations(system: System, effects: Sequence[Effect], independent: Se
     if len(system.tree.v) > SMALL:
         return Ways(plain, plain, plain)
     found = _chosen([plain, Loops(system, independent, by_contacts=True)], effects)
-    rods = Loops(system, independent, by_rods=True, general=found.plain)
-    return _with_rods(found, rods, effects)
+    if not has_rods(system):
+        return found
+    return _with_rods(found, Loops(system, independent, by_rods=True, general=found.plain), effects)
 
 
 def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
@@ -103,12 +105,14 @@ def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independe
         return Loops(loops.system, independent, general=loops, mode=mode, **rows)
 
     ways = [x for x in (way(), way(by_contacts=True)) if x.free == loops.free]
-    return _with_rods(_chosen(ways, effects), way(by_rods=True), effects) if ways else found
+    if not ways:
+        return found
+    chosen = _chosen(ways, effects)
+    return _with_rods(chosen, way(by_rods=True), effects) if has_rods(loops.system) else chosen
 
 
 def _chosen(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
     """Of loops with different rows those with the fewest operations, for rates and for dynamics."""
-
     ways = [way for k, way in enumerate(ways) if all(way.rows != other.rows for other in ways[:k])]
     if len(ways) == 1:
         return Ways(ways[0], ways[0], ways[0])
@@ -121,7 +125,7 @@ def _chosen(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
 
 def _with_rods(found: Ways, rods: Loops, effects: Sequence[Effect]) -> Ways:
     """The same, or by the ends of rods where this is shorter."""
-    if not rods.closure.rods or rods.free != found.plain.free:
+    if rods.free != found.plain.free:
         return found
     dynamics = found.dynamics
     if accelerates(rods.system, effects, found.plain):
