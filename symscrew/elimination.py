@@ -102,7 +102,7 @@ def solve_for(row: Mapping[Column, Node], pivot: Column) -> Affine:
     return {c: factor * entry for c, entry in row.items() if c != pivot}
 
 
-def substitute(row: Mapping[Column, Node], pivot: Column, solution: Mapping[Column, Node]) -> Affine:
+def insert_solution(row: Mapping[Column, Node], pivot: Column, solution: Mapping[Column, Node]) -> Affine:
     """`row` with the pivot's unknown replaced by its solution."""
     rest = {c: entry for c, entry in row.items() if c != pivot}
     return combine(rest, row[pivot], solution) if pivot in row else rest

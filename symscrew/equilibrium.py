@@ -20,10 +20,10 @@ from symscrew.elimination import (
     Guard,
     Pivot,
     choose_pivot,
+    insert_solution,
     magnitude,
     solve_block,
     solve_for,
-    substitute,
 )
 from symscrew.frames import Frame
 from symscrew.recursion import Placement
@@ -308,10 +308,10 @@ class _Elimination:
         """Replace a multiplier by its solution everywhere."""
         for key, affine in self.solved.items():
             if pivot in affine:
-                self.solved[key] = substitute(affine, pivot, solution)
+                self.solved[key] = insert_solution(affine, pivot, solution)
         for index, here in self.waiting.items():
             self.waiting[index] = _substitute_wrench(here, pivot, solution)
-        self.deferred = [(v, substitute(r, pivot, solution)) for v, r in self.deferred]
+        self.deferred = [(v, insert_solution(r, pivot, solution)) for v, r in self.deferred]
 
     def _finish(self) -> None:
         """Rows that waited: best pivots first, what has none is an equation for the drives."""
@@ -346,7 +346,7 @@ class _Elimination:
             if row[column].value is not None:
                 break
             solution = solve_for(row, column)
-            left = {k: (v, substitute(r, column, solution)) for k, (v, r) in left.items()}
+            left = {k: (v, insert_solution(r, column, solution)) for k, (v, r) in left.items()}
             places = list(left)
             best, pivot = self._best(list(left.values()))
             v_index, row = left.pop(places[best])

@@ -66,7 +66,7 @@ def met_rows(limbs: Sequence[Limb]) -> frozenset[str]:
     return frozenset(row.label for left, rows in forces for k, row in enumerate(rows) if k not in left)
 
 
-def has_rods(limbs: Sequence[Limb]) -> bool:
+def any_rods(limbs: Sequence[Limb]) -> bool:
     """Whether there are rods among the limbs, with or without a crank."""
     return any(isinstance(limb, CrankLimb | RodLimb) for limb in limbs)
 

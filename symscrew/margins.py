@@ -30,13 +30,13 @@ from math import comb
 import numpy as np
 
 from symscrew.closure import Cut, Row, carry, carry_point, universal_axes
+from symscrew.elimination import NEGLIGIBLE
 from symscrew.joints import JOINT_TYPES
 from symscrew.screws import IDENTITY, ZERO, Twist, Vector, dot, helical, prismatic, revolute, scale, transform
 from symscrew.system import System
 from symscrew.tape import Node, Tape
 from symscrew.tree import GROUND
 from symscrew.volumes import (
-    NEGLIGIBLE,
     Grid,
     TooLargeError,
     Volume,

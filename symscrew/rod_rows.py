@@ -87,7 +87,7 @@ class RodRows:
         return {(0, 0, 1): 1, (0, 0, -1): -1}.get((x, y, z), 0)
 
 
-def has_rods(system: System) -> bool:
+def has_rod_rows(system: System) -> bool:
     """Whether any cut joint has such rows."""
     return any(_rod(system, cut) for cut in system.cuts)
 

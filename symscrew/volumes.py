@@ -14,9 +14,9 @@ from math import comb
 
 import numpy as np
 
+from symscrew.elimination import NEGLIGIBLE
 from symscrew.tape import Node, Tape
 
-NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
 MOST_SQUARES = 30  # more maximal minors than this: determinant of the Gram matrix instead
 MOST_MINORS = 4000  # a volume that needs more minors than this is not derived
 

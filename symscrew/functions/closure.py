@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from symscrew.elimination import Guard
 from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
-from symscrew.limb_solutions import closed_limbs, has_rods, hub_links, limb_coordinates
+from symscrew.limb_solutions import any_rods, closed_limbs, hub_links, limb_coordinates
 from symscrew.loops import Loops
 from symscrew.program import Function, Iteration, Port, lower
 from symscrew.screws import Vector, add, cross, dot, scale
@@ -140,7 +140,7 @@ def assembly(system: System, loops: Loops) -> Iteration:
     moved = moved_by(system, [factor * s for s in step])
     limbs, hub = closed_limbs(system), hub_links(system)
     alone = limbs is not None and hub is not None and all(entry.link in hub for entry in loops.entries)
-    if limbs and hub and alone and not has_rods(limbs):
+    if limbs and hub and alone and not any_rods(limbs):
         # Only the platform's coordinates are iterated; its limbs follow in closed form, on the guess's branch.
         # Not where y are a limb's: the limb's closed form is singular where the platform turns back.
         known = {k: moved[k] for link in hub for k in range(link.q.start, link.q.stop)}

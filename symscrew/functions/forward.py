@@ -17,7 +17,7 @@ from symscrew.modes import Mode
 from symscrew.program import Function, Iteration, Port, Program, lower
 from symscrew.rank_revealing import SWITCH, RankRevealing
 from symscrew.reactions import at_origin, joint_wrenches
-from symscrew.rod_rows import has_rods
+from symscrew.rod_rows import has_rod_rows
 from symscrew.screws import ZERO, scale
 from symscrew.system import System
 from symscrew.tape import Node
@@ -90,7 +90,7 @@ def fewest_operations(system: System, effects: Sequence[Effect], independent: Se
     if len(system.tree.v) > SMALL:
         return Ways(plain, plain, plain)
     found = _chosen([plain, Loops(system, independent, by_contacts=True)], effects)
-    if not has_rods(system):
+    if not has_rod_rows(system):
         return found
     return _with_rods(found, Loops(system, independent, by_rods=True, general=found.plain), effects)
 
@@ -108,7 +108,7 @@ def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independe
     if not ways:
         return found
     chosen = _chosen(ways, effects)
-    return _with_rods(chosen, way(by_rods=True), effects) if has_rods(loops.system) else chosen
+    return _with_rods(chosen, way(by_rods=True), effects) if has_rod_rows(loops.system) else chosen
 
 
 def _chosen(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
