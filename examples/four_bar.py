@@ -5,9 +5,9 @@ Run it: python examples/four_bar.py
 
 import numpy as np
 
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import load
+from symscrew.description import MechanismBuilder
 from symscrew.model import derive
+from symscrew.runtime import load
 
 builder = MechanismBuilder("my_four_bar", platform="rocker")
 builder.parameter("a", "0.15", unit="m", description="length of the crank")

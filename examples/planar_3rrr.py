@@ -8,12 +8,12 @@ import tempfile
 
 import numpy as np
 
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import load
+from symscrew.description import MechanismBuilder
 from symscrew.effects import ExternalWrench
 from symscrew.generation import generate
 from symscrew.mobility import analyse_mobility
 from symscrew.model import derive
+from symscrew.runtime import load
 
 builder = MechanismBuilder("table", platform="plate")
 builder.body("plate", mass="1.5", com=[0, 0, 0], inertia=["0.01", "0.01", "0.02"])

@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 
 import symscrew.catalogue
-from symscrew import description
-from symscrew.compiled import load
+from symscrew.description import load_description
 from symscrew.effects import ExternalWrench, Gravity
 from symscrew.model import derive
+from symscrew.runtime import load
 
 file = Path(symscrew.catalogue.__file__).parent / "three_ups_upu_s_physical.toml"
-mechanism = description.load(file)
+mechanism = load_description(file)
 
 # the load at point E is a further input of the functions
 model = derive(mechanism, (Gravity(), ExternalWrench("E")))

@@ -6,40 +6,103 @@
     symscrew.generate(model, "out")                           # C, CasADi, NumPy
     compiled = symscrew.load("out")                           # compiled C, called with NumPy arrays
 
+The map: rooms in the order of the flow. A file imports only from rooms above its own, through their doors (what
+their `__init__` names); `tests/unit/test_structure.py` reads the order from here.
+
+    errors          what input can do wrong, in one sentence
+    doors           rooms whose parts are imported when somebody asks for them
+    whole_files     files that are written whole or not at all
+    description     mechanisms as people write them: bodies, joints, limbs, parameters; TOML
+    reference       independent formulations that results are held against: maximal coordinates, Newton-Euler
+    formats         URDF and MJCF
+    catalogue       the mechanisms that come with the package
+    algebra         screws; the tape of nodes, its derivatives, elimination and rank volumes
+    program         straight-line programs, evaluation, passes, lanes
+    kinematics      spanning tree, frames, screws and their rates, momentum screws, cut joints
+    mobility        reciprocal screws, finite mobility, branches, proofs; margins of singularities
+    effects         what acts on a mechanism: one file each
+    loops           rows of cut joints, dependent rates, operation modes, limbs in closed form
+    dynamics        balance of every body, drives, reactions, free motion, and derivatives of all these
+    functions       the named functions of a model
+    model           the pipeline on one page: `derive`
+    export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
+    runtime         compiled libraries, called from Python
+    display         terminal, plots, drawings, the page in 3-D
+    scene           scenes: start, drives, effects, integrator
+    simulation      motion of a scene
+    optimisation    best motions between conditions
+    fmu             functional mock-up units
+    generation      folders of generated code: the table of targets
+    verification    whether a folder is what the tool would write, and agrees by number
+    studies         timing, machine, bill of effects
+    studies/demo    the source paper's example from end to end
+    studies/accuracy    what accuracy costs in time
+    studies/benchmark   functions beside other libraries
+    studies/workspace   maps over coordinates and parameters
+    report          one document on a mechanism
+    cli             the command line
+
 Nothing heavy is imported before it is used.
 """
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.catalogue import load as load_catalogue
+    from symscrew.description import Mechanism as Mechanism
+    from symscrew.description import MechanismBuilder as MechanismBuilder
+    from symscrew.description import load_description as load_description
+    from symscrew.display import open_page as view
+    from symscrew.effects import Effect as Effect
+    from symscrew.effects import ExternalWrench as ExternalWrench
+    from symscrew.effects import Gravity as Gravity
+    from symscrew.errors import DescriptionError as DescriptionError
+    from symscrew.functions import Quantities as Quantities
+    from symscrew.functions import base_parameters as base_parameters
+    from symscrew.functions import inertial_parameters as inertial_parameters
+    from symscrew.generation import generate as generate
+    from symscrew.mobility import analyse_mobility as analyse_mobility
+    from symscrew.model import Model as Model
+    from symscrew.model import derive as derive
+    from symscrew.optimisation import solve as optimise
+    from symscrew.runtime import load as load
+    from symscrew.scene import load_scene as load_scene
+    from symscrew.simulation import simulate as simulate
+    from symscrew.verification import check as check
 
 __version__ = "0.1.0"
 
-PUBLIC = {
-    "MechanismBuilder": ("symscrew.builder", "MechanismBuilder"),
-    "DescriptionError": ("symscrew.errors", "DescriptionError"),
-    "load_description": ("symscrew.description", "load"),
-    "load_catalogue": ("symscrew.catalogue", "load"),
-    "analyse_mobility": ("symscrew.mobility", "analyse_mobility"),
-    "Quantities": ("symscrew.quantities", "Quantities"),
-    "Gravity": ("symscrew.effects", "Gravity"),
-    "ExternalWrench": ("symscrew.effects", "ExternalWrench"),
-    "base_parameters": ("symscrew.inertial_parameters", "base_parameters"),
-    "inertial_parameters": ("symscrew.inertial_parameters", "inertial_parameters"),
-    "derive": ("symscrew.model", "derive"),
-    "generate": ("symscrew.generation", "generate"),
-    "check": ("symscrew.verification", "check"),
-    "load": ("symscrew.compiled", "load"),
-}
+__all__ = [
+    "DescriptionError",
+    "Effect",
+    "ExternalWrench",
+    "Gravity",
+    "Mechanism",
+    "MechanismBuilder",
+    "Model",
+    "Quantities",
+    "__version__",
+    "analyse_mobility",
+    "base_parameters",
+    "check",
+    "derive",
+    "generate",
+    "inertial_parameters",
+    "load",
+    "load_catalogue",
+    "load_description",
+    "load_scene",
+    "optimise",
+    "simulate",
+    "view",
+]
 
-
-def __getattr__(name: str) -> Any:
-    if name not in PUBLIC:
-        raise AttributeError(f"module 'symscrew' has no attribute {name!r}; known: {', '.join(PUBLIC)}")
-    module, attribute = PUBLIC[name]
-    return getattr(import_module(module), attribute)
+__getattr__ = doors(__name__)
 
 
 def __dir__() -> list[str]:
-    return ["__version__", *PUBLIC]
+    return __all__

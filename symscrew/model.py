@@ -15,32 +15,39 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.description import Mechanism, Reader
 from symscrew.effects import Effect, Gravity, transformed
-from symscrew.functions.closure import assembly, closure_functions
-from symscrew.functions.derivatives import derivative_functions
-from symscrew.functions.dynamics import dynamic_functions
-from symscrew.functions.effects import effect_functions
-from symscrew.functions.forward import (
+from symscrew.functions import (
     MASSLESS_NOTE,
+    Motion,
+    assembly,
     closing_functions,
+    closure_functions,
+    derivative_functions,
+    dynamic_functions,
+    effect_functions,
     fewest_in_mode,
     fewest_operations,
     forward_functions,
+    kinematic_functions,
+    margin_functions,
+    momentum_functions,
     moves_mass,
+    platform_functions,
+    regressor_functions,
     second_paths,
 )
-from symscrew.functions.kinematics import Motion, kinematic_functions
-from symscrew.functions.margins import margin_functions
-from symscrew.functions.momentum import momentum_functions
-from symscrew.functions.platform import platform_functions
-from symscrew.functions.regressor import regressor_functions
-from symscrew.limb_solutions import hub_links
-from symscrew.mechanism import Mechanism
-from symscrew.modes import operation_mode
-from symscrew.program import Iteration, Program, evaluate, evaluate_iteration, lower
-from symscrew.rank_revealing import RankRevealing, evaluate_rank_revealing
-from symscrew.reader import Reader
-from symscrew.system import System
+from symscrew.kinematics import System
+from symscrew.loops import hub_links, operation_mode
+from symscrew.program import (
+    Iteration,
+    Program,
+    RankRevealing,
+    evaluate,
+    evaluate_iteration,
+    evaluate_rank_revealing,
+    lower,
+)
 
 
 @dataclass(frozen=True)
@@ -110,7 +117,7 @@ def derive(
     `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given,
     `regressor` the regressors of the inertial parameters. `one_mode`: functions of closed loops for the operation
     mode of the reference configuration only, where coordinates that follow from others are not read; they fail
-    elsewhere (see `symscrew.modes`).
+    elsewhere (see `symscrew.loops.modes`).
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
     if length is not None:

@@ -12,7 +12,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from symscrew import compiled
+from symscrew.runtime import compiled
 from symscrew.simulation import native
 
 
@@ -23,7 +23,7 @@ def compiled_quickly() -> Iterator[None]:
     That levels of optimisation do not change results is what test_hard_generated_c tests.
     """
     with pytest.MonkeyPatch.context() as changed:
-        changed.setattr(native, "FLAGS", (*native.FLAGS, "-O1"))
+        changed.setattr(native, "NATIVE_FLAGS", (*native.NATIVE_FLAGS, "-O1"))
         yield
 
 
@@ -32,7 +32,7 @@ def hard_cases_compiled_more_quickly(request: pytest.FixtureRequest, compiled_qu
     """Hard cases run for milliseconds, each with a loop of its own: compiling at -O0 takes half the time."""
     with pytest.MonkeyPatch.context() as changed:
         if request.module.__name__.startswith("test_hard_"):
-            changed.setattr(native, "FLAGS", (*native.FLAGS, "-O0"))
+            changed.setattr(native, "NATIVE_FLAGS", (*native.NATIVE_FLAGS, "-O0"))
         yield
 
 

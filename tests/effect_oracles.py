@@ -14,16 +14,16 @@ from model_states import body_states, relative
 
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.effects import Effect, transformed
-from symscrew.functions.dynamics import Equations
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.effect import Effect, transformed
+from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.joint_motion import joint_displacements, joint_rates
-from symscrew.maximal_coordinates import BodyState, cross, joint_screws, numeric, stack_states
-from symscrew.mechanism import Mechanism
+from symscrew.kinematics.system import System
 from symscrew.model import Model, derive
-from symscrew.newton_euler import newton_euler
-from symscrew.program import lower
-from symscrew.system import System
+from symscrew.program.straight_line import lower
+from symscrew.reference.joint_motion import joint_displacements, joint_rates
+from symscrew.reference.maximal_coordinates import BodyState, cross, joint_screws, numeric, stack_states
+from symscrew.reference.newton_euler_method import newton_euler
 
 Loads = dict[str, np.ndarray]
 EXACT = 1e-10

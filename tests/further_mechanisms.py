@@ -12,8 +12,8 @@ from typing import Any
 import sympy
 from sympy import Matrix, Rational, sqrt
 
-from symscrew.builder import MechanismBuilder
-from symscrew.mechanism import Mechanism
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
 
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 

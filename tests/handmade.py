@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 
-from symscrew.effects import Gravity
-from symscrew.mechanism import Mechanism
+from symscrew.algebra.nodes import Node, Tape
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
 from symscrew.model import Model
-from symscrew.program import Function, Iteration, Port, Program, lower
-from symscrew.tape import Node, Tape
+from symscrew.program.straight_line import Function, Iteration, Port, Program, lower
 
 
 def port(name: str, size: int, unit: str = "m", shape: tuple[int, ...] | None = None) -> Port:

@@ -9,9 +9,9 @@ import numpy as np
 from oracles import mechanisms
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.maximal_coordinates import BodyState
+from symscrew.description.builder import MechanismBuilder
 from symscrew.model import Model, derive
+from symscrew.reference.maximal_coordinates import BodyState
 
 HAND_TYPED = {"spatial_loop": mechanisms.spatial_loop, "mixed_loop": mechanisms.mixed_loop}
 ALL = (*catalogue.names(), *HAND_TYPED)

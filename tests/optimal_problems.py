@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.effects import Gravity
-from symscrew.mechanism import Mechanism
-from symscrew.optimisation import Bounds, Conditions, Objective, TrajectoryProblem, Transcription
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.optimisation.problem import Bounds, Conditions, Objective, TrajectoryProblem, Transcription
 
 KELLY = {"cart": 1.0, "pole": 0.3, "length": 0.5, "gravity": 9.81, "travel": 2.0, "force": 20.0, "goal": 1.0}
 

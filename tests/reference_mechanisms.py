@@ -10,10 +10,10 @@ from typing import Any
 
 import sympy
 
-from symscrew.builder import MechanismBuilder
-from symscrew.expressions import parse
-from symscrew.mechanism import Mechanism
-from symscrew.names import RESERVED
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.expressions import parse
+from symscrew.description.mechanism import Mechanism
+from symscrew.description.names import RESERVED
 
 DATA = Path(__file__).parent / "data" / "mobility.json"
 

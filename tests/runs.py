@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.compiled import find_compiler
-from symscrew.scene import Scene, load
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Scene
+from symscrew.scene.scene_file import load_scene
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state, initial_states
-from symscrew.simulation.run import Run, _observed, evaluated, prepare, simulate
+from symscrew.simulation.motion import Run, _observed, evaluated, prepare, simulate
 from symscrew.simulation.stability import with_longest_stable_step
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -42,7 +43,7 @@ def reference(name: str, until: float = np.inf) -> tuple[np.ndarray, np.ndarray]
 
 def scene_of(name: str, until: float | None = None, **integrator: object) -> Scene:
     """A benchmark's scene with the reference's outputs, and with another end or integrator."""
-    scene = load(EXAMPLES / "benchmarks" / f"{name}.toml")
+    scene = load_scene(EXAMPLES / "benchmarks" / f"{name}.toml")
     times, _ = reference(name)
     rate = 1.0 / times[1]
     scene = replace(scene, rate=rate, duration=until or float(times[-1]))
@@ -73,7 +74,7 @@ def run_of(name: str, scene: Scene, other: native.Library | None = None) -> Run:
     q, v = initial_state(scene, model, plant.parameters)
     x = initial_states(scene, model)
     x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
-    history = with_longest_stable_step(scene, plant, native.run(library, scene, (q, v, x)), (q, v, x))
+    history = with_longest_stable_step(scene, plant, native.run_natively(library, scene, (q, v, x)), (q, v, x))
     return _observed(scene, model, plant, history)
 
 

@@ -11,24 +11,23 @@ import numpy as np
 import pytest
 
 from symscrew import catalogue
-from symscrew.accuracy import Setup, measured
-from symscrew.accuracy.chains import Chains, least_squares
-from symscrew.accuracy.claims import newton_euler_program
-from symscrew.accuracy.history import read_reference
-from symscrew.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
-from symscrew.accuracy.measuring import Point, Study
-from symscrew.accuracy.momentum import drive_map, drives_of, momenta_of, neighbour, reference_rates
-from symscrew.accuracy.report import front
-from symscrew.accuracy.states import States, Subject, body_states_of, paper_states, random_states
-from symscrew.accuracy.typed_code import COMPLEX, as_floats, in_digits, only, typed_function
-from symscrew.cli import main
-from symscrew.compiled import find_compiler
-from symscrew.console import Progress
-from symscrew.mobility import analyse_mobility
+from symscrew.cli.parser import main
+from symscrew.display.terminal import Progress
+from symscrew.mobility.analysis import analyse_mobility
 from symscrew.model import Model, derive
-from symscrew.newton_euler import newton_euler
-from symscrew.simulation.run import simulate
-from symscrew.timing import quartiles
+from symscrew.reference.newton_euler_method import newton_euler
+from symscrew.runtime.compiled import find_compiler
+from symscrew.simulation.motion import simulate
+from symscrew.studies.accuracy.claims_study import newton_euler_program
+from symscrew.studies.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
+from symscrew.studies.accuracy.measuring import Point, Setup, Study, measured
+from symscrew.studies.accuracy.momentum_study import drive_map, drives_of, momenta_of, neighbour, reference_rates
+from symscrew.studies.accuracy.run_history import read_reference
+from symscrew.studies.accuracy.serial_formulas import Chains, least_squares
+from symscrew.studies.accuracy.states import States, Subject, body_states_of, paper_states, random_states
+from symscrew.studies.accuracy.study_tables import front
+from symscrew.studies.accuracy.typed_code import COMPLEX, as_floats, in_digits, only, typed_function
+from symscrew.studies.timing import quartiles
 
 QUIET = Progress(quiet=True)
 EXAMPLES = Path(__file__).parent.parent / "examples" / "benchmarks"
@@ -108,8 +107,8 @@ def test_serial_chains_have_the_screws_of_the_generated_code_and_the_papers_matr
 
 
 def test_least_squares_step_in_c_is_that_of_numpy() -> None:
-    from symscrew.accuracy.kinematics import least_squares_program
-    from symscrew.functions.kinematics import Motion, kinematic_functions
+    from symscrew.functions.kinematic import Motion, kinematic_functions
+    from symscrew.studies.accuracy.pose_study import least_squares_program
 
     system = seed().system
     functions = {f.name: f for f in kinematic_functions(system, Motion(system))}
@@ -167,9 +166,9 @@ def test_programs_for_other_number_types() -> None:
 
 @needs_compiler
 def test_study_of_momentum_shows_the_floors() -> None:
-    from symscrew.accuracy import momentum
+    from symscrew.studies.accuracy import momentum_study
 
-    study = momentum.study(Subject(derive(catalogue.load("four_bar"))), QUIET, repeats=1, seconds=0.1)
+    study = momentum_study.study(Subject(derive(catalogue.load("four_bar"))), QUIET, repeats=1, seconds=0.1)
     floors = {name: least_error(study, name) for name in study.curves}
     assert study.reference_error is not None
     assert study.reference_error < 1e-11
@@ -189,9 +188,9 @@ def test_study_of_momentum_shows_the_floors() -> None:
 
 @needs_compiler
 def test_study_of_precision() -> None:
-    from symscrew.accuracy import precision
+    from symscrew.studies.accuracy import precision_study
 
-    study = precision.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
+    study = precision_study.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
     errors = {(p.curve, p.setting): p.error for p in study.points}
     assert study.reference_error is not None
     assert study.reference_error < 1e-16
@@ -244,13 +243,13 @@ def test_additional_limbs_lower_the_peak_drive_and_a_singular_choice_fails() -> 
 @pytest.mark.slow
 @needs_compiler
 def test_study_of_formulations_on_andrews() -> None:
-    from symscrew.accuracy import forward
-    from symscrew.scene import load
+    from symscrew.scene.scene_file import load_scene
+    from symscrew.studies.accuracy import forward_study
 
     path = EXAMPLES / "andrews.toml"
-    scene = load(path)
+    scene = load_scene(path)
     subject = Subject(derive(scene.mechanism, scene.effects), scene)
-    study = forward.study(subject, QUIET, repeats=1, seconds=0.1, path=path)
+    study = forward_study.study(subject, QUIET, repeats=1, seconds=0.1, path=path)
     for kind in ("projection", "stabilised (Gear-Gupta-Leimkuhler)", "no stabilisation", "minimal coordinates"):
         assert least_error(study, f"DOP853, {kind}") < 1e-8, kind
         steps = [p.error for p in study.curves[f"RK4, {kind}"]]
@@ -281,10 +280,10 @@ def test_reference_histories_state_their_errors() -> None:
 @needs_compiler
 @pytest.mark.parametrize("name", BENCHMARKS)
 def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
-    from symscrew.scene import load
+    from symscrew.scene.scene_file import load_scene
 
     path = EXAMPLES / f"{name}.toml"
-    scene, reference = load(path), read_reference(path)
+    scene, reference = load_scene(path), read_reference(path)
     assert reference is not None and reference.stated is not None
     assert reference.times[-1] >= scene.duration * (1 - 1e-12)
     tight = replace(scene.integrator, method="dop853", step=None, tolerance=1e-11)
@@ -296,17 +295,17 @@ def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
 @needs_compiler
 def test_stiff_libraries_converge() -> None:
     """Each of them on the pendulum: tighter tolerances, smaller errors; set-up is not part of the run's time."""
-    from symscrew.accuracy.forward import beginning
-    from symscrew.accuracy.measuring import Stopwatch
-    from symscrew.accuracy.stiff import stiff_setups
-    from symscrew.scene import load
-    from symscrew.simulation.run import prepare
+    from symscrew.scene.scene_file import load_scene
+    from symscrew.simulation.motion import prepare
+    from symscrew.studies.accuracy.forward_study import beginning
+    from symscrew.studies.accuracy.measuring import Stopwatch
+    from symscrew.studies.accuracy.stiff import stiff_setups
 
     path = EXAMPLES / "simple_pendulum.toml"
     reference = read_reference(path)
     assert reference is not None
     times = reference.times[:4]
-    scene = replace(load(path), rate=1 / times[1], duration=times[-1])
+    scene = replace(load_scene(path), rate=1 / times[1], duration=times[-1])
     found, plant = prepare(scene)
     few = replace(reference, times=times, values=reference.values[:4])
     setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), Stopwatch())
@@ -323,13 +322,13 @@ def test_stiff_libraries_converge() -> None:
 
 @needs_compiler
 def test_chain_of_loops_falls_as_one_pendulum_and_its_operations_are_linear() -> None:
-    from symscrew.accuracy import growth
+    from symscrew.studies.accuracy import growth_study
 
-    models = {n: derive(growth.four_bars(n), (growth.Gravity((0, "-9.81", 0)),)) for n in (1, 2, 3)}
-    for name in growth.FUNCTIONS:
+    models = {n: derive(growth_study.four_bars(n), (growth_study.Gravity((0, "-9.81", 0)),)) for n in (1, 2, 3)}
+    for name in growth_study.FUNCTIONS:
         one, two, three = (models[n].programs[name].operations["total"] for n in (1, 2, 3))
         assert three - two == two - one, name
-    setup = growth._setup(models[2], 2, growth.Stopwatch())
+    setup = growth_study._setup(models[2], 2, growth_study.Stopwatch())
     setup.run()
     assert setup.error() < 1e-5  # through about ten singular positions
 
@@ -358,17 +357,18 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """`--study all` of a scene: the studies that it has (here one, given), and why it has not the others."""
-    from symscrew.accuracy import command
+    from symscrew.cli import accuracy_command
 
     points = (Point("a", "", 0.5, quartiles([1.0])), Point("b", "", None, None, "a pivot is small"))
     given = Study("forward", "A study", points, "error", "time", "ms", "none", None)
-    usual = command._function
+    usual = accuracy_command.study_of
 
-    def function(name: str):  # type: ignore[no-untyped-def]
-        return usual(name) if name in ("kinematics", "momentum", "claims") else lambda *_: lambda *_: given
+    def function(name: str, *arguments: object, full: bool):  # type: ignore[no-untyped-def]
+        fails = name in ("kinematics", "momentum", "claims")
+        return usual(name, *arguments, full=full) if fails else lambda *_, **__: given
 
-    monkeypatch.setattr(command, "_function", function)
-    monkeypatch.setattr("symscrew.accuracy.plots.save", lambda *_: [])
+    monkeypatch.setattr(accuracy_command, "study_of", function)
+    monkeypatch.setattr("symscrew.studies.accuracy.study_plots.save_study_plots", lambda *_: [])
     assert main(["accuracy", str(EXAMPLES / "simple_pendulum.toml"), "--study", "all", "--out", str(tmp_path)]) == 0
     content, table = (json.loads((tmp_path / "accuracy.json").read_text()), (tmp_path / "accuracy.md").read_text())
     assert [reason.split(":")[0] for reason in content["left_out"]] == ["kinematics", "momentum", "claims"]
@@ -423,10 +423,10 @@ def test_bad_input_ends_with_one_line_and_no_files(
 
 
 def test_without_a_compiler_curves_of_c_are_left_out_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    from symscrew.accuracy import momentum
+    from symscrew.studies.accuracy import momentum_study
 
-    monkeypatch.setattr(momentum, "find_compiler", lambda: None)
-    study = momentum.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
+    monkeypatch.setattr(momentum_study, "find_compiler", lambda: None)
+    study = momentum_study.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
     assert "C compiler" in study.left_out[0]
     assert set(study.curves) == {"first-order difference, NumPy", "analytic, NumPy"}
     assert least_error(study, "analytic, NumPy") < 1e-11

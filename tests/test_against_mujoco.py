@@ -7,8 +7,8 @@ import pytest
 from model_states import body_states, by_joint, model, output, relative, run
 from oracles.mujoco_engine import MujocoEngine
 
-from symscrew.maximal_coordinates import BodyState
-from symscrew.newton_euler import newton_euler, numeric
+from symscrew.reference.maximal_coordinates import BodyState
+from symscrew.reference.newton_euler_method import newton_euler, numeric
 
 NAMES = ("three_ups_upu_s", "three_ups_upu_s_physical", "stewart_6ups", "delta", "four_bar", "ur5", "panda")
 EXACT = 1e-9  # MuJoCo's kinematics and recursions are exact; its soft constraints are not used

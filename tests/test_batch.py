@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 from model_states import model, relative
 
-from symscrew import compiled
-from symscrew.compiled import FLAGS, CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 from symscrew.export.c import print_c, print_source, straight_line
 from symscrew.export.c_function import Printed
 from symscrew.export.c_precision import DOUBLE
 from symscrew.model import Model, derive
-from symscrew.program import Instruction, Port, Program, evaluate
+from symscrew.program.straight_line import Instruction, Port, Program, evaluate
+from symscrew.runtime import compiled
+from symscrew.runtime.compiled import FLAGS, CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 NAME = "four_bar"

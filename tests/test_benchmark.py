@@ -11,13 +11,15 @@ import numpy as np
 import pytest
 from model_states import model
 
-from symscrew import benchmark, interchange
-from symscrew.benchmark import Compiled, batch, peers, pinocchio_build, run, single, states, throughput
-from symscrew.cli import main
-from symscrew.compiled import CompileError, find_compiler
+from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
-from symscrew.program import evaluate
-from symscrew.timing import quartiles
+from symscrew.formats import by_suffix
+from symscrew.program.straight_line import evaluate
+from symscrew.runtime.compiled import CompileError, find_compiler
+from symscrew.studies.benchmark import function_times, peers, pinocchio_build
+from symscrew.studies.benchmark.function_times import batch, run, single, throughput
+from symscrew.studies.benchmark.timed_code import Compiled, states
+from symscrew.studies.timing import quartiles
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
@@ -60,7 +62,7 @@ def test_closed_chains_in_mujoco_are_soft_and_said_to_be() -> None:
     assert not notes and row.variant.endswith("soft constraints") and 1e-3 < row.agreement < 0.1
     found = Compiled(model("four_bar"), ["forward_dynamics"])
     (accelerations,), _ = model("four_bar")("forward_dynamics", *states(found.model, "forward_dynamics", 6))
-    made = mujoco.MjModel.from_xml_string(interchange.dumps(found.model.mechanism, ".xml"))
+    made = mujoco.MjModel.from_xml_string(by_suffix.text_of(found.model.mechanism, ".xml"))
     made.opt.timestep, made.eq_solref[:], made.eq_solimp[:, :2] = 1e-4, (2e-4, 1.0), 0.9999
     (position, rate, _), wanted = peers._closed_in_mujoco(made, found, accelerations)
     data, got = mujoco.MjData(made), []
@@ -90,7 +92,7 @@ def test_another_library_agrees_before_it_is_timed() -> None:
 
 
 def test_results_that_differ_are_not_timed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(benchmark, "evaluate", lambda program, given: ((np.full((len(given[0]), 1), 1e3),), None))
+    monkeypatch.setattr(function_times, "evaluate", lambda program, given: ((np.full((len(given[0]), 1), 1e3),), None))
     with pytest.raises(CompileError, match="results differ, nothing is timed"):
         run(model("four_bar"), ["inverse_dynamics"], repeats=1)
 

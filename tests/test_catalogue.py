@@ -8,9 +8,9 @@ import pytest
 import sympy
 
 from symscrew import catalogue
-from symscrew.description import dumps, load, loads
+from symscrew.description.joints import JOINT_TYPES
+from symscrew.description.toml_file import load_description, parse_description, to_toml
 from symscrew.errors import DescriptionError
-from symscrew.joints import JOINT_TYPES
 
 DATA = Path(__file__).parent / "data"
 
@@ -62,7 +62,7 @@ def test_every_moving_body_has_inertia(mechanisms, name):
 
 @pytest.mark.parametrize("name", EXPECTED)
 def test_text_reads_back_exactly(mechanisms, name):
-    assert loads(dumps(mechanisms[name])) == mechanisms[name]
+    assert parse_description(to_toml(mechanisms[name])) == mechanisms[name]
 
 
 @pytest.mark.parametrize("name", EXPECTED)
@@ -190,8 +190,8 @@ def test_arms_in_zero_configuration(mechanisms, name, flange):
 def test_find(tmp_path):
     assert catalogue.find("ur5").name == "ur5"
     file = tmp_path / "mine.toml"
-    file.write_text(dumps(catalogue.load("four_bar")))
-    assert catalogue.find(file) == catalogue.load("four_bar") == load(file)
+    file.write_text(to_toml(catalogue.load("four_bar")))
+    assert catalogue.find(file) == catalogue.load("four_bar") == load_description(file)
 
 
 @pytest.mark.parametrize(

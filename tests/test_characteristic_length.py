@@ -9,13 +9,13 @@ import pytest
 from model_states import output
 
 from symscrew import catalogue
-from symscrew.cli import main
-from symscrew.description import dumps, loads
+from symscrew.cli.parser import main
+from symscrew.description.toml_file import parse_description, to_toml
 from symscrew.errors import DescriptionError
-from symscrew.generation import render
-from symscrew.manifest import manifest
+from symscrew.export.manifest_file import manifest
+from symscrew.generation.folder import render
 from symscrew.model import derive
-from symscrew.verification import check
+from symscrew.verification.regeneration import check
 
 PAIR = """
 [mechanism]
@@ -50,7 +50,7 @@ axes = [[0, 0, 1]]
 
 
 def pair(length: str = "", a: float = 1.0, b: float = 3.0):
-    return loads(PAIR.format(length=length, a=a, b=b))
+    return parse_description(PAIR.format(length=length, a=a, b=b))
 
 
 def recorded(model) -> dict:
@@ -66,14 +66,14 @@ def test_default_is_the_root_mean_square_distance_and_proportional_to_the_unit()
 def test_the_description_sets_it_exactly_and_keeps_it():
     mechanism = pair('characteristic_length = "2*half"')
     assert recorded(derive(mechanism)) == {"value": 0.25, "unit": "m", "source": "description"}
-    assert loads(dumps(mechanism)) == mechanism
-    assert "characteristic_length" not in dumps(pair())
+    assert parse_description(to_toml(mechanism)) == mechanism
+    assert "characteristic_length" not in to_toml(pair())
 
 
 def test_derive_sets_it_in_place_of_the_description():
     model = derive(pair("characteristic_length = 5"), length="half + 1")
     assert recorded(model) == {"value": 1.125, "unit": "m", "source": "description"}
-    assert derive(loads(dumps(model.mechanism))).system.length == 1.125
+    assert derive(parse_description(to_toml(model.mechanism))).system.length == 1.125
 
 
 @pytest.mark.parametrize(

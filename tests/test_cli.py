@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from symscrew import catalogue
-from symscrew.cli import main
+from symscrew.cli.parser import main
 
 GOOD = """
 [mechanism]
@@ -211,7 +211,9 @@ def test_doctor_names_the_parts(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_version_starts_fast_without_heavy_libraries() -> None:
-    program = "import sys, symscrew.cli as c\ntry: c.main(['--version'])\nexcept SystemExit: pass\nprint(*sys.modules)"
+    program = (
+        "import sys, symscrew.cli.parser as c\ntry: c.main(['--version'])\nexcept SystemExit: pass\nprint(*sys.modules)"
+    )
     shown = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
     assert shown.startswith("symscrew ")
     assert not {"sympy", "casadi", "numpy", "matplotlib"} & set(shown.split())
@@ -224,6 +226,6 @@ def test_the_package_is_a_command_too() -> None:
 
 @pytest.mark.slow
 def test_output_into_a_closed_pipe_ends_quietly() -> None:
-    command = f"{sys.executable} -m symscrew.cli list | head -1"
+    command = f"{sys.executable} -m symscrew list | head -1"
     shown = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=True)
     assert "Traceback" not in shown.stderr

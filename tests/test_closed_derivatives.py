@@ -11,12 +11,13 @@ from sympy import Rational
 
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.effects import Effect, Gravity
-from symscrew.functions import closed_derivatives
-from symscrew.loops import Loops
-from symscrew.mechanism import Mechanism
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
+from symscrew.functions import closed_derivative
+from symscrew.kinematics.system import System
+from symscrew.loops.dependent_rates import Loops
 from symscrew.model import Model, derive
-from symscrew.system import System
 
 FUNCTIONS = tuple(f"{kind}_dynamics_independent_derivatives" for kind in ("inverse", "forward"))
 
@@ -62,7 +63,7 @@ def test_equal_to_the_differentiated_program(
     name: str, effects: tuple[Effect, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     found = derive(loaded(name), effects, derivatives=True)
-    monkeypatch.setattr(closed_derivatives, "covers", lambda system, acting: False)
+    monkeypatch.setattr(closed_derivative, "covers", lambda system, acting: False)
     plain = derive(loaded(name), effects, derivatives=True)
     random = np.random.default_rng(1)
     q = found.system.sample_states[0][1:]
@@ -88,7 +89,7 @@ def test_multipliers_hold_the_dependent_rates() -> None:
     system.use_samples()
     loops = Loops(system)
     forces = [system.tape.constant(0.3 * k - 1) for k in range(len(system.tree.v))]
-    found = closed_derivatives.multipliers(loops, forces)
+    found = closed_derivative.multipliers(loops, forces)
     assert set(found) == {row for row, *_ in loops.elimination.steps}
     for _, column, *_ in loops.elimination.steps:
         terms = [

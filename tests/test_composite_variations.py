@@ -9,14 +9,16 @@ from test_forward import spatial_tree
 
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.differentiation import differentiate
-from symscrew.effects import Acting, Effect, Gravity, transformed
-from symscrew.functions.derivatives import configuration_seeds
-from symscrew.functions.tree_derivatives import force_changes
-from symscrew.mechanism import Mechanism
+from symscrew.algebra.differentiation import differentiate
+from symscrew.description.mechanism import Mechanism
+from symscrew.dynamics.tree_dynamics import generalised_forces
+from symscrew.effects.acting import Acting
+from symscrew.effects.effect import Effect, transformed
+from symscrew.effects.gravity import Gravity
+from symscrew.functions.derivative import configuration_seeds
+from symscrew.functions.tree_derivative import force_changes
+from symscrew.kinematics.system import System
 from symscrew.model import derive
-from symscrew.system import System
-from symscrew.tree_dynamics import generalised_forces
 
 
 def loaded(name: str) -> Mechanism:
@@ -60,7 +62,7 @@ def test_changes_of_forces(name: str, effects: tuple[Effect, ...]) -> None:
 def test_takes_fewer_operations_and_gives_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Inverse and forward dynamics of trees, by the equations of motion and by differentiating the programs."""
     found = derive(loaded(name), derivatives=True)
-    monkeypatch.setattr("symscrew.functions.tree_derivatives.covers", lambda acting: False)
+    monkeypatch.setattr("symscrew.functions.tree_derivative.covers", lambda acting: False)
     plain = derive(loaded(name), derivatives=True)
     names = {"panda": ("inverse_dynamics", "inverse_dynamics_independent", "forward_dynamics")}.get(name, ())
     for function in (f"{each}_derivatives" for each in (*names, "forward_dynamics")):

@@ -11,13 +11,14 @@ from effect_oracles import Oracle
 
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.cli import main
-from symscrew.compiled import find_compiler
-from symscrew.cost import bill, effect_labels, figure, scene_bill, text
-from symscrew.effects import Effect, Gravity
+from symscrew.cli.parser import main
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.model import derive
-from symscrew.scene import loads
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.scene_file import parse_scene
+from symscrew.studies.bill_of_effects import bill, effect_labels, figure, scene_bill, text
 
 CRANK = "slider_crank"
 SCENE = """
@@ -70,7 +71,7 @@ def test_change_is_what_method_b_says() -> None:
     of = Oracle(derive(mechanism, []))
     found = bill(mechanism, [Gravity(), effect("ViscousFriction", "slider_P", 2)], timed=False)
     force = of.along("slider_P", -2 * of.rate("slider_P"))
-    full, less = (of.solve(*loads, gravity=(0, 0, -9.81)).drives for loads in ([force], []))
+    full, less = (of.solve(*parse_scene, gravity=(0, 0, -9.81)).drives for parse_scene in ([force], []))
     expected = np.sqrt(np.mean((full - less) ** 2) / np.mean(full**2))
     assert found.items[1].change["drives"] == pytest.approx(float(expected), rel=1e-9)
 
@@ -79,7 +80,7 @@ def test_change_is_what_method_b_says() -> None:
 def test_drives_that_vanish_are_compared_with_the_largest_change() -> None:
     """In a free motion the drives are zero with all effects: the effect that matters most counts 100 %."""
     free = SCENE.replace('[drives]\ncrank_R = "0.5*cos(t)"\n', "")
-    found = scene_bill(loads(free), timed=False)
+    found = scene_bill(parse_scene(free), timed=False)
     assert max(item.change["drives"] for item in found.items) == 1.0
     assert all(0 < item.change["drives"] <= 1 for item in found.items)
 
@@ -91,7 +92,7 @@ def test_simplifications_save() -> None:
 
 @pytest.mark.slow
 def test_scene_along_its_own_motion() -> None:
-    found = scene_bill(loads(SCENE), timed=False)
+    found = scene_bill(parse_scene(SCENE), timed=False)
     assert found.name == "cranked" and "simulated motion of 0.5 s, 21 outputs" in found.motion
     assert [item.effect for item in found.items] == ["viscous_friction slider_P", "dc_motor crank_R"]
     for item in found.items:
@@ -107,7 +108,9 @@ def test_timed_side_by_side() -> None:
 
 
 def test_scene_without_forward_dynamics_is_billed_at_sample_states() -> None:
-    found = scene_bill(loads(SCENE.replace("[drives]", '[[effects]]\ntype = "quasi_static"\n[drives]')), timed=False)
+    found = scene_bill(
+        parse_scene(SCENE.replace("[drives]", '[[effects]]\ntype = "quasi_static"\n[drives]')), timed=False
+    )
     assert "sample states" in found.motion and found.items[-1].operations["inverse_dynamics"] < 0
 
 

@@ -13,14 +13,15 @@ import sympy
 from model_states import relative
 
 import symscrew
-from symscrew import catalogue, description
-from symscrew.builder import MechanismBuilder
-from symscrew.effects import Gravity
-from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
-from symscrew.mechanism import Mechanism
+from symscrew import catalogue
+from symscrew.description import toml_file
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
 from symscrew.model import Model, derive
-from symscrew.optimisation.equations import PointEquations
-from symscrew.program import evaluate
+from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.program.straight_line import evaluate
 
 Q = sympy.Rational
 RADIUS, HEIGHT = Q(1, 2), Q(1, 2)
@@ -72,12 +73,12 @@ def second_rods_first() -> Mechanism:
     parts = re.split(r"(?=^\[)", delta_text(), flags=re.M)
     joints = [part for part in parts if part.startswith("[joints.")]
     others = [part for part in parts if not part.startswith("[joints.")]
-    return description.loads("".join(others + joints[::-1]))
+    return toml_file.parse_description("".join(others + joints[::-1]))
 
 
 def thick_rods() -> Mechanism:
     """The delta with rods that have inertia about their lines."""
-    return description.loads(
+    return toml_file.parse_description(
         delta_text().replace('principal = [0, "m_rod', 'principal = ["m_rod*half_spacing^2", "m_rod')
     )
 

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew.console import Progress
-from symscrew.demo import report
-from symscrew.demo.scene import SECTION_5, CircularTilt, Scene
-from symscrew.demo.study import Demo, run
+from symscrew.display.terminal import Progress
+from symscrew.studies.demo import paper_figures
+from symscrew.studies.demo.paper_motion import SECTION_5, CircularTilt, Scene
+from symscrew.studies.demo.paper_study import Demo, run
 
 SHORT = Scene(CircularTilt(), 1.0, 200, "E", SECTION_5.load)
 
@@ -27,13 +27,13 @@ def short() -> Demo:
 def test_drives_at_rest_are_those_by_hand() -> None:
     by_hand = 1000 / (2 * 0.8 * np.cos(np.radians(30)))
     assert np.abs(short().statics.drives - [0, by_hand, 0, -by_hand]).max() < 1e-9
-    assert re.search(r"\(0\.000, 721\.688, 0\.000, -721\.688\) N", report.facts(short()))
+    assert re.search(r"\(0\.000, 721\.688, 0\.000, -721\.688\) N", paper_figures.demo_facts(short()))
 
 
 def test_both_methods_agree() -> None:
     for case in short().cases:
         assert case.drive_difference <= 1e-9 and case.reaction_difference <= 1e-9
-    assert report.verdict(short()).startswith("Momentum screws and Newton-Euler agree")
+    assert paper_figures.verdict(short()).startswith("Momentum screws and Newton-Euler agree")
 
 
 def test_motion_is_consistent() -> None:
@@ -74,7 +74,7 @@ def test_whole_demo_with_figures(tmp_path: Path) -> None:
 
     demo = run()
     assert demo.agrees and demo.scene.steps == 10_000
-    written = report.write(demo, tmp_path, Progress(quiet=True))
+    written = paper_figures.write_figures(demo, tmp_path, Progress(quiet=True))
     pictures = [path for path in written if path.suffix == ".png"]
     assert len(pictures) == 9
     for path in pictures:
@@ -85,12 +85,12 @@ def test_whole_demo_with_figures(tmp_path: Path) -> None:
     assert values["largest_omega_z"] == pytest.approx(0.020271, abs=1e-6)
     assert "| quantity" in (tmp_path / "summary.md").read_text()
     # nearly periodic: a few milliradians off after a period
-    assert re.search(r"platform is [23]\.\d+ mrad off", report.facts(demo))
+    assert re.search(r"platform is [23]\.\d+ mrad off", paper_figures.demo_facts(demo))
 
 
 def test_numbers_of_the_seed_stand_in_its_description_only() -> None:
     """Masses, inertias and lengths of the paper must not be typed into the package's code."""
-    package = Path(report.__file__).parent.parent
+    package = Path(paper_figures.__file__).parent.parent
     for path in package.rglob("*.py"):
         text = path.read_text()
         for number in ("1.42", "2.87", "68.7", "92.1", "0.0556", "721.6"):

@@ -17,11 +17,11 @@ from model_states import HAND_TYPED, relative
 from model_states import differentiated as model
 
 from symscrew import catalogue
-from symscrew.cli import main
-from symscrew.differentiation import ORDERS, differentiate
+from symscrew.algebra.differentiation import ORDERS, differentiate
+from symscrew.algebra.nodes import Tape
+from symscrew.cli.parser import main
 from symscrew.export.casadi import casadi_functions
 from symscrew.model import Model, derive
-from symscrew.tape import Tape
 
 Array = np.ndarray
 NAMES = (*catalogue.names(), *HAND_TYPED)
@@ -261,8 +261,8 @@ def test_against_pinocchio(name: str) -> None:
 
 
 def pinocchio_model(pinocchio: object, found: Model) -> tuple[object, tuple[Array, ...]]:
-    from symscrew.benchmark.pinocchio_build import python_model
-    from symscrew.benchmark.pinocchio_tree import pinocchio_tree
+    from symscrew.studies.benchmark.pinocchio_build import python_model
+    from symscrew.studies.benchmark.pinocchio_tree import pinocchio_tree
 
     tree = pinocchio_tree(found.mechanism)
     return python_model(pinocchio, tree, len(tree.elements)), tree.states(*consistent(found)[:3])

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import sympy
 
-from symscrew.builder import MechanismBuilder
-from symscrew.description import MAX_BYTES, dumps, load, loads
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.toml_file import MAX_BYTES, load_description, parse_description, to_toml
 from symscrew.errors import DescriptionError
 
 PENDULUM = """
@@ -73,7 +73,7 @@ def test_python_and_file_say_the_same(tmp_path):
     file = tmp_path / "pendulum.toml"
     file.write_text(PENDULUM)
     built = pendulum().build()
-    assert load(file) == loads(PENDULUM) == built == loads(dumps(built))
+    assert load_description(file) == parse_description(PENDULUM) == built == parse_description(to_toml(built))
     assert built.parameters["twice"].value == 5
     assert built.parameters["length"].run_time and not built.parameters["mass"].run_time
     assert built.joints["pivot"].reference == (sympy.Rational(1, 4),)
@@ -84,7 +84,7 @@ def test_python_and_file_say_the_same(tmp_path):
 
 def test_decimals_of_a_file_keep_every_digit():
     digits = "0.12345678901234567890123456789012345678901234567890"
-    built = loads(PENDULUM.replace("value = 2.5", f"value = {digits}"))
+    built = parse_description(PENDULUM.replace("value = 2.5", f"value = {digits}"))
     assert built.parameters["mass"].value == sympy.Rational(digits)
 
 
@@ -109,7 +109,7 @@ def test_loops_and_all_joint_types():
     builder.joint("f", "free", parent="base", child="c", **common)
     built = builder.build()
     assert built.joints["h"].pitch == sympy.Rational(1, 100)
-    assert loads(dumps(built)) == built
+    assert parse_description(to_toml(built)) == built
 
 
 def swap(old, new):
@@ -268,7 +268,7 @@ BAD = {
 def test_bad_descriptions(case):
     text, message = BAD[case]
     with pytest.raises(DescriptionError, match=message) as caught:
-        loads(text)
+        parse_description(text)
     assert len(str(caught.value)) < 700 and "Traceback" not in str(caught.value)
 
 
@@ -315,7 +315,7 @@ def test_hostile_names(name, section):
 @pytest.mark.parametrize("name", ["int", "class", "lambda", "None", "while", "nullptr", "restrict", "NULL"])
 def test_keywords_are_no_names(name):
     with pytest.raises(DescriptionError, match="is a keyword of C, C\\+\\+ or Python"):
-        loads(swap("[bodies.rod]", f"[bodies.{name}]"))
+        parse_description(swap("[bodies.rod]", f"[bodies.{name}]"))
 
 
 @pytest.mark.parametrize("name", ["sin", "pi", "sqrt"])
@@ -326,7 +326,7 @@ def test_functions_are_no_parameters(name):
 
 def test_hostile_name_in_a_file():
     with pytest.raises(DescriptionError, match="is not a valid name"):
-        loads(swap("[bodies.rod]", '["bodies"."../../rod\\n"]'))
+        parse_description(swap("[bodies.rod]", '["bodies"."../../rod\\n"]'))
 
 
 @pytest.mark.parametrize("text", ["*/ int x; /*", "a\\\nb", "\x00", "\x1b[2J"])
@@ -352,16 +352,16 @@ def test_hostile_expressions(expression, message, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for text in (swap("value = 2.5", f'value = "{expression}"'), swap('"-length"', f'"{expression}"')):
         with pytest.raises(DescriptionError, match=message):
-            loads(text)
+            parse_description(text)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_cyclic_parameters():
     text = PENDULUM + "".join(f'[parameters.{a}]\nvalue = "{b}+1"\n' for a, b in ("ab", "bc", "ca"))
     with pytest.raises(DescriptionError, match="in a circle: a -> b -> c -> a; give one of them"):
-        loads(text)
+        parse_description(text)
     with pytest.raises(DescriptionError, match="in a circle: d -> d"):
-        loads(PENDULUM + '[parameters.d]\nvalue = "d"\n')
+        parse_description(PENDULUM + '[parameters.d]\nvalue = "d"\n')
 
 
 def test_parameters_that_double_each_other():
@@ -370,12 +370,12 @@ def test_parameters_that_double_each_other():
     )  # fmt: skip
     start = time.perf_counter()
     with pytest.raises(DescriptionError, match=r"too many terms|more than"):
-        loads(PENDULUM + '[parameters.p0]\nvalue = "1/7"\n' + chain)
+        parse_description(PENDULUM + '[parameters.p0]\nvalue = "1/7"\n' + chain)
     powers = "".join(f'[parameters.p{k + 1}]\nvalue = "p{k}^60"\n' for k in range(60))
     with pytest.raises(DescriptionError, match="too large"):
-        loads(PENDULUM + "[parameters.p0]\nvalue = 7\n" + powers)
+        parse_description(PENDULUM + "[parameters.p0]\nvalue = 7\n" + powers)
     with pytest.raises(DescriptionError, match="expected exponents up to 64, got '3600'"):
-        loads(swap('"-length"', '"((length^60)^60)^60"').replace('value = "1/2"', 'value = "7/3"'))
+        parse_description(swap('"-length"', '"((length^60)^60)^60"').replace('value = "1/2"', 'value = "7/3"'))
     assert time.perf_counter() - start < 10
 
 
@@ -396,25 +396,25 @@ def test_nesting_ends_quickly(text, tmp_path):
     file.write_text(text)
     start = time.perf_counter()
     with pytest.raises(DescriptionError, match=r"deep\.toml: the (file has 1\d+ bytes|description is nested more)"):
-        load(file)
+        load_description(file)
     assert time.perf_counter() - start < 3
 
 
 def test_brackets_in_texts_are_no_nesting():
     text = swap("a uniform rod", "[" * 100 + "." * 100)
-    assert loads(text).description == "[" * 100 + "." * 100
+    assert parse_description(text).description == "[" * 100 + "." * 100
 
 
 def test_files_that_cannot_be_read(tmp_path):
     with pytest.raises(DescriptionError, match=r"none.toml: the file cannot be read: No such file"):
-        load(tmp_path / "none.toml")
+        load_description(tmp_path / "none.toml")
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(DescriptionError, match="expected a text file in UTF-8"):
-        load(tmp_path / "binary.toml")
+        load_description(tmp_path / "binary.toml")
     with pytest.raises(DescriptionError, match=f"at most {MAX_BYTES}"):
-        loads("#" * (MAX_BYTES + 1))
+        parse_description("#" * (MAX_BYTES + 1))
     with pytest.raises(DescriptionError, match="not a valid TOML file"):
-        loads("x = " + "1" * 5000)
+        parse_description("x = " + "1" * 5000)
 
 
 def close(**features):
@@ -524,7 +524,7 @@ tip_point = [0, 0, 1]
         for value in ODD:
             text = "\n".join([*lines[:k], line.split(" = ")[0] + " = " + value, *lines[k + 1 :]])
             try:
-                loads(text.replace("pitch = 1\n", "") if "pitch" not in line else text)
+                parse_description(text.replace("pitch = 1\n", "") if "pitch" not in line else text)
             except DescriptionError as error:
                 refused += 1
                 assert 20 < len(str(error)) < 700

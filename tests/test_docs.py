@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from symscrew.cli import main, parser
-from symscrew.usage import EXAMPLES
+from symscrew.cli.help import EXAMPLES
+from symscrew.cli.parser import main, parser
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -83,7 +83,7 @@ def commands() -> dict:
 
 @pytest.mark.parametrize("verb", sorted(commands()))
 def test_help_has_examples_that_parse(verb: str) -> None:
-    assert verb in EXAMPLES, f"add examples of {verb} to symscrew/usage.py"
+    assert verb in EXAMPLES, f"add examples of {verb} to symscrew/cli/help.py"
     assert "examples:" in commands()[verb].format_help()
     for line in EXAMPLES[verb]:
         words = shlex.split(line.partition(" | ")[0].partition(" && ")[0])

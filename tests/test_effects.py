@@ -26,11 +26,12 @@ from effect_oracles import (
 )
 
 from symscrew import catalogue
-from symscrew.effects import Effect, Gravity
+from symscrew.description.mechanism import Parameter, Point
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
-from symscrew.maximal_coordinates import BodyState, cross
-from symscrew.mechanism import Parameter, Point
 from symscrew.model import derive
+from symscrew.reference.maximal_coordinates import BodyState, cross
 
 # -- gravity, loads, the base -----------------------------------------------------------------------------------
 

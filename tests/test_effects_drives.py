@@ -19,8 +19,9 @@ from effect_oracles import (
 )
 
 from symscrew import catalogue
-from symscrew.effects import Effect, Gravity
-from symscrew.maximal_coordinates import BodyState
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
+from symscrew.reference.maximal_coordinates import BodyState
 
 SMOOTH = 0.01  # m/s or rad/s: width of the smooth form of friction
 

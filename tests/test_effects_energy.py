@@ -10,7 +10,8 @@ from effect_oracles import call
 
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.effects import Effect, Gravity
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
 from symscrew.model import Model, derive
 
 CRANK = "slider_crank"  # crank_R drives, slider_P slides, slider_R closes the loop

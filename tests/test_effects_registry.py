@@ -21,19 +21,20 @@ from effect_oracles import inverse_only, relative
 import symscrew
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.cli import main
-from symscrew.effects import Effect, Gravity
+from symscrew.cli.parser import main
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
 from symscrew.effects.registry import check_effects, effect_from_table, effect_to_table, known_effects
 from symscrew.errors import DescriptionError
-from symscrew.functions.dynamics import Equations
+from symscrew.export.manifest_file import effect_from_json, effect_to_json
+from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.generation import generate
-from symscrew.manifest import effect_from_json, effect_to_json
-from symscrew.mechanism import Mechanism
+from symscrew.generation.folder import generate
+from symscrew.kinematics.system import System
 from symscrew.model import derive
-from symscrew.program import evaluate, lower
-from symscrew.system import System
-from symscrew.verification import check
+from symscrew.program.straight_line import evaluate, lower
+from symscrew.verification.regeneration import check
 
 PACKAGE = Path(symscrew.__file__).parent
 SEED, CRANK = "three_ups_upu_s", "slider_crank"

@@ -51,7 +51,7 @@ def test_readme_commands_and_pictures_exist() -> None:
 
 
 def test_readme_names_only_commands_that_exist() -> None:
-    from symscrew.cli import parser
+    from symscrew.cli.parser import parser
 
     commands = next(a for a in parser()._actions if a.dest == "command" or (hasattr(a, "choices") and a.choices))
     for command in re.findall(r"\bsymscrew (\w+)", "\n".join(blocks("sh"))):

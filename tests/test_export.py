@@ -16,16 +16,16 @@ import handmade
 import numpy as np
 import pytest
 
-from symscrew.agreement import relative_difference
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
+from symscrew.description.builder import MechanismBuilder
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
-from symscrew.generation import generate, render
-from symscrew.manifest import OutputError, effect_from_json, effect_to_json
+from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
+from symscrew.generation.folder import generate, render
 from symscrew.model import derive
-from symscrew.program import COUNTED, Instruction
-from symscrew.verification import STRICT
+from symscrew.program.straight_line import COUNTED, Instruction
+from symscrew.runtime.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
+from symscrew.verification.agreement import relative_difference
+from symscrew.verification.regeneration import STRICT
 
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang")) if path]
 
@@ -283,7 +283,7 @@ def test_wrong_calls_say_what_was_expected(generated):
 
 
 def test_without_a_compiler_casadi_takes_over(generated, monkeypatch):
-    monkeypatch.setattr("symscrew.compiled.find_compiler", lambda: None)
+    monkeypatch.setattr("symscrew.runtime.compiled.find_compiler", lambda: None)
     compiled = load(generated)
     assert compiled.backend == "casadi"
     assert compiled.guarded([2.0, 0.0]) == pytest.approx([0.5, 0.0])
@@ -318,7 +318,7 @@ def test_python_code_is_never_evaluated():
 @pytest.mark.slow
 def test_equal_input_gives_equal_bytes_in_every_process():
     code = (
-        "import hashlib, handmade; from symscrew.generation import render;"
+        "import hashlib, handmade; from symscrew.generation.folder import render;"
         "print({k: hashlib.sha256(v).hexdigest() for k, v in sorted(render(handmade.model()).items())})"
     )
     root = Path(__file__).parents[1]
@@ -421,7 +421,8 @@ def test_operations_are_what_is_printed(model):
 
 
 def test_effects_survive_the_manifest():
-    from symscrew.effects import ExternalWrench, Gravity
+    from symscrew.effects.external_wrench import ExternalWrench
+    from symscrew.effects.gravity import Gravity
 
     for effect in (Gravity(), Gravity((0, "-1/3", 0.5)), ExternalWrench("tool")):
         again = effect_from_json(json.loads(json.dumps(effect_to_json(effect))))

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import sympy
 
+from symscrew.description.expressions import exact, numeric, parse, to_text
 from symscrew.errors import DescriptionError
-from symscrew.expressions import exact, numeric, parse, to_text
 
 R = sympy.Symbol("R", real=True)
 phi = sympy.Symbol("phi", real=True)

@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from model_states import model
 
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import compile_c, find_compiler
+from symscrew.description.builder import MechanismBuilder
 from symscrew.export.c import print_c
 from symscrew.export.casadi import casadi_functions
 from symscrew.export.casadi_external import DIFFERENTIATED, jacobians_model, print_external
-from symscrew.generation import generate
-from symscrew.jacobians import jacobian
+from symscrew.generation.folder import generate
 from symscrew.model import Model, derive
-from symscrew.program import Iteration
-from symscrew.verification import check
+from symscrew.program.jacobians import jacobian
+from symscrew.program.straight_line import Iteration
+from symscrew.runtime.compiled import compile_c, find_compiler
+from symscrew.verification.regeneration import check
 
 NAMES = ("four_bar", "panda", "mixed_loop", "slider_crank")
 

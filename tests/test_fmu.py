@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 from model_states import pendulum
 
-from symscrew import description
 from symscrew import scene as scenes
-from symscrew.cli import main
-from symscrew.compiled import find_compiler
-from symscrew.fmu import build
-from symscrew.fmu.variables import structured
-from symscrew.scene import Scene
-from symscrew.simulation.run import simulate
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.fmu.unit_archive import build_unit
+from symscrew.fmu.unit_variables import structured
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Scene
+from symscrew.simulation.motion import simulate
 
 fmpy = pytest.importorskip("fmpy")
 from fmpy.validation import validate_fmu  # noqa: E402
@@ -60,7 +60,9 @@ EXACT = {"method": "dop853", "rest": "tolerance = 1e-11"}
 def units(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     folder = tmp_path_factory.mktemp("units")
     for version in (2, 3):
-        assert build(scenes.loads(SWINGING.format(**FIXED)), folder / f"{version}.fmu", version=version) == []
+        assert (
+            build_unit(scenes.parse_scene(SWINGING.format(**FIXED)), folder / f"{version}.fmu", version=version) == []
+        )
     return {version: folder / f"{version}.fmu" for version in (2, 3)}
 
 
@@ -77,7 +79,7 @@ def run(unit: Path, kind: str, **options: Any) -> np.ndarray:
 
 
 def own(text: str) -> tuple[Scene, Any]:
-    found = scenes.loads(text)
+    found = scenes.parse_scene(text)
     return found, simulate(found)
 
 
@@ -114,7 +116,7 @@ def test_model_exchange_follows_the_same_motion(units: dict[int, Path], version:
 def test_drives_and_loads_are_inputs(tmp_path: Path) -> None:
     """A constant drive and a load at a point by their inputs: the same as a scene that commands them."""
     text = PUSHED.format(**FIXED)
-    build(scenes.loads(text), tmp_path / "pushed.fmu")
+    build_unit(scenes.parse_scene(text), tmp_path / "pushed.fmu")
     commanded = text + '[drives]\nA = "2.5"\n[inputs]\nload_coupler_middle = ["4", "0", "-3", "0", "0.5", "0"]\n'
     names = ["u.A", *(f"load_coupler_middle.{c}" for c in ("fx", "fy", "fz", "mx", "my", "mz"))]
     values = dict(zip(names, (2.5, 4, 0, -3, 0, 0.5, 0), strict=True))
@@ -166,7 +168,7 @@ def test_sources_compile_without_warnings(units: dict[int, Path], tmp_path: Path
 
 
 def test_equal_scenes_give_equal_bytes(units: dict[int, Path], tmp_path: Path) -> None:
-    build(scenes.loads(SWINGING.format(**FIXED)), tmp_path / "again.fmu")
+    build_unit(scenes.parse_scene(SWINGING.format(**FIXED)), tmp_path / "again.fmu")
     with zipfile.ZipFile(units[3]) as first, zipfile.ZipFile(tmp_path / "again.fmu") as second:
         names = [name for name in first.namelist() if not name.startswith("binaries/")]
         assert all(first.read(name) == second.read(name) for name in names)
@@ -174,7 +176,7 @@ def test_equal_scenes_give_equal_bytes(units: dict[int, Path], tmp_path: Path) -
 
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     own = tmp_path / "own.toml"
-    own.write_text(description.dumps(pendulum().mechanism))
+    own.write_text(toml_file.to_toml(pendulum().mechanism))
     for given, version in (("four_bar", "2"), (str(own), "3")):
         unit = tmp_path / f"{Path(given).stem}.fmu"
         assert main(["fmu", given, "--out", str(unit), "--fmi", version]) == 0

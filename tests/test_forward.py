@@ -8,10 +8,10 @@ from benchmarks.mechanisms import chain
 from model_states import ALL, relative
 from model_states import model as derived
 
-from symscrew.articulated import articulated_accelerations
-from symscrew.builder import MechanismBuilder
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.dynamics.articulated import articulated_accelerations
 from symscrew.functions.forward import driven
-from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
 
 LIMIT = 1e-10

@@ -11,15 +11,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew import agreement, catalogue, description
-from symscrew.cli import main
-from symscrew.compiled import load
-from symscrew.effects import ExternalWrench, Gravity
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.effects.external_wrench import ExternalWrench
+from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
-from symscrew.generation import TARGETS, generate
-from symscrew.manifest import OutputError
+from symscrew.export.manifest_file import OutputError
+from symscrew.generation.folder import TARGETS, generate
 from symscrew.model import derive
-from symscrew.verification import check
+from symscrew.runtime.compiled import load
+from symscrew.verification import agreement
+from symscrew.verification.regeneration import check
 
 
 @pytest.fixture(scope="module")
@@ -137,7 +140,7 @@ def test_other_effects_and_coordinates_are_regenerated(tmp_path):
 
 
 def test_the_description_is_kept(four_bar, output):
-    assert description.load(output / "mechanism.toml") == four_bar.mechanism
+    assert toml_file.load_description(output / "mechanism.toml") == four_bar.mechanism
 
 
 @pytest.mark.slow

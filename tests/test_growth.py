@@ -10,13 +10,13 @@ from functools import cache
 import pytest
 from benchmarks.mechanisms import chain
 
-from symscrew.accuracy.growth import four_bars
 from symscrew.export.c import print_source
 from symscrew.model import Model, derive
-from symscrew.program import Iteration, Program
-from symscrew.rank_revealing import RankRevealing
+from symscrew.program.rank_revealing import RankRevealing
+from symscrew.program.straight_line import Iteration, Program
 from symscrew.simulation.native import source
-from symscrew.simulation.programs import plant
+from symscrew.simulation.state_programs import plant
+from symscrew.studies.accuracy.growth_study import four_bars
 
 SQUARE = ("mass_matrix",)  # n^2 entries that are not zero
 SIZES = {"loops": (4, 6, 8), "chain": (12, 14, 16)}  # in pairs: axes of the chain, signs of determinants alternate

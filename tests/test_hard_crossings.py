@@ -11,10 +11,10 @@ from hard import case
 from hard.mechanisms import four_bars, swung
 from runs import compiled, error_of, run_of, scene_of
 
-from symscrew.compiled import find_compiler
-from symscrew.effects import Gravity
-from symscrew.scene import Initial, Scene
-from symscrew.simulation.run import Run, simulate
+from symscrew.effects.gravity import Gravity
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Scene
+from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's")
 FALL = (Gravity((0, "-9.81", 0)),)

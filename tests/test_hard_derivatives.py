@@ -18,8 +18,8 @@ from test_hard_singular import on_the_locus, reaching
 
 from symscrew import catalogue
 from symscrew.model import Model, derive
-from symscrew.motion import coordinate_rates
-from symscrew.program import Program
+from symscrew.program.straight_line import Program
+from symscrew.studies.platform_motion import coordinate_rates
 
 STEP = 1e-30
 STATES = 100

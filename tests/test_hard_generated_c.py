@@ -21,10 +21,10 @@ from model_states import relative
 from runs import prepared
 
 from symscrew import catalogue
-from symscrew.compiled import CompileError, find_compiler, load
 from symscrew.export.c import print_c
 from symscrew.export.casadi_external import jacobians_model
 from symscrew.model import Model, derive
+from symscrew.runtime.compiled import CompileError, find_compiler, load
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
 FUNCTIONS = (

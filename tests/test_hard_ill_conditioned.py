@@ -17,17 +17,17 @@ from hard.mechanisms import Z, benchmark_text, catalogue_text, chain, changed, f
 from model_states import relative
 from runs import error_of, run_of, scene_of
 
-from symscrew import catalogue, elimination
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler
-from symscrew.effects import Gravity
+from symscrew import catalogue
+from symscrew.algebra import elimination
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
 from symscrew.effects.joint_spring import JointSpring
-from symscrew.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility
+from symscrew.mobility.analysis import analyse_mobility
 from symscrew.model import Model, derive
-from symscrew.scene import Initial, Scene
-from symscrew.scene.scene import Integrator
-from symscrew.simulation.run import Run, simulate
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.simulation.motion import Run, simulate
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
 DOWN = (Gravity((0, "-9.81", 0)),)

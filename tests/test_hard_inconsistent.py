@@ -16,16 +16,16 @@ from hard.mechanisms import benchmark_text, catalogue_text, changed
 from model_states import model
 from runs import EXAMPLES, prepared
 
-from symscrew import validation
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler, load
+from symscrew.description import validation
+from symscrew.description.builder import MechanismBuilder
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
-from symscrew.program import Iteration, Program, evaluate
-from symscrew.scene import Initial
-from symscrew.scene import load as load_scene
+from symscrew.program.straight_line import Iteration, Program, evaluate
+from symscrew.runtime.compiled import find_compiler, load
+from symscrew.scene.contents import Initial
+from symscrew.scene.scene_file import load_scene
 from symscrew.simulation.initial import initial_state
-from symscrew.simulation.run import simulate
+from symscrew.simulation.motion import simulate
 
 Y = [0, 1, 0]
 

@@ -14,14 +14,13 @@ from hard.mechanisms import Z, benchmark_text, chain, changed, four_bars
 from runs import DATA, error_of, reference, run_of, scene_of, values_of
 from scipy.special import ellipj
 
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler
-from symscrew.effects import Gravity
-from symscrew.mechanism import Mechanism
-from symscrew.scene import Initial, Scene
-from symscrew.scene.scene import Integrator
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import native
-from symscrew.simulation.run import Run, simulate
+from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
 DOWN = (Gravity((0, "-9.81", 0)),)
@@ -56,7 +55,7 @@ def test_a_million_steps_of_a_constrained_point(monkeypatch: pytest.MonkeyPatch)
     Without the projection onto the closure after every step the loop opens: see the test below.
     """
     assert "1e6 steps" in case(13)["name"]
-    monkeypatch.setattr(native, "FLAGS", ("-O3",))  # seconds of running, not of compiling
+    monkeypatch.setattr(native, "NATIVE_FLAGS", ("-O3",))  # seconds of running, not of compiling
     scene = Scene("wire", swung_on_a_wire(), DOWN, 2000.0, 0.5, integrator=Integrator("rk4", step=2e-3))
     run = simulate(scene)
     assert run.ok, run.status

@@ -15,16 +15,16 @@ from hard.mechanisms import chain
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from symscrew.compiled import find_compiler
-from symscrew.effects import Effect, Gravity
+from symscrew.description.mechanism import Mechanism
 from symscrew.effects.dry_friction import DryFriction
+from symscrew.effects.effect import Effect
 from symscrew.effects.end_stop import EndStop
+from symscrew.effects.gravity import Gravity
 from symscrew.effects.position_servo import PositionServo
-from symscrew.mechanism import Mechanism
-from symscrew.scene import Initial, Scene
-from symscrew.scene.scene import Integrator
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import contacts
-from symscrew.simulation.run import Run, simulate
+from symscrew.simulation.motion import Run, simulate
 
 FINE = Integrator(tolerance=1e-10)
 

@@ -16,17 +16,16 @@ from model_states import body_states, relative
 from model_states import model as catalogued
 from runs import POINTS, error_of, prepared, run_of, scene_of
 
-from symscrew import elimination
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler
-from symscrew.effects import Gravity
+from symscrew.algebra import elimination
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
 from symscrew.effects.dry_friction import DryFriction
-from symscrew.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
 from symscrew.model import Model, derive
-from symscrew.newton_euler import newton_euler
-from symscrew.scene import Initial, Scene
-from symscrew.scene.scene import Integrator
-from symscrew.simulation.run import Run, evaluated, simulate
+from symscrew.reference.newton_euler_method import newton_euler
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.simulation.motion import Run, evaluated, simulate
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
 DOWN = (Gravity((0, "-9.81", 0)),)

@@ -14,12 +14,12 @@ import pytest
 from hard import case
 from runs import EXAMPLES, prepared
 
-from symscrew.accuracy.history import read_reference
-from symscrew.compiled import CompiledFunction, find_compiler, load
 from symscrew.model import Model
-from symscrew.motion import coordinate_rates
-from symscrew.scene import load as load_scene
+from symscrew.runtime.compiled import CompiledFunction, find_compiler, load
+from symscrew.scene.scene_file import load_scene
 from symscrew.simulation.initial import initial_state
+from symscrew.studies.accuracy.run_history import read_reference
+from symscrew.studies.platform_motion import coordinate_rates
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
 

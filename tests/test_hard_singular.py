@@ -16,13 +16,13 @@ from model_states import body_states, output, relative
 from model_states import model as catalogued
 from scipy.optimize import brentq
 
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler, load
-from symscrew.effects import Gravity
+from symscrew.description.builder import MechanismBuilder
+from symscrew.effects.gravity import Gravity
 from symscrew.model import Model, derive
-from symscrew.newton_euler import newton_euler
-from symscrew.scene import Scene
-from symscrew.simulation.run import Run, simulate
+from symscrew.reference.newton_euler_method import newton_euler
+from symscrew.runtime.compiled import find_compiler, load
+from symscrew.scene.contents import Scene
+from symscrew.simulation.motion import Run, simulate
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's")
 DISTANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)

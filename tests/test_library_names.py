@@ -10,17 +10,17 @@ import numpy as np
 import pytest
 from model_states import relative
 
-from symscrew import interchange
-from symscrew.builder import MechanismBuilder
-from symscrew.cli import main
-from symscrew.compiled import find_compiler
-from symscrew.description import loads
+from symscrew.cli.parser import main
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.taken_names import FUNCTIONS, MACROS, OTHERS, PER_TYPE, members, namespace, taken_as_file
+from symscrew.description.toml_file import parse_description
 from symscrew.errors import DescriptionError
 from symscrew.export.javascript import print_javascript
-from symscrew.generation import TARGETS, generate
-from symscrew.library_names import FUNCTIONS, MACROS, OTHERS, PER_TYPE, members, namespace, taken_as_file
+from symscrew.formats import by_suffix
+from symscrew.generation.folder import TARGETS, generate
 from symscrew.model import derive
-from symscrew.verification import check
+from symscrew.runtime.compiled import find_compiler
+from symscrew.verification.regeneration import check
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these tests ask it what is taken")
 C_HEADERS = (
@@ -119,7 +119,7 @@ def test_a_robot_of_such_a_name_is_read_under_another(tmp_path: Path) -> None:
     path.write_text(f'<robot name="math"><link name="a"/><link name="b"/>{joint}</robot>')
     with pytest.raises(DescriptionError):
         MechanismBuilder("math")
-    assert interchange.load(path).name == "math_"
+    assert by_suffix.load_format(path).name == "math_"
 
 
 def test_members_are_different() -> None:
@@ -138,7 +138,7 @@ def test_objects_of_javascript() -> None:
 @pytest.mark.slow
 def test_odd_names_in_every_target(tmp_path: Path) -> None:
     """`check` compiles and runs all of them; the example in C++ with every header before it, and gnu dialects."""
-    found = derive(loads(ODD))
+    found = derive(parse_description(ODD))
     out = tmp_path / "out"
     generate(found, out, [t for t in TARGETS if t not in ("urdf", "fmu")])
     result = check(out)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from symscrew.builder import MechanismBuilder
-from symscrew.effects import Gravity
-from symscrew.mechanism import Mechanism
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.kinematics.tree import spanning_tree
 from symscrew.model import Model, derive
-from symscrew.optimisation.equations import PointEquations
-from symscrew.program import evaluate
-from symscrew.tree import spanning_tree
+from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.program.straight_line import evaluate
 
 LIMBS = {
     # joint points in the limb's radial plane (x outwards, z up) and axes, before turning the limb about z

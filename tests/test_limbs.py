@@ -3,9 +3,9 @@
 import pytest
 import sympy
 
-from symscrew.builder import MechanismBuilder
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.limb_letters import parse_limb_string, parse_mechanism_string
 from symscrew.errors import DescriptionError
-from symscrew.limbs import parse_limb_string, parse_mechanism_string
 
 
 @pytest.mark.parametrize(

@@ -13,9 +13,9 @@ import sympy
 from model_states import body_states, relative
 from reference_mechanisms import ENTRIES, build
 
-from symscrew.mechanism import Body, Mechanism
+from symscrew.description.mechanism import Body, Mechanism
 from symscrew.model import derive
-from symscrew.newton_euler import constraint_residuals, newton_euler, numeric
+from symscrew.reference.newton_euler_method import constraint_residuals, newton_euler, numeric
 
 REGULAR = [
     name

@@ -8,18 +8,21 @@ from functools import cache
 import numpy as np
 import pytest
 
-from symscrew import catalogue, description
-from symscrew.admissible import Admissible
-from symscrew.coriolis import still_forces
-from symscrew.differentiation import count_operations
-from symscrew.effects import Effect, Gravity, ViscousFriction
+from symscrew import catalogue
+from symscrew.algebra.differentiation import count_operations
+from symscrew.algebra.nodes import Node, Tape
+from symscrew.description import toml_file
+from symscrew.dynamics.coriolis import still_forces
+from symscrew.dynamics.free_motion import Admissible
+from symscrew.dynamics.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
+from symscrew.effects import ViscousFriction
+from symscrew.effects.effect import Effect
+from symscrew.effects.gravity import Gravity
 from symscrew.functions.forward import driven
-from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates
-from symscrew.loops import Loops
-from symscrew.reciprocals import shared_reciprocals
-from symscrew.system import System
-from symscrew.tape import Node, Tape
-from symscrew.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
+from symscrew.kinematics.system import System
+from symscrew.loops.dependent_rates import Loops
+from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
+from symscrew.program.reciprocals import shared_reciprocals
 
 FRICTION = {"ur5": "shoulder_pan_joint", "three_ups_upu_s_physical": "limb1_P"}
 NAMES = ("three_ups_upu_s_physical", "stewart_6ups", "delta", "planar_3rrr", "sarrus", "andrews", "carried")
@@ -48,7 +51,7 @@ D = {type = "R", parent = "head", child = "rocker", point = ["16/25", 0, 0], axe
 
 @cache
 def system_of(name: str) -> System:
-    system = System(description.loads(CARRIED) if name == "carried" else catalogue.load(name))
+    system = System(toml_file.parse_description(CARRIED) if name == "carried" else catalogue.load(name))
     system.use_samples()
     return system
 

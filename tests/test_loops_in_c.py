@@ -11,18 +11,18 @@ import numpy as np
 import pytest
 from benchmarks.mechanisms import chain, platform
 
-from symscrew.accuracy.growth import four_bars
-from symscrew.compiled import find_compiler, load
+from symscrew.description.mechanism import Mechanism
 from symscrew.export import c_parts, c_repeats
 from symscrew.export.c import print_source
 from symscrew.export.c_function import Printed
 from symscrew.export.c_loops import Carried, Local, Loop, Same, Various
 from symscrew.export.c_precision import DOUBLE
 from symscrew.export.c_repeats import Run, runs
-from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
-from symscrew.program import Instruction, Iteration, Port, Program
-from symscrew.rank_revealing import RankRevealing
+from symscrew.program.rank_revealing import RankRevealing
+from symscrew.program.straight_line import Instruction, Iteration, Port, Program
+from symscrew.runtime.compiled import find_compiler, load
+from symscrew.studies.accuracy.growth_study import four_bars
 
 MECHANISMS: dict[str, tuple[Callable[[int], Mechanism], int]] = {
     "chain": (chain, 12),

@@ -18,19 +18,20 @@ import sympy
 from model_states import model as complete_model
 from model_states import output
 
-from symscrew import catalogue, description
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler, load
-from symscrew.functions.closure import assembly, closure_functions
-from symscrew.functions.kinematics import Motion, kinematic_functions
-from symscrew.functions.margins import margin_functions
+from symscrew import catalogue
+from symscrew.description import toml_file
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.joints import JOINT_TYPES
+from symscrew.description.mechanism import Mechanism
+from symscrew.functions.closing import assembly, closure_functions
+from symscrew.functions.kinematic import Motion, kinematic_functions
+from symscrew.functions.margin import margin_functions
 from symscrew.functions.platform import platform_functions
-from symscrew.joints import JOINT_TYPES
-from symscrew.loops import Loops
-from symscrew.mechanism import Mechanism
+from symscrew.kinematics.system import System, characteristic_length
+from symscrew.loops.dependent_rates import Loops
 from symscrew.model import Model
-from symscrew.program import Iteration, Program, lower
-from symscrew.system import System, characteristic_length
+from symscrew.program.straight_line import Iteration, Program, lower
+from symscrew.runtime.compiled import find_compiler, load
 
 MP = mpmath.mp.clone()
 MP.dps = 40
@@ -433,9 +434,9 @@ def test_five_bar_with_distal_rods_in_line_cannot_be_held_by_its_drives() -> Non
 
 
 def test_four_bar_driven_at_its_rocker_sticks_where_crank_and_coupler_are_in_line() -> None:
-    text = description.dumps(catalogue.load("four_bar")).replace("driven = [0]\n", "")
+    text = toml_file.to_toml(catalogue.load("four_bar")).replace("driven = [0]\n", "")
     text = text.replace("[joints.D]\n", "[joints.D]\ndriven = true\n")
-    found = kinematic_model(description.loads(text), ["A"])
+    found = kinematic_model(toml_file.parse_description(text), ["A"])
     assert found.system.drives == (("D", 0),)
     previous = found.system.reference[None]
     states = [previous]

@@ -13,11 +13,12 @@ from model_states import body_states, model, output, relative
 from oracles.mechanisms import joint, mechanism, pendulum
 from oracles.mujoco_engine import PlacedModel
 
-from symscrew import catalogue, interchange
+from symscrew import catalogue
+from symscrew.description.mechanism import Body
 from symscrew.errors import DescriptionError
-from symscrew.maximal_coordinates import BodyState, numeric
-from symscrew.mechanism import Body
+from symscrew.formats import by_suffix
 from symscrew.model import Model, derive
+from symscrew.reference.maximal_coordinates import BodyState, numeric
 
 EXACT = 1e-9
 RAISED = 1e-8  # bodies without inertia are raised to 1e-9 of the whole; the lightest parts feel that more
@@ -26,7 +27,7 @@ CLOSED = ("four_bar", "slider_crank", "planar_3rrr", "delta", "three_ups_upu_s",
 
 def load(text: str, folder: Path) -> object:
     (folder / "model.xml").write_text(text)
-    return interchange.load(folder / "model.xml")
+    return by_suffix.load_format(folder / "model.xml")
 
 
 def placed(text: str, found: Model) -> tuple[PlacedModel, dict[str, str]]:
@@ -104,7 +105,7 @@ def agreement(found: Model, text: str) -> tuple[float, float]:
 @pytest.mark.parametrize("name", [*CLOSED, "panda"])
 def test_mass_matrix_forces_and_constraints_are_those_of_mujoco(name):
     found = model(name)
-    text = interchange.dumps(found.mechanism, ".xml")
+    text = by_suffix.text_of(found.mechanism, ".xml")
     raised = "Masses or moments raised" in text
     assert max(agreement(found, text)) < (RAISED if raised else EXACT)
 
@@ -113,7 +114,7 @@ def test_mass_matrix_forces_and_constraints_are_those_of_mujoco(name):
 @pytest.mark.parametrize("name", ["three_ups_upu_s", "mixed_loop", "spatial_loop"])
 def test_what_is_read_back_is_exactly_what_mujoco_has(name, tmp_path):
     """Whatever was raised is read back: model and MuJoCo then agree to rounding."""
-    text = interchange.dumps(model(name).mechanism, ".xml")
+    text = by_suffix.text_of(model(name).mechanism, ".xml")
     assert max(agreement(derive(load(text, tmp_path)), text)) < EXACT
 
 
@@ -121,7 +122,7 @@ def test_what_is_read_back_is_exactly_what_mujoco_has(name, tmp_path):
 def test_round_trip(name, tmp_path):
     """Same names, types, places, inertias: numbers to the rounding of doubles, raised ones to 1e-9 of the whole."""
     first = model(name).mechanism if name == "spatial_loop" else catalogue.load(name)
-    second = load(interchange.dumps(first, ".xml"), tmp_path)
+    second = load(by_suffix.text_of(first, ".xml"), tmp_path)
     extra = {body for body in second.bodies if body.endswith("_copy")}
     assert set(second.bodies) - extra == set(first.bodies)
     assert second.ground == first.ground and second.description == first.description
@@ -154,7 +155,7 @@ def test_screw_and_driven_joints_of_several_freedoms_keep_type_and_drive(tmp_pat
     wrist = joint("wrist", "S", "rod", "tip", (0, 0, -1), driven=(1, 2))
     given = mechanism("screw", [rod, ball], [screw, wrist])
     found = derive(given)
-    text = interchange.dumps(given, ".xml")
+    text = by_suffix.text_of(given, ".xml")
     assert max(agreement(found, text)) < EXACT
     again = load(text, tmp_path)
     assert again.joints["nut"].type == "H" and again.joints["nut"].driven == (0,)

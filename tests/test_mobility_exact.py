@@ -12,9 +12,9 @@ from sympy import Rational, cos, pi, sin, sqrt
 from test_mobility_reference import four_bar_with
 
 from symscrew import catalogue
-from symscrew.mobility import analyse_mobility
+from symscrew.mobility.analysis import analyse_mobility
 from symscrew.mobility.exact import exact_rank, null_vectors, rank_modulo
-from symscrew.mobility.field import Field, NotDecidableError, Number, expression, inverse, value
+from symscrew.mobility.exact_field import Field, NotDecidableError, Number, expression, inverse, value
 
 ZEROS = (
     sqrt(2) * sqrt(3) - sqrt(6),

@@ -10,9 +10,9 @@ import sympy
 from reference_mechanisms import ENTRIES, build
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.mobility import Mobility, analyse_mobility
-from symscrew.operations import CONTEXT
+from symscrew.algebra.operations import CONTEXT
+from symscrew.description.builder import MechanismBuilder
+from symscrew.mobility.analysis import Mobility, analyse_mobility
 
 SLOW = {"delta_4s-parallel_forearms"}
 TRANSFORMED = (
@@ -82,7 +82,7 @@ def check_freedoms(found: Mobility, given: list[list[str]] | None) -> None:
     """The reference freedoms, where given, span the same space."""
     if given is None:
         return
-    from symscrew.expressions import parse
+    from symscrew.description.expressions import parse
 
     wanted = np.array([[float(parse(c)) for c in twist] for twist in given]).reshape(-1, 6)
     ours = np.array([[float(c) for c in twist] for twist in found.platform.freedoms.basis]).reshape(-1, 6)

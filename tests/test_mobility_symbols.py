@@ -12,9 +12,11 @@ from further_mechanisms import CASES
 from test_mobility import inclined
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility, report
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.mobility import findings
+from symscrew.mobility.analysis import analyse_mobility
+from symscrew.mobility.checks import verify
 from symscrew.mobility.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
 
@@ -50,7 +52,7 @@ def test_rates_of_a_four_bar_in_its_parameters() -> None:
     # the pole: v_O = -omega x r, on the lines A B and C D
     x, y = -twist[4] / twist[2], twist[3] / twist[2]
     assert sympy.simplify(x * h - y * a) == 0 and sympy.simplify((x - b + c) * h - y * (a + c)) == 0
-    assert all(check.holds for check in found.verify())
+    assert all(check.holds for check in verify(found))
 
 
 def test_andrews_begins_at_a_dead_point() -> None:
@@ -94,7 +96,7 @@ def test_horizontal_axis_at_any_angle() -> None:
 @pytest.mark.parametrize("name", ["three_ups_upu_s", "planar_3rrr", "sarrus", "five_bar", "slider_crank", "four_bar"])
 def test_symbols_are_checked(name: str) -> None:
     found = analyse_mobility(catalogue.load(name))
-    checks = found.verify()
+    checks = verify(found)
     assert all(check.holds for check in checks)
     assert any("displacements" in check.claim or "symbols" in check.claim for check in checks)
 
@@ -132,7 +134,7 @@ def test_planar_joints_have_symbols() -> None:
     (twist,) = found.symbolic.freedoms
     expected = sympy.Matrix([3, 0, 4, 0, -h, 0])
     assert sympy.Matrix.hstack(sympy.Matrix(twist), expected).rank() == 1
-    assert all(check.holds for check in found.verify())
+    assert all(check.holds for check in verify(found))
 
 
 def test_what_is_not_of_reasonable_size_is_said_so() -> None:
@@ -146,16 +148,16 @@ def test_rates_of_loops_are_exact(name: str) -> None:
     mechanism = CASES[name].make()
     loops = symbolic_loops(mechanism, analyse_mobility(mechanism).platform.body)
     assert isinstance(loops, SymbolicLoops) and len(loops.rates) == 1
-    assert all(check.holds for check in analyse_mobility(mechanism).verify())
+    assert all(check.holds for check in verify(analyse_mobility(mechanism)))
 
 
 def test_report_begins_with_its_figures() -> None:
     found = analyse_mobility(catalogue.load("three_ups_upu_s"))
-    assert dict(report.key_figures(found))["freedoms of platform"] == "2 (2R)"
-    assert "## Limbs limb2, limb3, limb4" in report.markdown(found)
-    plain = report.text(found)
+    assert dict(findings.key_figures(found))["freedoms of platform"] == "2 (2R)"
+    assert "## Limbs limb2, limb3, limb4" in findings.mobility_markdown(found)
+    plain = findings.mobility_text(found)
     assert "H*sin(theta_2) + (R - r)*cos(theta_2) = 0" in plain and "\\" not in plain
-    assert "<mtable>" in report.page(found) and "$" not in report.page(found)
+    assert "<mtable>" in findings.mobility_page(found) and "$" not in findings.mobility_page(found)
 
 
 @pytest.mark.tools
@@ -164,7 +166,7 @@ def test_latex_compiles(name: str, tmp_path: Path) -> None:
     compiler = shutil.which("pdflatex")
     if compiler is None:
         pytest.skip("pdflatex is not installed (texlive-latex-base, texlive-latex-recommended)")
-    (tmp_path / "report.tex").write_text(report.latex(analyse_mobility(catalogue.load(name))))
+    (tmp_path / "report.tex").write_text(findings.mobility_latex(analyse_mobility(catalogue.load(name))))
     command = [compiler, "-interaction=nonstopmode", "-halt-on-error", "report.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", timeout=120)
     assert done.returncode == 0, done.stdout[-2000:]

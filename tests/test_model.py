@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 from model_states import ALL, body_states, by_joint, model, output, relative, run
 
-from symscrew.newton_euler import (
+from symscrew.algebra.screws import Wrench
+from symscrew.kinematics.recursion import inertial_wrench
+from symscrew.program.straight_line import evaluate
+from symscrew.reference.newton_euler_method import (
     constraint_residuals,
     joint_displacements,
     joint_rates,
     newton_euler,
     numeric,
 )
-from symscrew.program import evaluate
-from symscrew.recursion import inertial_wrench
-from symscrew.screws import Wrench
 
 EXACT = 1e-9
 

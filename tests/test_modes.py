@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew import catalogue, description
-from symscrew.cli import main
-from symscrew.compiled import load
-from symscrew.effects import Gravity
-from symscrew.mechanism import Mechanism
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.loops.modes import SOLVED
 from symscrew.model import Model, derive, inputs_at
-from symscrew.modes import SOLVED
+from symscrew.runtime.compiled import load
 
 PARALLELOGRAM = """
 [mechanism]
@@ -46,7 +47,7 @@ D = {type = "R", parent = "base", child = "rocker", point = ["1/2", 0, 0], axes 
 
 @cache
 def parallelogram() -> Mechanism:
-    return description.loads(PARALLELOGRAM)
+    return toml_file.parse_description(PARALLELOGRAM)
 
 
 @cache
@@ -202,7 +203,7 @@ def test_run_time_parameters_have_no_modes() -> None:
         PARALLELOGRAM.replace('mass = "1.2"', 'mass = "m"')
         + '\n[parameters]\nm = {value = "1.2", unit = "kg", run_time = true}\n'
     )
-    model = derive(description.loads(text), (Gravity(),), one_mode=True)
+    model = derive(toml_file.parse_description(text), (Gravity(),), one_mode=True)
     assert not any("operation mode" in note for note in model.notes)
 
 

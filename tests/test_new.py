@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew import description
-from symscrew.cli import main
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.description.template import description_text, write_template
 from symscrew.errors import DescriptionError
 from symscrew.model import derive
-from symscrew.starter import description_text, write
 
 FREEDOMS = {
     "3-UPS+UPU+S": (2, 4),
@@ -29,7 +29,7 @@ FREEDOMS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("limbs", FREEDOMS)
 def test_mechanism_derives_and_moves(limbs: str) -> None:
-    model = derive(description.loads(description_text("started", limbs)))
+    model = derive(toml_file.parse_description(description_text("started", limbs)))
     freedoms, drives = FREEDOMS[limbs]
     assert model.programs["drive_rates"].outputs[0].size == drives
     system = model.system
@@ -45,7 +45,7 @@ def test_mechanism_derives_and_moves(limbs: str) -> None:
 
 @pytest.mark.slow
 def test_legs_of_delta_translate_only() -> None:
-    model = derive(description.loads(description_text("delta", "3-RUU")))
+    model = derive(toml_file.parse_description(description_text("delta", "3-RUU")))
     q, v, _ = model.system.sample_states
     twists = model("body_twists", q, v)[0][0].reshape(len(q), -1, 6)
     platform = [b for b in model.mechanism.bodies if b != model.mechanism.ground].index("platform")
@@ -53,7 +53,7 @@ def test_legs_of_delta_translate_only() -> None:
 
 
 def test_arm_is_not_singular_in_reference() -> None:
-    model = derive(description.loads(description_text("arm", "RRRRRR")))
+    model = derive(toml_file.parse_description(description_text("arm", "RRRRRR")))
     margins, status = model("limb_margins", model.system.reference[None, :])
     assert np.all(status == 0) and np.abs(margins[0]).min() > 1e-2
 
@@ -61,7 +61,7 @@ def test_arm_is_not_singular_in_reference() -> None:
 @pytest.mark.slow
 def test_pictures_of_hexapod_are_not_the_singular_one() -> None:
     """Six legs between two regular hexagons would be singular; ours stand in pairs."""
-    mechanism = description.loads(description_text("hexapod", "6-UPS"))
+    mechanism = toml_file.parse_description(description_text("hexapod", "6-UPS"))
     points = {n: np.array([float(mechanism.number(c)) for c in p.at]) for n, p in mechanism.points.items()}
     feet = np.array([points[f"A{k}"] for k in range(1, 7)])
     heads = np.array([points[f"C{k}"] for k in range(1, 7)])
@@ -78,7 +78,7 @@ def test_file_is_not_overwritten(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert "is there already" in capsys.readouterr().err
     assert (tmp_path / "wrist.toml").read_bytes() == before
     assert [p.name for p in tmp_path.iterdir()] == ["wrist.toml"]
-    assert description.load(tmp_path / "wrist.toml").name == "wrist"
+    assert toml_file.load_description(tmp_path / "wrist.toml").name == "wrist"
 
 
 @pytest.mark.parametrize(
@@ -95,6 +95,6 @@ def test_file_is_not_overwritten(tmp_path: Path, capsys: pytest.CaptureFixture[s
 )
 def test_bad_input_writes_nothing(name: str, limbs: str, text: str, tmp_path: Path) -> None:
     with pytest.raises(DescriptionError) as error:
-        write(name, limbs, tmp_path / "a.toml")
+        write_template(name, limbs, tmp_path / "a.toml")
     assert text in str(error.value)
     assert not list(tmp_path.iterdir())

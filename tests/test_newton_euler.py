@@ -13,8 +13,8 @@ from oracles.mujoco_engine import MujocoEngine
 from oracles.states import random_state
 
 from symscrew import catalogue
-from symscrew.mechanism import Mechanism
-from symscrew.newton_euler import (
+from symscrew.description.mechanism import Mechanism
+from symscrew.reference.newton_euler_method import (
     BodyState,
     NewtonEulerSolution,
     constraint_residuals,

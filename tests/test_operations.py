@@ -15,9 +15,9 @@ from benchmarks.mechanisms import chain, platform
 from model_states import differentiated, model
 
 from symscrew.export.c import print_source
-from symscrew.generation import render
+from symscrew.generation.folder import render
 from symscrew.model import Model, derive
-from symscrew.program import Iteration
+from symscrew.program.straight_line import Iteration
 
 GENERATED = Path(__file__).parents[1] / "generated"
 SEEDS = ("three_ups_upu_s", "three_ups_upu_s_physical")

@@ -17,9 +17,11 @@ from optimal_problems import (
 )
 from oracles.pseudospectral import least_effort
 
-from symscrew.effects import Gravity
-from symscrew.optimisation import Bounds, Objective, Solver, Trajectory, TrajectoryProblem, Transcription, solve
-from symscrew.optimisation.replay import replay
+from symscrew.effects.gravity import Gravity
+from symscrew.optimisation.followed_motion import replay
+from symscrew.optimisation.problem import Bounds, Objective, Solver, TrajectoryProblem, Transcription
+from symscrew.optimisation.result import Trajectory
+from symscrew.optimisation.solution import solve
 
 ALL = [
     Transcription("radau", 3, 20),
@@ -206,7 +208,7 @@ def test_derivatives_of_the_program_are_exact(method: tuple[str, int]) -> None:
 
 
 def test_study_of_transcriptions_falls_with_the_mesh() -> None:
-    from symscrew.optimisation.study import report, study
+    from symscrew.studies.transcription_study import report, study
 
     motion = rest_to_rest({"hinge": 0.0}, {"hinge": math.pi / 2})
     found = study(TrajectoryProblem(pendulum(), **motion, independent=("hinge",)), meshes=(4, 8))

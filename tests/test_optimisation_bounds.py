@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 from optimal_problems import MINIMUM_TIME, bead, pendulum, rest_to_rest, seed
 
-from symscrew.effects import DcMotor, Gravity
-from symscrew.optimisation import Bounds, Conditions, Distance, TrajectoryProblem, Transcription, solve
-from symscrew.optimisation.replay import replay
+from symscrew.effects import DcMotor
+from symscrew.effects.gravity import Gravity
+from symscrew.optimisation.followed_motion import replay
+from symscrew.optimisation.problem import Bounds, Conditions, Distance, TrajectoryProblem, Transcription
 from symscrew.optimisation.result import Samples
+from symscrew.optimisation.solution import solve
 
 SWING = rest_to_rest({"hinge": -1.0}, {"hinge": 1.0})
 STEEP = Conditions(coordinates={"x": 0.0, "z": 0.0}, at_rest=True)

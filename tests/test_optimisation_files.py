@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew import cli
+from symscrew.cli import parser
 from symscrew.errors import DescriptionError
-from symscrew.optimisation.reading import load, loads
+from symscrew.optimisation.problem_file import load_problem, parse_problem
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "optimisation"
 
@@ -40,7 +40,7 @@ def run(tmp_path: Path, text: str, *options: str) -> tuple[int, Path]:
     """Exit code and output of `symscrew optimise` on a text."""
     problem, out = tmp_path / "problem.toml", tmp_path / "motion.npz"
     problem.write_text(text)
-    return cli.main(["optimise", str(problem), "--out", str(out), *options]), out
+    return parser.main(["optimise", str(problem), "--out", str(out), *options]), out
 
 
 def test_everything_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -62,7 +62,7 @@ def test_everything_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str
 def test_table_for_a_controller(tmp_path: Path) -> None:
     problem, out = tmp_path / "problem.toml", tmp_path / "motion.csv"
     problem.write_text(FIVE_BAR)
-    assert cli.main(["optimise", str(problem), "--out", str(out), "--rate", "100"]) == 0
+    assert parser.main(["optimise", str(problem), "--out", str(out), "--rate", "100"]) == 0
     rows = list(csv.reader(out.open()))
     assert rows[0][:4] == ["t", "u_base_left", "u_base_right", "s_base_left"]
     assert len(rows) == 52 and float(rows[-1][0]) == 0.5
@@ -80,15 +80,15 @@ def test_all_examples_can_be_read() -> None:
     names = sorted(path.stem for path in EXAMPLES.glob("*.toml"))
     assert len(names) >= 8
     for name in names:
-        assert load(EXAMPLES / f"{name}.toml").name == name
+        assert load_problem(EXAMPLES / f"{name}.toml").name == name
 
 
 def test_a_scene_brings_its_effects(tmp_path: Path) -> None:
     scene = Path(__file__).parents[1] / "examples" / "scenes" / "hanging_delta.toml"
     text = f'[problem]\nscene = "{scene}"\nduration = 1\n'
-    from symscrew.scene import load as load_scene
+    from symscrew.scene.scene_file import load_scene
 
-    assert loads(text).effects == load_scene(scene).effects
+    assert parse_problem(text).effects == load_scene(scene).effects
 
 
 @pytest.mark.parametrize(
@@ -175,7 +175,7 @@ def test_a_singular_start_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 def test_events_cannot_be_optimised() -> None:
     text = FIVE_BAR + '\n[[effects]]\ntype = "dry_friction"\njoint = "elbow_left"\ncoulomb = 1\nmode = "event"\n'
-    from symscrew.optimisation import solve
+    from symscrew.optimisation.solution import solve
 
     with pytest.raises(DescriptionError, match="events"):
-        solve(loads(text))
+        solve(parse_problem(text))

@@ -13,17 +13,19 @@ import sympy
 from optimal_problems import MINIMUM_TIME, SEED_DRIVES, seed
 
 from symscrew.model import derive
-from symscrew.optimisation import Objective, Trajectory, TrajectoryProblem, Transcription, solve
-from symscrew.optimisation.errors import switching
-from symscrew.optimisation.reading import load
-from symscrew.optimisation.replay import replay
+from symscrew.optimisation.followed_motion import replay
+from symscrew.optimisation.mesh_errors import switching
+from symscrew.optimisation.problem import Objective, TrajectoryProblem, Transcription
+from symscrew.optimisation.problem_file import load_problem
+from symscrew.optimisation.result import Trajectory
+from symscrew.optimisation.solution import solve
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "optimisation"
 COARSE = Transcription("radau", 3, 20)
 
 
 def example(name: str, **changes: object) -> TrajectoryProblem:
-    return replace(load(EXAMPLES / f"{name}.toml"), **changes)
+    return replace(load_problem(EXAMPLES / f"{name}.toml"), **changes)
 
 
 def power(found: Trajectory) -> tuple[np.ndarray, np.ndarray]:

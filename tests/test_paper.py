@@ -12,8 +12,9 @@ import sympy
 from model_states import model, output, run
 
 from symscrew import catalogue
-from symscrew.effects import ExternalWrench, Gravity
-from symscrew.mobility import analyse_mobility
+from symscrew.effects.external_wrench import ExternalWrench
+from symscrew.effects.gravity import Gravity
+from symscrew.mobility.analysis import analyse_mobility
 from symscrew.model import derive
 
 SEED = "three_ups_upu_s"

@@ -14,14 +14,14 @@ import sympy
 from model_states import pendulum
 
 from symscrew import catalogue
-from symscrew.compiled import find_compiler
+from symscrew.description.mechanism import Mechanism
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import PRECISIONS
 from symscrew.export.cpp import print_cpp
 from symscrew.export.readme import print_readme
-from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
-from symscrew.verification import STRICT
+from symscrew.runtime.compiled import find_compiler
+from symscrew.verification.regeneration import STRICT
 
 
 def with_parameters(mechanism: Mechanism, *, run_time: bool, scale: str = "1") -> Mechanism:

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from model_states import model, relative
 
-from symscrew.compiled import find_compiler, load
 from symscrew.export import c_parts
 from symscrew.export.c import print_source
 from symscrew.export.c_function import RUN, Printed
 from symscrew.export.c_precision import DOUBLE
 from symscrew.model import Model
-from symscrew.program import Program
+from symscrew.program.straight_line import Program
+from symscrew.runtime.compiled import find_compiler, load
 
 FUNCTIONS = ("forward_dynamics_reactions", "joint_reactions", "inverse_dynamics", "close_position", "mass_matrix")
 SINGLE = "\nint stewart_6ups_mass_matrix("

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from symscrew.program import Function, Port, evaluate, lower
-from symscrew.tape import Tape
+from symscrew.algebra.nodes import Tape
+from symscrew.program.straight_line import Function, Port, evaluate, lower
 
 
 def test_a_constant_is_not_the_input_of_that_number() -> None:

@@ -9,7 +9,7 @@ import sympy
 
 from symscrew import catalogue
 from symscrew.errors import DescriptionError
-from symscrew.quantities import Quantities, Quantity
+from symscrew.functions.quantities import Quantities, Quantity
 
 
 @pytest.fixture(scope="module")

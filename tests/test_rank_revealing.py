@@ -13,14 +13,14 @@ import pytest
 from model_states import model, relative
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler, load
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
 from symscrew.export.c import print_c
 from symscrew.export.example import print_example
 from symscrew.export.numpy import print_numpy
-from symscrew.mechanism import Mechanism
 from symscrew.model import Model, derive
-from symscrew.rank_revealing import RankRevealing
+from symscrew.program.rank_revealing import RankRevealing
+from symscrew.runtime.compiled import find_compiler, load
 
 NAMES = ("four_bar", "bennett", "sarrus", "three_ups_upu_s", "delta", "stewart_6ups", "andrews", "five_bar")
 FUNCTIONS = ("forward_dynamics", "forward_dynamics_reactions")

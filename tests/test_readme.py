@@ -14,15 +14,15 @@ import pytest
 from model_states import model
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler
+from symscrew.description.builder import MechanismBuilder
 from symscrew.export.markdown import READABLE, print_markdown
 from symscrew.export.readme import SHOWN
-from symscrew.fmu.archive import at_rest
-from symscrew.generation import TARGETS, USUAL, generate
+from symscrew.fmu.unit_archive import at_rest
+from symscrew.functions.quantities import Quantities
+from symscrew.generation.folder import TARGETS, USUAL, generate
 from symscrew.model import derive
-from symscrew.quantities import Quantities
-from symscrew.simulation.run import simulate
+from symscrew.runtime.compiled import find_compiler
+from symscrew.simulation.motion import simulate
 
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"]
 

@@ -13,10 +13,11 @@ import sympy
 from model_states import HAND_TYPED, relative
 
 from symscrew import catalogue
-from symscrew.builder import MechanismBuilder
-from symscrew.cli import main
-from symscrew.effects import ExternalWrench, Gravity
-from symscrew.inertial_parameters import PARAMETERS, RankError, base_parameters, inertial_parameters
+from symscrew.cli.parser import main
+from symscrew.description.builder import MechanismBuilder
+from symscrew.effects.external_wrench import ExternalWrench
+from symscrew.effects.gravity import Gravity
+from symscrew.functions.identifiable import PARAMETERS, RankError, base_parameters, inertial_parameters
 from symscrew.model import Model, derive
 
 Array = np.ndarray

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from model_states import model
 
-from symscrew import elementary
-from symscrew.generation import render
-from symscrew.least_squares import least_norm
+from symscrew.algebra import elementary
+from symscrew.algebra.least_squares import least_norm
+from symscrew.generation.folder import render
 
 RANDOM = np.random.default_rng(3)
 ANGLES = np.concatenate(
@@ -87,7 +87,7 @@ def test_what_is_generated_does_not_depend_on_the_processor(tmp_path: Path) -> N
         "import sys, pathlib\n"
         f"TARGETS = {TARGETS}\n"
         "from symscrew import catalogue\n"
-        "from symscrew.generation import render\n"
+        "from symscrew.generation.folder import render\n"
         "from symscrew.model import derive\n"
         "files = render(derive(catalogue.load('four_bar')), TARGETS)\n"
         "for name, data in files.items(): (pathlib.Path(sys.argv[1]) / name).write_bytes(data)\n"

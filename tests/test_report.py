@@ -11,12 +11,11 @@ import numpy as np
 import pytest
 
 from symscrew import catalogue
-from symscrew.cli import main
+from symscrew.cli.parser import main
 from symscrew.model import derive
-from symscrew.report import document, write
-from symscrew.report.document import Document, Picture, Section, Table, Text, page
-from symscrew.report.sections import _unit_screws
-from symscrew.timing import Times
+from symscrew.report.blocks import Document, Picture, Section, Table, Text, page, write_document
+from symscrew.report.sections import _unit_screws, document
+from symscrew.studies.timing import Times
 
 VOID = {"meta", "br", "img", "mspace", "link", "input", "path", "use", "rect", "circle", "line", "mprescripts"}
 
@@ -57,7 +56,7 @@ def read(text: str) -> Reader:
 def seed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("report") / "seed.html"
     model = derive(catalogue.load("three_ups_upu_s"))
-    write(document(model, times={"inverse_dynamics": Times(90.0, 100.0, 110.0, 130.0, 41)}), path)
+    write_document(document(model, times={"inverse_dynamics": Times(90.0, 100.0, 110.0, 130.0, 41)}), path)
     return path
 
 
@@ -87,7 +86,7 @@ def test_numbers_are_those_of_the_model(seed: Path) -> None:
 
 
 def test_markdown_has_its_pictures_beside_it(tmp_path: Path) -> None:
-    files = write(document(derive(catalogue.load("four_bar"))), tmp_path / "four_bar.md")
+    files = write_document(document(derive(catalogue.load("four_bar"))), tmp_path / "four_bar.md")
     text = (tmp_path / "four_bar.md").read_text()
     names = re.findall(r"!\[.*?\]\((.*?)\)", text)
     assert names and all((tmp_path / name).stat().st_size > 1000 for name in names)

@@ -14,8 +14,8 @@ from model_states import model
 pytest.importorskip("selenium", reason='needs selenium: pip install ".[browser]"')
 from test_view_browser import start
 
-from symscrew.report import document, write
-from symscrew.report.document import Document
+from symscrew.report.blocks import Document, write_document
+from symscrew.report.sections import document
 
 pytestmark = [pytest.mark.tools, pytest.mark.slow]
 NAMES = ("four_bar", "ur5", "three_ups_upu_s", "stewart_6ups")
@@ -36,7 +36,7 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], tuple[D
     def report(name: str) -> tuple[Document, Path]:
         if name not in known:
             made = document(model(name))
-            known[name] = made, write(made, folder / f"{name}.html")[0]
+            known[name] = made, write_document(made, folder / f"{name}.html")[0]
         return known[name]
 
     return report

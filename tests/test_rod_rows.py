@@ -12,12 +12,13 @@ from test_crank_limbs import delta_text, hexapod, second_rods_first
 from test_loop_rows import sampled
 from test_rods import braced_arm, hung_platform, rotary_hexapod
 
-from symscrew import catalogue, description
-from symscrew.differentiation import inputs_of
-from symscrew.loops import Loops
-from symscrew.mechanism import Mechanism
+from symscrew import catalogue
+from symscrew.algebra.differentiation import inputs_of
+from symscrew.description import toml_file
+from symscrew.description.mechanism import Mechanism
+from symscrew.kinematics.system import System
+from symscrew.loops.dependent_rates import Loops
 from symscrew.model import Model, derive
-from symscrew.system import System
 
 
 def from_the_rod() -> Mechanism:
@@ -30,7 +31,7 @@ def from_the_rod() -> Mechanism:
             '[[0, 1, 0], ["depth/rods", 0, "-inwards/rods"]]', '[["depth/rods", 0, "-inwards/rods"], [0, 1, 0]]', 1
         )
     )
-    return description.loads(f"{parts[0]}[joints.rod1a_U]{joint}")
+    return toml_file.parse_description(f"{parts[0]}[joints.rod1a_U]{joint}")
 
 
 MECHANISMS: dict[str, tuple[Callable[[], Mechanism], int]] = {

@@ -11,19 +11,23 @@ import sympy
 from model_states import body_states, relative
 from sympy import Matrix, Rational, cos, sin, sqrt
 
-from symscrew import catalogue, description
-from symscrew.admissible import Admissible
-from symscrew.builder import MechanismBuilder
-from symscrew.effects import Acting, Effect, Gravity, NoGyroscopicTerms, Payload, ViscousFriction, transformed
-from symscrew.elimination import solve_block
+from symscrew import catalogue
+from symscrew.algebra.elimination import solve_block
+from symscrew.algebra.nodes import Tape
+from symscrew.description import toml_file
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.dynamics.free_motion import Admissible
+from symscrew.dynamics.rods import thin_rods
+from symscrew.effects import NoGyroscopicTerms, Payload, ViscousFriction
+from symscrew.effects.acting import Acting
+from symscrew.effects.effect import Effect, transformed
+from symscrew.effects.gravity import Gravity
 from symscrew.functions.forward import driven
-from symscrew.loops import Loops
-from symscrew.mechanism import Mechanism
+from symscrew.kinematics.system import System
+from symscrew.loops.dependent_rates import Loops
 from symscrew.model import Model, derive
-from symscrew.newton_euler import newton_euler
-from symscrew.rods import thin_rods
-from symscrew.system import System
-from symscrew.tape import Tape
+from symscrew.reference.newton_euler_method import newton_euler
 
 GRAVITY = (0.0, 0.0, -9.81)
 PLACES = (0, 1, 4, 5, 8, 9)  # of the ends of rods on a circle, in twelfths
@@ -182,7 +186,7 @@ def test_run_time_parameters_of_rods() -> None:
         assert head in text
         baked = baked.replace(head, head.replace(old, new))
         free = free.replace(head, head + "run_time = true\n")
-    other, found = derive(description.loads(baked)), derive(description.loads(free))
+    other, found = derive(toml_file.parse_description(baked)), derive(toml_file.parse_description(free))
     q, v, a = other.system.states(4, 3)
     assert found.programs["inverse_dynamics"].inputs[-1].labels == ("half_spacing", "m_rod")
     (expected,), _ = other("inverse_dynamics", q, v, a)

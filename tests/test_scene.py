@@ -7,11 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew.cli import main
+from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
-from symscrew.scene import Table, loads
+from symscrew.scene.contents import Table
+from symscrew.scene.scene_file import parse_scene
 from symscrew.simulation.initial import initial_state
-from symscrew.simulation.run import prepare
+from symscrew.simulation.motion import prepare
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FOUR_BAR = """
@@ -27,7 +28,7 @@ def with_lines(text: str) -> str:
 
 
 def test_a_scene_is_read_with_expressions_of_the_mechanisms_parameters() -> None:
-    scene = loads(
+    scene = parse_scene(
         """
         [scene]
         mechanism = "delta"
@@ -46,9 +47,9 @@ def test_a_scene_is_read_with_expressions_of_the_mechanisms_parameters() -> None
 
 @pytest.mark.parametrize("path", sorted(EXAMPLES.rglob("benchmarks/*.toml")), ids=lambda p: p.stem)
 def test_benchmark_scenes_are_read(path: Path) -> None:
-    from symscrew.scene import load
+    from symscrew.scene.scene_file import load_scene
 
-    assert load(path).duration > 0
+    assert load_scene(path).duration > 0
 
 
 @pytest.mark.parametrize(
@@ -81,7 +82,7 @@ def test_benchmark_scenes_are_read(path: Path) -> None:
 )
 def test_what_cannot_work_is_refused(text: str, message: str) -> None:
     with pytest.raises(DescriptionError) as error:
-        loads(text)
+        parse_scene(text)
     assert message in str(error.value)
 
 
@@ -99,7 +100,7 @@ def test_what_cannot_work_is_refused(text: str, message: str) -> None:
     ],
 )
 def test_a_scene_that_does_not_fit_its_mechanism_is_refused(text: str, message: str) -> None:
-    scene = loads(with_lines(text))
+    scene = parse_scene(with_lines(text))
     with pytest.raises(DescriptionError) as error:
         model, plant = prepare(scene)
         initial_state(scene, model, plant.parameters)
@@ -107,7 +108,7 @@ def test_a_scene_that_does_not_fit_its_mechanism_is_refused(text: str, message: 
 
 
 def test_the_start_is_assembled_from_what_is_given() -> None:
-    scene = loads(with_lines("[initial.coordinates]\nA = 0.3\n[initial.rates]\nA = 1.5"))
+    scene = parse_scene(with_lines("[initial.coordinates]\nA = 0.3\n[initial.rates]\nA = 1.5"))
     model, plant = prepare(scene)
     q, v = initial_state(scene, model, plant.parameters)
     labels = [c.label for c in model.system.tree.q]

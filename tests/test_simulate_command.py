@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from runs import EXAMPLES
 
-from symscrew import description
-from symscrew.cli import main
-from symscrew.scene import loads
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.scene.scene_file import parse_scene
 
 SCENE = """
 [scene]
@@ -48,8 +48,8 @@ def test_archive_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture
         assert run["closure_error"].max() < 1e-12
         assert np.abs(run["energy_balance"]).max() < 1e-8 * run["energy"][:, 0].max()
         assert str(run["status"]) == "completed"
-        assert description.loads(str(run["mechanism"])).name == "four_bar"
-        assert loads(str(run["scene"])).duration == 0.2
+        assert toml_file.parse_description(str(run["mechanism"])).name == "four_bar"
+        assert parse_scene(str(run["scene"])).duration == 0.2
         q = run["q"]
     table = np.genfromtxt(names[2], delimiter=",", names=True)
     assert np.array_equal(table["t"], np.arange(11) / 50)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from runs import EXAMPLES, compiled, error_of, order, reference, run_of, scene_of, values_of
 
-from symscrew.compiled import find_compiler
-from symscrew.scene import load, loads
-from symscrew.simulation.run import evaluated, prepare, simulate
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.scene_file import load_scene, parse_scene
+from symscrew.simulation.motion import evaluated, prepare, simulate
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
 
@@ -40,7 +40,7 @@ def test_reference_histories(name: str, tolerance: float, error: float) -> None:
 def test_the_body_that_flips_ends_where_quadruple_precision_ends() -> None:
     """Rates and attitude after 15 flips in 100 s: Lagrange's equations in 113 bits by extrapolation of order 24, whose
     rates agree with Jacobi's elliptic functions to 1e-16."""
-    run = simulate(load(EXAMPLES / "benchmarks" / "dzhanibekov.toml"))
+    run = simulate(load_scene(EXAMPLES / "benchmarks" / "dzhanibekov.toml"))
     assert run.ok, run.status
     rates = [0.00242775275057238160, -4.99999951060163425775, 0.00162213680248325177]
     attitude = np.array(
@@ -125,9 +125,9 @@ tolerance = 1e-9
 @pytest.mark.slow
 def test_controllers_with_states_signals_and_tables() -> None:
     """The scene's controller in the compiled loop, and the same controller as a Python function of SciPy's run."""
-    from symscrew.scene import Table
+    from symscrew.scene.contents import Table
 
-    scene = loads(DRIVEN)
+    scene = parse_scene(DRIVEN)
     run = simulate(scene)
     assert run.ok
     assert run.x_labels == ("filtered", "work")
@@ -147,7 +147,7 @@ def test_controllers_with_states_signals_and_tables() -> None:
 def test_a_python_controller_and_what_it_may_return() -> None:
     from symscrew.errors import DescriptionError
 
-    scene = loads(DRIVEN.split("[tables")[0] + '[[effects]]\ntype = "gravity"')
+    scene = parse_scene(DRIVEN.split("[tables")[0] + '[[effects]]\ntype = "gravity"')
     run = simulate(scene, controller=lambda t, q, v: [-0.5 * v[0]])
     assert run.u[:, 0] == pytest.approx(-0.5 * run.v[:, 0])
     assert run.energy_error < 1e-8
@@ -158,7 +158,7 @@ def test_a_python_controller_and_what_it_may_return() -> None:
 @pytest.mark.slow
 def test_motion_under_inverse_dynamics_drives_is_the_prescribed_one() -> None:
     """Open loop: the drives of a prescribed motion of the platform, computed beforehand, give that motion."""
-    scene = loads(
+    scene = parse_scene(
         """
         [scene]
         mechanism = "three_ups_upu_s_physical"
@@ -195,7 +195,7 @@ def test_motion_under_inverse_dynamics_drives_is_the_prescribed_one() -> None:
 @pytest.mark.slow
 def test_reactions_at_every_output_balance_the_momentum_of_the_whole_system() -> None:
     """Rate of the total momentum screw = wrenches of the base on the system + weight, at every output."""
-    scene = loads(
+    scene = parse_scene(
         """
         [scene]
         mechanism = "three_ups_upu_s_physical"
@@ -235,7 +235,7 @@ def test_reactions_at_every_output_balance_the_momentum_of_the_whole_system() ->
 @needs_compiler
 @pytest.mark.parametrize("name", ["hanging_platform", "hanging_delta"])
 def test_energy_drift_over_100_seconds(name: str) -> None:
-    run = simulate(load(EXAMPLES / "scenes" / f"{name}.toml"))
+    run = simulate(load_scene(EXAMPLES / "scenes" / f"{name}.toml"))
     assert run.ok
     assert run.t[-1] == 100
     assert run.energy_error < 1e-8

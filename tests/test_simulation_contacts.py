@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from symscrew.builder import MechanismBuilder
-from symscrew.effects import DryFriction, EndStop, Gravity, JointSpring
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects import DryFriction, EndStop, JointSpring
+from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
-from symscrew.mechanism import Mechanism
-from symscrew.scene import Initial, Integrator, Scene
-from symscrew.simulation.run import simulate
+from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.simulation.motion import simulate
 
 
 def block(axis: list) -> Mechanism:

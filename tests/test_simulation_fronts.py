@@ -10,15 +10,15 @@ from hard.mechanisms import four_bars
 from runs import run_of, scene_of
 from test_simulation_singular import crank_angle, crossing_times
 
-from symscrew.compiled import find_compiler
-from symscrew.effects import Gravity
+from symscrew.effects.gravity import Gravity
 from symscrew.model import derive
-from symscrew.scene import Initial, Integrator, Scene
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.fronts import front_pivots, fronts, layouts, paths, regular
-from symscrew.simulation.functions import Functions
+from symscrew.simulation.motion import simulate
 from symscrew.simulation.native import Library
-from symscrew.simulation.programs import plant
-from symscrew.simulation.run import simulate
+from symscrew.simulation.scene_functions import Functions
+from symscrew.simulation.state_programs import plant
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 

@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 from runs import EXAMPLES, scene_of
 
-from symscrew.compiled import find_compiler
 from symscrew.errors import DescriptionError
-from symscrew.scene import Integrator, Scene, load
-from symscrew.simulation.loop import emit, loop_plant, print_loop
-from symscrew.simulation.run import evaluated, simulate
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Integrator, Scene
+from symscrew.scene.scene_file import load_scene
+from symscrew.simulation.motion import evaluated, simulate
+from symscrew.simulation.real_time_loop import emit, loop_plant, print_loop
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
@@ -70,7 +71,7 @@ def test_equal_scenes_give_equal_text_and_adaptive_methods_are_refused() -> None
 @pytest.mark.slow
 def test_a_million_steps(tmp_path: Path) -> None:
     """Drift below 1e-6 of the largest kinetic energy, loops closed, no NaN, the same bits in two runs."""
-    scene = rk4(load(EXAMPLES / "scenes" / "hanging_platform.toml"))
+    scene = rk4(load_scene(EXAMPLES / "scenes" / "hanging_platform.toml"))
     library = built(scene, tmp_path)
     short = simulate(replace(scene, duration=5.0))
     plant = loop_plant(scene)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from symscrew import catalogue
-from symscrew.interchange import dumps
-from symscrew.scene import loads
-from symscrew.simulation.run import simulate
+from symscrew.formats.by_suffix import text_of
+from symscrew.scene.scene_file import parse_scene
+from symscrew.simulation.motion import simulate
 
 mujoco = pytest.importorskip("mujoco")
 SCENE = """
@@ -25,7 +25,7 @@ tolerance = 1e-9
 
 def swung(step: float, duration: float) -> np.ndarray:
     """The crank's angle at every 0.02 s, the loop held by MuJoCo's stiffest stable settings."""
-    text = dumps(catalogue.load("four_bar"), ".xml")
+    text = text_of(catalogue.load("four_bar"), ".xml")
     model = mujoco.MjModel.from_xml_string(text)
     model.opt.timestep = step
     model.opt.integrator = mujoco.mjtIntegrator.mjINT_RK4
@@ -45,7 +45,7 @@ def swung(step: float, duration: float) -> np.ndarray:
 
 @pytest.mark.slow
 def test_mujoco_with_small_steps_converges_to_the_run() -> None:
-    run = simulate(loads(SCENE))
+    run = simulate(parse_scene(SCENE))
     ours = run.q[:, [c.label for c in run.model.system.tree.q].index("A")]
     errors = [np.abs(swung(step, 0.4) - ours).max() for step in (1e-3, 2.5e-4, 6.25e-5)]
     assert np.abs(ours).max() > 0.3

@@ -10,12 +10,13 @@ from runs import EXAMPLES, error_of, run_of, scene_of
 from scipy.optimize import brentq
 from scipy.special import ellipj, ellipk, ellipkinc
 
-from symscrew.builder import MechanismBuilder
-from symscrew.compiled import find_compiler
-from symscrew.effects import Gravity
-from symscrew.mechanism import Mechanism
-from symscrew.scene import Initial, Scene, load, loads
-from symscrew.simulation.run import simulate
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Scene
+from symscrew.scene.scene_file import load_scene, parse_scene
+from symscrew.simulation.motion import simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's")
 
@@ -107,7 +108,7 @@ def test_other_numbers_of_four_bars(count: int) -> None:
 
 @pytest.mark.slow
 def test_the_falling_platform_passes_and_reports_its_singular_configurations() -> None:
-    scene = replace(load(EXAMPLES / "scenes" / "falling_platform.toml"), duration=2.5)
+    scene = replace(load_scene(EXAMPLES / "scenes" / "falling_platform.toml"), duration=2.5)
     run = simulate(scene)
     assert run.ok
     assert run.energy_error < 1e-7
@@ -124,7 +125,7 @@ def test_the_falling_platform_passes_and_reports_its_singular_configurations() -
 
 @pytest.mark.slow
 def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
-    scene = loads(
+    scene = parse_scene(
         """
         [scene]
         mechanism = "examples/benchmarks/mechanisms/n_four_bar.toml"
@@ -149,9 +150,9 @@ def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
 def test_states_of_effects_through_singular_configurations() -> None:
     """The motor's current follows its own law on the second path too; every joule is accounted for."""
     from symscrew.effects import DcMotor
-    from symscrew.program import evaluate
-    from symscrew.simulation.functions import Functions
-    from symscrew.simulation.run import prepare
+    from symscrew.program.straight_line import evaluate
+    from symscrew.simulation.motion import prepare
+    from symscrew.simulation.scene_functions import Functions
 
     motor = DcMotor("A0", torque_constant="0.5", resistance=2, inductance="0.1", current="0.3")
     effects = (Gravity((0, "-9.81", 0)), motor)

@@ -8,8 +8,8 @@ import pytest
 import sympy
 
 from symscrew import catalogue
-from symscrew.cli import main
-from symscrew.mobility import report
+from symscrew.cli.parser import main
+from symscrew.mobility import findings
 from symscrew.mobility.analysis import Mobility, analyse_mobility
 
 R, RP, H = sympy.symbols("R r H", real=True)
@@ -78,12 +78,12 @@ def test_json_keeps_the_kinds_apart(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_report_names_what_is_singular() -> None:
     found = analyse_mobility(catalogue.load("ur5"))
-    assert "limb (arm): SINGULAR here" in report.text(found)
-    assert "limb (arm): SINGULAR here" in report.markdown(found)
+    assert "limb (arm): SINGULAR here" in findings.mobility_text(found)
+    assert "limb (arm): SINGULAR here" in findings.mobility_markdown(found)
 
 
 def test_a_coordinate_of_a_joint_that_closes_a_loop_gives_no_margins() -> None:
     found = analyse_mobility(catalogue.load("four_bar"), at={"C": "0.1"})
     assert found.singularities.margins is None
-    assert report.values(found)["singularities"]["limb"] is None
-    assert "not known here" in report.text(found)
+    assert findings.mobility_values(found)["singularities"]["limb"] is None
+    assert "not known here" in findings.mobility_text(found)

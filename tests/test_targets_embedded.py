@@ -13,14 +13,15 @@ from pathlib import Path
 import pytest
 from model_states import model, pendulum
 
-from symscrew import description, embedded
-from symscrew.cli import main
-from symscrew.embedded import EmbeddedError, deepest_frames, measure, missing_tools
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c, print_source
 from symscrew.export.c_precision import PRECISIONS
-from symscrew.rank_revealing import RankRevealing
-from symscrew.verification import check
+from symscrew.program.rank_revealing import RankRevealing
+from symscrew.verification.embedded import emulation
+from symscrew.verification.embedded.emulation import EmbeddedError, deepest_frames, measure, missing_tools
+from symscrew.verification.regeneration import check
 
 EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
 
@@ -115,7 +116,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
 @EMULATED
 def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     out, file = tmp_path / "out", tmp_path / "pendulum.toml"
-    file.write_text(description.dumps(pendulum().mechanism))
+    file.write_text(toml_file.to_toml(pendulum().mechanism))
     arguments = ["generate", str(file), "--target", "c", "--precision", "single", "--embedded", "m4f"]
     assert main([*arguments, "--out", str(out)]) == 0
     (record,) = json.loads((out / "ops.json").read_text())["embedded"]
@@ -153,7 +154,7 @@ def test_functions_that_call_themselves_have_no_bound() -> None:
 def test_missing_tools_are_named(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(embedded.shutil, "which", lambda tool: None)
+    monkeypatch.setattr(emulation.shutil, "which", lambda tool: None)
     with pytest.raises(EmbeddedError, match="apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi"):
         measure(model("four_bar"), "m4f")
     assert main(["embedded", "four_bar", "--out", str(tmp_path / "no.json")]) == 1
@@ -167,10 +168,10 @@ def test_missing_tools_are_named(
 
 
 def test_a_library_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    fake = tmp_path / embedded.COMPILER
+    fake = tmp_path / emulation.COMPILER
     fake.write_text("#!/bin/sh\necho 'four_bar.c:1:10: fatal error: math.h: No such file or directory' >&2\nexit 1\n")
     fake.chmod(0o755)
-    for tool in (embedded.NAMES, embedded.EMULATOR):
+    for tool in (emulation.NAMES, emulation.EMULATOR):
         (tmp_path / tool).symlink_to(fake)
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
     with pytest.raises(EmbeddedError, match=r"refused .apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi.: "):
@@ -227,8 +228,8 @@ def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
     (tmp_path / "embedded").mkdir()
     host = sources(tmp_path, "four_bar", "double")
     embedded_one = sources(tmp_path / "embedded", "four_bar", "single", batches=False)
-    cross = shutil.which(embedded.COMPILER)
-    compiler = [cross, "-mthumb", *embedded.CORES["m4f"].flags] if cross else ["gcc"]
+    cross = shutil.which(emulation.COMPILER)
+    compiler = [cross, "-mthumb", *emulation.CORES["m4f"].flags] if cross else ["gcc"]
     silent([["gcc", *ANALYZER, str(host)], [*compiler, *ANALYZER, str(embedded_one)]])
 
 

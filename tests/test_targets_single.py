@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from model_states import model
 
-from symscrew.cli import main
-from symscrew.compiled import find_compiler, load
+from symscrew.cli.parser import main
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import SINGLE
 from symscrew.export.c_single import single_errors, single_inputs
-from symscrew.verification import STRICT, check
+from symscrew.runtime.compiled import find_compiler, load
+from symscrew.verification.regeneration import STRICT, check
 
 COMPILER = find_compiler()
 compiled_code = pytest.mark.skipif(COMPILER is None, reason="no C compiler")

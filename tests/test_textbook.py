@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from model_states import model, output, run
 
-from symscrew.builder import MechanismBuilder
+from symscrew.description.builder import MechanismBuilder
 from symscrew.model import derive
 
 

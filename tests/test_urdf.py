@@ -11,19 +11,20 @@ import pytest
 from model_states import model, output, relative
 from oracles.mechanisms import body, joint, mechanism
 
-from symscrew import catalogue, interchange
-from symscrew.cli import main
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.description.mechanism import Mechanism
 from symscrew.errors import DescriptionError
-from symscrew.maximal_coordinates import numeric
-from symscrew.mechanism import Mechanism
+from symscrew.formats import by_suffix
 from symscrew.model import Model, derive
+from symscrew.reference.maximal_coordinates import numeric
 
 EXACT = 1e-10
 
 
 def load(text: str, folder: Path) -> Mechanism:
     (folder / "robot.urdf").write_text(text)
-    return interchange.load(folder / "robot.urdf")
+    return by_suffix.load_format(folder / "robot.urdf")
 
 
 def tree() -> Mechanism:
@@ -42,7 +43,7 @@ def tree() -> Mechanism:
 
 def with_references() -> Mechanism:
     """Joints whose coordinates are not zero in the reference configuration."""
-    from symscrew.builder import MechanismBuilder
+    from symscrew.description.builder import MechanismBuilder
 
     builder = MechanismBuilder("shifted")
     for k in range(3):
@@ -68,7 +69,7 @@ def forces(found: Model, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndar
 @pytest.mark.parametrize("name", ["ur5", "panda", "with_references"])
 def test_the_forces_are_those_of_mujoco(name):
     found = found_model(name)
-    compiled = mujoco.MjModel.from_xml_string(interchange.dumps(found.mechanism, ".urdf"))
+    compiled = mujoco.MjModel.from_xml_string(by_suffix.text_of(found.mechanism, ".urdf"))
     data = mujoco.MjData(compiled)
     q, v, a = found.system.sample_states
     labels = [mujoco.mj_id2name(compiled, mujoco.mjtObj.mjOBJ_JOINT, k) for k in range(compiled.njnt)]
@@ -87,7 +88,7 @@ def test_the_forces_are_those_of_pinocchio(name):
     """Chains over links without inertia too, which Pinocchio takes as they are."""
     pinocchio = pytest.importorskip("pinocchio", reason="needs Pinocchio: pip install pin")
     found = found_model(name)
-    built = pinocchio.buildModelFromXML(interchange.dumps(found.mechanism, ".urdf"))
+    built = pinocchio.buildModelFromXML(by_suffix.text_of(found.mechanism, ".urdf"))
     data = built.createData()
     q, v, a = found.system.sample_states
     got = np.empty_like(v)
@@ -111,7 +112,7 @@ def test_the_forces_are_those_of_pinocchio(name):
 def test_round_trip(name, tmp_path):
     """The same functions of the same coordinates, drives and joints of several freedoms included."""
     found = found_model(name)
-    again = derive(load(interchange.dumps(found.mechanism, ".urdf"), tmp_path))
+    again = derive(load(by_suffix.text_of(found.mechanism, ".urdf"), tmp_path))
     labels = [c.label for c in found.system.tree.q]
     other = [c.label.replace("back_", "back.") for c in again.system.tree.q]
     assert sorted(labels) == sorted(other)
@@ -129,7 +130,7 @@ def test_a_spherical_joint_becomes_three_turns(tmp_path):
     """The same kinetic energy for the same turning of the body."""
     matrix = [[0.3, 0.01, -0.02], [0.01, 0.4, 0.03], [-0.02, 0.03, 0.5]]
     given = mechanism("ball", [body("tip", 2, (0.1, 0.2, 0.3), matrix)], [joint("s", "S", "ground", "tip", (0, 0, 1))])
-    again = load(interchange.dumps(given, ".urdf"), tmp_path)
+    again = load(by_suffix.text_of(given, ".urdf"), tmp_path)
     assert [j.type for j in again.joints.values()] == ["R", "R", "R"]
     found, chained = derive(given), derive(again)
     angles, rates = np.random.default_rng(3).uniform(-1, 1, (2, 4, 3))

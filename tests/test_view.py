@@ -15,15 +15,17 @@ import numpy as np
 import pytest
 from model_states import model
 
-from symscrew import catalogue, description
-from symscrew.cli import main
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.display.view.motion_file import read_motion
+from symscrew.display.view.page import make_page
+from symscrew.display.view.page_data import MAX_FRAMES, scene
 from symscrew.errors import DescriptionError
 from symscrew.export.javascript import print_javascript
 from symscrew.export.listing import live_instructions
 from symscrew.model import derive
-from symscrew.program import Iteration
-from symscrew.view import make_page, read_motion
-from symscrew.view.scene import MAX_FRAMES, scene
+from symscrew.program.straight_line import Iteration
 
 Array = np.ndarray
 NAMES = ("three_ups_upu_s", "four_bar", "sarrus", "ur5")
@@ -112,7 +114,8 @@ def test_which_margins_are_squared_is_read_from_the_functions() -> None:
 
 def test_hostile_texts_stay_texts() -> None:
     harmless, hostile = (
-        make_page(derive(description.loads(PENDULUM.format(text=json.dumps(text))))) for text in ("a rod", HOSTILE)
+        make_page(derive(toml_file.parse_description(PENDULUM.format(text=json.dumps(text)))))
+        for text in ("a rod", HOSTILE)
     )
     assert _tags(hostile) == _tags(harmless)
     assert hostile.count("</script") == harmless.count("</script") and "<!-- <script>" not in hostile
@@ -244,7 +247,7 @@ def test_javascript_has_every_function_and_instruction() -> None:
 
 
 def test_a_word_of_javascript_is_no_constant() -> None:
-    made = derive(description.loads(PENDULUM.format(text='"a rod"')))
+    made = derive(toml_file.parse_description(PENDULUM.format(text='"a rod"')))
     assert "const window_ = (" in print_javascript(made)["window.js"]
 
 

@@ -14,7 +14,8 @@ import pytest
 from model_states import model
 from test_view import recorded
 
-from symscrew.view import read_motion, write_page
+from symscrew.display.view.motion_file import read_motion
+from symscrew.display.view.page import write_page
 
 selenium = pytest.importorskip("selenium", reason='needs selenium: pip install ".[browser]"')
 from PIL import Image  # noqa: E402

@@ -15,15 +15,15 @@ import numpy as np
 import pytest
 
 from symscrew import catalogue
-from symscrew.cli import main
-from symscrew.effects import Gravity
+from symscrew.cli.parser import main
+from symscrew.cli.workspace_command import sweep
+from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
-from symscrew.workspace import engine
-from symscrew.workspace.command import sweep
-from symscrew.workspace.evaluation import evaluate, prepare
-from symscrew.workspace.plan import Axis, Plan, read_axis, read_limit
-from symscrew.workspace.store import Store
-from symscrew.workspace.summary import summary, tilt_reach
+from symscrew.studies.workspace import engine
+from symscrew.studies.workspace.evaluation import evaluate, prepare
+from symscrew.studies.workspace.map_summary import summary, tilt_reach
+from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit
+from symscrew.studies.workspace.store import Store
 
 DEG = math.pi / 180
 
@@ -223,7 +223,7 @@ def test_store_refuses_another_sweep_and_drops_broken_pieces(tmp_path: Path) -> 
 def test_killed_sweep_goes_on(tmp_path: Path) -> None:
     label = prepare(plan_of("four_bar")).labels[0]
     over = f"{label}=-0.5:0.5:60000"
-    command = [sys.executable, "-m", "symscrew.cli", "workspace", "four_bar", "--over", over, "--out", "map.npz"]
+    command = [sys.executable, "-m", "symscrew", "workspace", "four_bar", "--over", over, "--out", "map.npz"]
     process = subprocess.Popen(
         command, cwd=tmp_path, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL, start_new_session=True
     )
@@ -252,7 +252,7 @@ def test_dask_gives_the_same_though_a_worker_is_killed(tmp_path: Path) -> None:
     with distributed.LocalCluster(**settings) as cluster:
         counted: list[int] = []
         kept = Store(tmp_path / "pieces", plan)
-        for number, results in engine.dask(plan, range(plan.chunks), cluster.scheduler_address):
+        for number, results in engine.run_on_dask(plan, range(plan.chunks), cluster.scheduler_address):
             counted.append(number)
             kept.put(number, results)
             if len(counted) == 10:

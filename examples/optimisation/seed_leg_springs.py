@@ -10,10 +10,9 @@ from pathlib import Path
 
 import sympy
 
+from symscrew.description import Parameter
 from symscrew.effects import Gravity, JointSpring
-from symscrew.mechanism import Parameter
-from symscrew.optimisation import Trajectory, TrajectoryProblem, solve
-from symscrew.optimisation.reading import load
+from symscrew.optimisation import Trajectory, TrajectoryProblem, load_problem, solve
 
 HERE = Path(__file__).parent
 LEGS = ("limb1_P", "limb2_P", "limb3_P", "limb4_P")
@@ -21,7 +20,7 @@ LEGS = ("limb1_P", "limb2_P", "limb3_P", "limb4_P")
 
 def problem() -> TrajectoryProblem:
     """The scan with a spring of stiffness k_leg beside every drive, unstretched in the reference pose."""
-    scan = load(HERE / "seed_periodic_scan.toml")
+    scan = load_problem(HERE / "seed_periodic_scan.toml")
     stiffness = Parameter("k_leg", sympy.Integer(100), "N/m", "stiffness of a leg's spring", run_time=True)
     mechanism = replace(scan.mechanism, parameters={**scan.mechanism.parameters, "k_leg": stiffness})
     springs = tuple(JointSpring(leg, stiffness="k_leg", rest="0.3") for leg in LEGS)

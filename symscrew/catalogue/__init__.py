@@ -1,54 +1,5 @@
-"""The mechanisms that come with the package, each a TOML file beside this module."""
+"""The mechanisms that come with the package, each a TOML file in this folder."""
 
-from __future__ import annotations
+from symscrew.catalogue.by_name import find, load, names
 
-from collections.abc import Sequence
-from pathlib import Path
-
-from symscrew import description, interchange
-from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.mechanism import Mechanism
-
-_FOLDER = Path(__file__).parent
-
-
-def names() -> tuple[str, ...]:
-    """Names of the catalogue's mechanisms, sorted."""
-    return tuple(sorted(file.stem for file in _FOLDER.glob("*.toml")))
-
-
-def load(name: str) -> Mechanism:
-    """The catalogue's mechanism `name`; raises DescriptionError with the nearest names.
-
-    >>> load("four_bar").ground
-    'base'
-    """
-    if name not in names():
-        raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
-    return description.load(_FOLDER / f"{name}.toml")
-
-
-def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
-    """A mechanism by its name in the catalogue or by the path of a .toml, .urdf, .xml or .mjcf file.
-
-    `run_time`: parameters that become run-time inputs, whatever the description says.
-
-    Raises:
-        DescriptionError: neither, or the file does not describe a mechanism.
-    """
-    text = str(name_or_path)
-    if text in names():
-        return description.load(_FOLDER / f"{text}.toml", run_time=run_time)
-    path = Path(text)
-    if "\0" not in text and (path.suffix in (".toml", *interchange.READ) or path.is_file()):
-        if not path.is_file():
-            raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a description of a mechanism")
-        if path.suffix in interchange.READ:
-            if run_time:
-                raise DescriptionError(f"{shorten(text, 200)} has no parameters; convert it to .toml and add them")
-            return interchange.load(path)
-        return description.load(path, run_time=run_time)
-    raise DescriptionError(
-        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
-        f"{did_you_mean(text, names())}"
-    )
+__all__ = ["find", "load", "names"]

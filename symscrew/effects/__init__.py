@@ -9,18 +9,39 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Contact, Effect, State, transformed
+from symscrew.effects.effect import Effect, transformed
+from symscrew.effects.records import Contact, State
+from symscrew.effects.registry import (
+    check_effects,
+    effect_from_table,
+    effect_to_table,
+    known_effects,
+    load_effects,
+    type_name,
+)
 
 if TYPE_CHECKING:
     from symscrew.effects.external_wrench import ExternalWrench
     from symscrew.effects.gravity import Gravity
 
-__all__ = ["Acting", "Contact", "Effect", "ExternalWrench", "Gravity", "State", "transformed"]
+__all__ = [
+    "Acting",
+    "Contact",
+    "Effect",
+    "ExternalWrench",
+    "Gravity",
+    "State",
+    "check_effects",
+    "effect_from_table",
+    "effect_to_table",
+    "known_effects",
+    "load_effects",
+    "transformed",
+    "type_name",
+]
 
 
 def __getattr__(name: str) -> Any:
-    from symscrew.effects.registry import known_effects
-
     found = {kind.__name__: kind for kind in known_effects().values()}
     if name in found:
         return found[name]

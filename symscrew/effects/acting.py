@@ -8,23 +8,40 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Protocol
 
-from symscrew.closure import carry, drive_row, on_hub
-from symscrew.effects.effect import Contact, Effect, State, Transmission
+from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, scale, subtract
+from symscrew.description import Point
 from symscrew.effects.parts import Parts
+from symscrew.effects.records import State, Transmission
 from symscrew.errors import DescriptionError
-from symscrew.mechanism import Point
+from symscrew.kinematics import (
+    GROUND,
+    Inertia,
+    Rates,
+    System,
+    acceleration_matrix,
+    carry,
+    drive_row,
+    inertial_wrench,
+    on_hub,
+    rates,
+    regrouped,
+)
 from symscrew.program import Port
-from symscrew.recursion import Inertia, Rates, acceleration_matrix, inertial_wrench, rates, regrouped
-from symscrew.screws import ZERO, Matrix, Vector, add, cross, dot, scale, subtract
-from symscrew.system import System
-from symscrew.tape import Node
-from symscrew.tree import GROUND
 
 Loads = dict[int, tuple[Vector, Vector]]
 Reactions = Mapping[str, tuple[Vector, Vector]]
 
-__all__ = ["Acting", "Contact", "Effect", "State", "Transmission"]
+
+class Acts(Protocol):
+    """What puts something on a system: an `Effect`."""
+
+    def prepare(self, acting: Acting) -> None:
+        """Before anything acts."""
+
+    def act(self, acting: Acting) -> None:
+        """Add what it contributes."""
 
 
 class Acting(Parts):
@@ -34,7 +51,7 @@ class Acting(Parts):
     effects do nothing, and `needs_reactions` tells.
     """
 
-    def __init__(self, system: System, effects: Sequence[Effect], reactions: Reactions | None = None) -> None:
+    def __init__(self, system: System, effects: Sequence[Acts], reactions: Reactions | None = None) -> None:
         super().__init__(system)
         tape = system.tape
         self.ground = Rates(ZERO, ZERO, ZERO, ((0, 0, 0),) * 3)

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 
 import sympy
 
+from symscrew.algebra import Node, Vector, add, cross
 from symscrew.effects.acting import Acting, power_of_wrench
 from symscrew.effects.effect import Effect, Number
 from symscrew.effects.parts import TIME
 from symscrew.errors import DescriptionError
+from symscrew.kinematics import inertial_wrench, quaternion_matrix, rates
 from symscrew.program import Port
-from symscrew.recursion import inertial_wrench, quaternion_matrix, rates
-from symscrew.screws import Vector, add, cross
-from symscrew.tape import Node
 
 AXES = ("wx", "wy", "wz", "vx", "vy", "vz")
 POSE = ("x", "y", "z", "roll", "pitch", "yaw")

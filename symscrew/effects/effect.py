@@ -1,19 +1,16 @@
-"""What an effect is, and the small records that effects hand on: states, contacts, transmissions."""
+"""What an effect is: a frozen dataclass that says what it puts on a system, or leaves out of it."""
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
-from symscrew.mechanism import Mechanism
-from symscrew.tape import Node
-
-if TYPE_CHECKING:
-    from symscrew.effects.acting import Acting
+from symscrew.description import Mechanism
+from symscrew.effects.acting import Acting
+from symscrew.effects.records import Contact
 
 Number = str | int | float | Decimal | Fraction  # texts are expressions of the mechanism's parameters
 ALWAYS = {"always": True}  # metadata of a field that is shown even at its default
@@ -67,53 +64,6 @@ def _storable(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return tuple(_storable(v) for v in value)
     return str(value) if isinstance(value, Decimal | Fraction) else value
-
-
-@dataclass(frozen=True)
-class State:
-    """A state of an effect: name, unit, value at the start, and its symbol."""
-
-    name: str
-    unit: str
-    initial: float
-    node: Node
-
-
-@dataclass(frozen=True)
-class Contact:
-    """A force with events: the input port that carries it, and the law that it must obey.
-
-    `kind` "friction": |force| <= static + load |f| at rate 0 (coulomb where static is None), with the size |f| of the
-    joint's reaction force; force = -L sign(rate) otherwise, L = coulomb + load |f|, and where there is a static
-    level (static - coulomb) / (1 + (rate/stribeck_velocity)^2) more.
-    `kind` "stop": lower <= displacement <= upper, force only inwards, rate reversed by -restitution on impact.
-    Values are numbers or texts with expressions of the mechanism's parameters, as in the scene.
-    """
-
-    kind: str
-    port: str
-    joint: str
-    freedom: int
-    coulomb: Any = 0
-    static: Any = None
-    load: Any = 0
-    stribeck_velocity: Any = None
-    lower: Any = None
-    upper: Any = None
-    restitution: Any = 0
-
-
-@dataclass(frozen=True)
-class Transmission:
-    """What stands between an entry of u and the force on its joint: both directions, and the unit of u.
-
-    `rate` is the motor's rate, so that command * rate is the motor's power.
-    """
-
-    force: Callable[[Node], Node]
-    command: Callable[[Node], Node]
-    unit: str
-    rate: Node
 
 
 def transformed(mechanism: Mechanism, effects: tuple[Effect, ...]) -> Mechanism:

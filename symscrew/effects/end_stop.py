@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Contact, Effect, Number
+from symscrew.effects.effect import Effect, Number
+from symscrew.effects.records import Contact
 from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
-from symscrew.tape import Node
 
 EXPONENTS = (1, 1.5, 2)
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symscrew.algebra import Vector, dot
 from symscrew.effects.acting import Acting, body_spin, point_velocity
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError, shorten
+from symscrew.kinematics import GROUND
 from symscrew.program import Port
-from symscrew.screws import Vector, dot
-from symscrew.tree import GROUND
 
 UNITS = ("N",) * 3 + ("N m",) * 3
 LABELS = ("fx", "fy", "fz", "mx", "my", "mz")

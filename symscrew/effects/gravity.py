@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 import sympy
 
+from symscrew.algebra import ZERO, Vector, add, cross, dot, scale, transform, transpose
+from symscrew.description import exact, numeric
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import ALWAYS, Effect, Number
 from symscrew.errors import DescriptionError, shorten
-from symscrew.expressions import exact, numeric
+from symscrew.kinematics import System
 from symscrew.program import Port
-from symscrew.screws import ZERO, Vector, add, cross, dot, scale, transform, transpose
-from symscrew.system import System
 
 
 @dataclass(frozen=True, repr=False)

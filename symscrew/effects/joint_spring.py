@@ -6,12 +6,11 @@ from dataclasses import dataclass
 
 import sympy
 
+from symscrew.algebra import Node
+from symscrew.description import JOINT_TYPES, parse
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError
-from symscrew.expressions import parse
-from symscrew.joints import JOINT_TYPES
-from symscrew.tape import Node
 
 DEFLECTION = sympy.Symbol("x", real=True)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from symscrew.description import Body, Mechanism
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.mechanism import Body, Mechanism
 
 
 @dataclass(frozen=True, repr=False)

@@ -10,18 +10,10 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symscrew.closure import closure_rate, drive_row
-from symscrew.displacements import cut_displacement, tree_displacement
+from symscrew.algebra import Node, dot, expression_node
+from symscrew.description import JOINT_TYPES, Joint, Point, Reader, check_name, exact, numeric
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.expressions import exact, numeric
-from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Joint, Point
-from symscrew.names import check_name
-from symscrew.reader import Reader
-from symscrew.screws import dot
-from symscrew.system import System
-from symscrew.tape import Node
-from symscrew.tape_expressions import expression_node
+from symscrew.kinematics import System, closure_rate, cut_displacement, drive_row, tree_displacement
 
 TIME = sympy.Symbol("t", real=True)
 

@@ -7,11 +7,9 @@ from typing import ClassVar
 
 import sympy
 
+from symscrew.description import Body, Matrix3, Mechanism, Reader, Vector, validate
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.mechanism import Body, Matrix3, Mechanism, Vector
-from symscrew.reader import Reader
-from symscrew.validation import validate
 
 
 @dataclass(frozen=True, repr=False)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symscrew.algebra import dot, scale
 from symscrew.effects.acting import Acting, between
 from symscrew.effects.effect import Effect, Number
 from symscrew.effects.joint_spring import spring_law
 from symscrew.errors import DescriptionError
-from symscrew.screws import dot, scale
 
 
 @dataclass(frozen=True, repr=False)

@@ -19,19 +19,17 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import symscrew.effects
-from symscrew.description import read_tables, read_text
-from symscrew.effects.effect import Effect
+from symscrew.description import Mechanism, read_tables, read_text
+from symscrew.effects.effect import Effect, transformed
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.mechanism import Mechanism
 
-HELPERS = ("acting", "effect", "parts", "registry")
+HELPERS = ("acting", "effect", "parts", "records", "registry")
 
 
 @cache
 def known_effects() -> dict[str, type[Effect]]:
     """Type name (the name of the file) to class, in alphabetical order."""
-    names = sorted(m.name for m in pkgutil.iter_modules(symscrew.effects.__path__) if m.name not in HELPERS)
+    names = sorted(m.name for m in pkgutil.iter_modules([str(Path(__file__).parent)]) if m.name not in HELPERS)
     return {name: getattr(import_module(f"symscrew.effects.{name}"), class_name(name)) for name in names}
 
 
@@ -151,8 +149,7 @@ def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:
         DescriptionError: names the effect, what was expected, what came, and the cure.
     """
     from symscrew.effects.acting import Acting
-    from symscrew.effects.effect import transformed
-    from symscrew.system import System
+    from symscrew.kinematics import System
 
     every = tuple(effects)
     Acting(System(mechanism, transformed(mechanism, every)), every)

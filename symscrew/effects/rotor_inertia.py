@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symscrew.description import JOINT_TYPES
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError
-from symscrew.joints import JOINT_TYPES
 
 
 @dataclass(frozen=True, repr=False)

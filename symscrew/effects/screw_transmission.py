@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Effect, Number, Transmission
+from symscrew.effects.effect import Effect, Number
+from symscrew.effects.records import Transmission
 from symscrew.errors import DescriptionError
-from symscrew.tape import Node
 
 
 @dataclass(frozen=True, repr=False)

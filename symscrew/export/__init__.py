@@ -3,3 +3,68 @@
 `symscrew.export.listing` walks a program; `c`, `casadi`, `numpy` and `latex` say how an operation looks.
 Nothing here writes files: `symscrew.generation` does.
 """
+
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.export.c import print_c
+    from symscrew.export.c_precision import DOUBLE, PRECISIONS, SINGLE, Precision
+    from symscrew.export.c_single import rounded, single_errors
+    from symscrew.export.casadi import TABLE, casadi_functions, program_function
+    from symscrew.export.casadi_external import jacobians_model, print_external
+    from symscrew.export.cpp import print_cpp
+    from symscrew.export.example import SPILLS, print_cmake, print_example
+    from symscrew.export.javascript import print_javascript, print_script
+    from symscrew.export.listing import banner, decimal, live_instructions, packed, plain
+    from symscrew.export.manifest_file import (
+        OutputError,
+        effect_from_json,
+        manifest,
+        model_hash,
+        read_json,
+        read_manifest,
+        read_port,
+    )
+    from symscrew.export.markdown import print_markdown
+    from symscrew.export.numpy import print_numpy
+    from symscrew.export.readme import print_readme
+
+__all__ = [
+    "DOUBLE",
+    "PRECISIONS",
+    "SINGLE",
+    "SPILLS",
+    "TABLE",
+    "OutputError",
+    "Precision",
+    "banner",
+    "casadi_functions",
+    "decimal",
+    "effect_from_json",
+    "jacobians_model",
+    "live_instructions",
+    "manifest",
+    "model_hash",
+    "packed",
+    "plain",
+    "print_c",
+    "print_cmake",
+    "print_cpp",
+    "print_example",
+    "print_external",
+    "print_javascript",
+    "print_markdown",
+    "print_numpy",
+    "print_readme",
+    "print_script",
+    "program_function",
+    "read_json",
+    "read_manifest",
+    "read_port",
+    "rounded",
+    "single_errors",
+]
+
+__getattr__ = doors(__name__)

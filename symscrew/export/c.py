@@ -20,8 +20,7 @@ from symscrew.export.c_rank_revealing import routines, second_path
 from symscrew.export.c_single import error_lines, single_errors
 from symscrew.export.listing import banner, check_names, function_lines, wrapped
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Program
-from symscrew.rank_revealing import RankRevealing
+from symscrew.program import STATUS, Iteration, Program, RankRevealing
 
 __all__ = ["STATUS_MACROS", "TABLE", "argument_names", "print_c", "print_header", "print_source", "straight_line"]
 

@@ -18,8 +18,7 @@ from symscrew.export.c_angles import Angles, calls, gather
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
-from symscrew.packs import Packing, packed
-from symscrew.program import Instruction, Iteration, Port, Program
+from symscrew.program import Instruction, Iteration, Packing, Port, Program, packed
 
 NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
 NAMES_OF_MATH += " sinf cosf tanf sqrtf expf atan2f fabsf"

@@ -1,6 +1,6 @@
 """Equal limbs in vector lanes: the packed form of a function of one state, in C with vector types.
 
-`<symbol>_packed_lane` computes what `<symbol>_lane` computes of one state, with packs (see `symscrew.packs`) as
+`<symbol>_packed_lane` computes what `<symbol>_lane` computes of one state, with packs (see `symscrew.program.lanes`) as
 vectors of GCC and clang. It stands behind the condition of `condition`; elsewhere, and if `<MODEL>_SCALAR` or
 `<MODEL>_LIMB_BY_LIMB` is defined, `<symbol>_limb_by_limb` does the same one by one. So it does for a state that fails:
 what is checked is one sum here, NaN at a small pivot, and which status that is, is found out there. No vector type
@@ -16,8 +16,7 @@ from symscrew.export import c_unread
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum
-from symscrew.packs import Pack, Packing, Vector
-from symscrew.program import Instruction
+from symscrew.program import Instruction, Pack, Packing, Vector
 
 SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 

@@ -9,9 +9,9 @@ A union, so that the names and the array `p` of the functions are the same numbe
 
 from __future__ import annotations
 
+from symscrew.description import members
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import plain, wrapped
-from symscrew.library_names import members
 from symscrew.model import Model
 
 

@@ -1,4 +1,4 @@
-"""C of the second, rank-revealing path of forward dynamics: see `symscrew.rank_revealing`.
+"""C of the second, rank-revealing path of forward dynamics: see `symscrew.program.rank_revealing`.
 
 One routine per model works on arrays whose sizes are known when it is called, from the caller's stack: no
 allocation, bounded loops.
@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from symscrew.export.c_precision import Precision
-from symscrew.program import Program
-from symscrew.rank_revealing import RANK, RankRevealing
+from symscrew.program import RANK, Program, RankRevealing
 
 Define = Callable[[str, Program], list[str]]
 

@@ -11,10 +11,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from symscrew.algebra import apply_numpy
 from symscrew.export.c_precision import SINGLE
 from symscrew.export.listing import wrapped
 from symscrew.model import Model, inputs_at
-from symscrew.operations import apply_numpy
 from symscrew.program import Iteration, Program, evaluate
 
 STATES, SEED = 256, 32

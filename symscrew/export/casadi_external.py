@@ -18,9 +18,8 @@ from dataclasses import replace
 
 from symscrew.export.c import print_c
 from symscrew.export.listing import banner
-from symscrew.jacobians import Jacobian, jacobian
 from symscrew.model import Model
-from symscrew.program import Iteration, Port, Program
+from symscrew.program import Iteration, Jacobian, Port, Program, jacobian
 
 DIFFERENTIATED = (
     "forward_kinematics", "point_motion", "closure", "velocity", "acceleration", "assemble", "energy",

@@ -8,10 +8,10 @@ No dependency, no allocation, no exceptions. A second form of every function wri
 
 from __future__ import annotations
 
+from symscrew.description import namespace
 from symscrew.export.c import STATUS_MACROS, argument_names
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, check_names, plain
-from symscrew.library_names import namespace
 from symscrew.model import Model
 from symscrew.program import STATUS, Iteration, Program
 

@@ -25,8 +25,7 @@ from symscrew.export.listing import (
     wrapped,
 )
 from symscrew.model import Model
-from symscrew.program import Iteration, Program
-from symscrew.rank_revealing import RankRevealing
+from symscrew.program import Iteration, Program, RankRevealing
 
 TABLE = {
     "add": "{0} + {1}",

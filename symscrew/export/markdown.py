@@ -2,7 +2,7 @@
 
 Screws are at O in absolute axes, as columns (omega ; v) or (f ; m), and all parameters are symbols. A formula
 comes in collected form, with its intermediate results z below it; one with more than `READABLE` operations is
-named with its size instead, and `symscrew.quantities` prints it.
+named with its size instead, and `symscrew.functions.quantities` prints it.
 """
 
 from __future__ import annotations
@@ -11,13 +11,11 @@ from collections.abc import Iterator, Sequence
 
 import sympy
 
+from symscrew.description import JOINT_TYPES, Mechanism, Vector, to_text
 from symscrew.export.latex import markdown, matrix_latex
 from symscrew.export.listing import banner, plain
-from symscrew.expressions import to_text
-from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Mechanism, Vector
+from symscrew.functions import Quantities, Quantity
 from symscrew.model import Model
-from symscrew.quantities import Quantities, Quantity
 
 READABLE = 120
 LONGEST = 400

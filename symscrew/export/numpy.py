@@ -23,8 +23,7 @@ from symscrew.export.listing import (
     wrapped,
 )
 from symscrew.model import Model
-from symscrew.program import Iteration, Program
-from symscrew.rank_revealing import RANK, RankRevealing, second_path
+from symscrew.program import RANK, Iteration, Program, RankRevealing, second_path
 
 TABLE = {
     "add": "{0} + {1}",

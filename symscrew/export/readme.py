@@ -7,9 +7,9 @@ from functools import partial
 
 import numpy as np
 
+from symscrew.description import members, namespace
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain
-from symscrew.library_names import members, namespace
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 

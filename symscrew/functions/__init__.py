@@ -1,1 +1,86 @@
-"""The functions of a model, by subject: each module turns a `System` into `Function`s."""
+"""The functions of a model, by subject: each module turns a `System` into `Function`s with named ports."""
+
+from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, moved_by
+from symscrew.functions.derivative import derivative_functions
+from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
+from symscrew.functions.effect_outputs import effect_functions
+from symscrew.functions.forward import (
+    MASSLESS_NOTE,
+    closing_functions,
+    driven,
+    fewest_in_mode,
+    fewest_operations,
+    forward_functions,
+    moves_mass,
+    second_paths,
+)
+from symscrew.functions.identifiable import base_parameters, inertial_parameters
+from symscrew.functions.kinematic import (
+    Motion,
+    acceleration_at,
+    joint_freedom_labels,
+    kinematic_functions,
+    moving_bodies,
+)
+from symscrew.functions.margin import margin_functions
+from symscrew.functions.momenta import mass_properties, momentum_functions
+from symscrew.functions.platform import platform_functions
+from symscrew.functions.ports import (
+    TWIST_LABELS,
+    TWIST_UNITS,
+    WRENCH_LABELS,
+    WRENCH_UNITS,
+    a_port,
+    columns_port,
+    function,
+    q_port,
+    u_port,
+    v_port,
+)
+from symscrew.functions.quantities import Quantities, Quantity
+from symscrew.functions.regressor import regressor_functions
+
+__all__ = [
+    "MASSLESS_NOTE",
+    "NO_DRIVE",
+    "THRESHOLD",
+    "TWIST_LABELS",
+    "TWIST_UNITS",
+    "WRENCH_LABELS",
+    "WRENCH_UNITS",
+    "Equations",
+    "Motion",
+    "Quantities",
+    "Quantity",
+    "a_port",
+    "acceleration_at",
+    "all_reactions",
+    "assembly",
+    "base_parameters",
+    "closing_functions",
+    "closure_functions",
+    "columns_port",
+    "derivative_functions",
+    "driven",
+    "dynamic_functions",
+    "effect_functions",
+    "fewest_in_mode",
+    "fewest_operations",
+    "forward_functions",
+    "function",
+    "inertial_parameters",
+    "joint_freedom_labels",
+    "kinematic_functions",
+    "margin_functions",
+    "mass_properties",
+    "momentum_functions",
+    "moved_by",
+    "moves_mass",
+    "moving_bodies",
+    "platform_functions",
+    "q_port",
+    "regressor_functions",
+    "second_paths",
+    "u_port",
+    "v_port",
+]

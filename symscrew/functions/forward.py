@@ -5,28 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.admissible import Admissible
+from symscrew.algebra import ZERO, Guard, Node, scale
+from symscrew.dynamics import ONE, Admissible, at_origin, generalised_forces, joint_wrenches, mass_matrix
 from symscrew.effects import Acting, Effect
-from symscrew.elimination import Guard
-from symscrew.equilibrium import ONE
-from symscrew.functions.closure import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
-from symscrew.functions.dynamics import Equations, Loads, all_reactions, in_order, reactions_port
+from symscrew.functions.closing import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
+from symscrew.functions.dynamic import Equations, Loads, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
-from symscrew.loops import SMALL, Loops
-from symscrew.modes import Mode
-from symscrew.program import Function, Iteration, Port, Program, lower
-from symscrew.rank_revealing import SWITCH, RankRevealing
-from symscrew.reactions import at_origin, joint_wrenches
-from symscrew.rod_rows import has_rod_rows
-from symscrew.screws import ZERO, scale
-from symscrew.system import System
-from symscrew.tape import Node
-from symscrew.tree_dynamics import generalised_forces, mass_matrix
+from symscrew.kinematics import System
+from symscrew.loops import SMALL, Loops, Mode, has_rod_rows
+from symscrew.program import SWITCH, Function, Iteration, Port, Program, RankRevealing, lower
 
 
 @dataclass(frozen=True)
 class SecondPath:
-    """The functions and unit scales of a rank-revealing path: see `symscrew.rank_revealing.RankRevealing`."""
+    """The functions and unit scales of a rank-revealing path: see `symscrew.program.rank_revealing.RankRevealing`."""
 
     dense: Function
     wrenches: Function | None

@@ -5,21 +5,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.closure import closure_rate
-from symscrew.crank_limbs import CrankLimb
-from symscrew.crank_rates import LengthRow, length_rows
-from symscrew.differentiation import needed
+from symscrew.algebra import Elimination, Node, divides, eliminate, needed
 from symscrew.effects import Effect
-from symscrew.elimination import Elimination, divides, eliminate
-from symscrew.functions.closure import guarded
-from symscrew.functions.dynamics import Equations
+from symscrew.functions.closing import guarded
+from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.limb_solutions import closed_limbs, hub_links, limb_coordinates, reference_nodes
-from symscrew.loops import Loops
-from symscrew.planar_limbs import Turn
+from symscrew.kinematics import System, closure_rate
+from symscrew.loops import (
+    CrankLimb,
+    LengthRow,
+    Loops,
+    Turn,
+    closed_limbs,
+    hub_links,
+    length_rows,
+    limb_coordinates,
+    reference_nodes,
+)
 from symscrew.program import Function, Port, roots_of
-from symscrew.system import System
-from symscrew.tape import Node
 
 
 def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.joints import JOINT_TYPES
+from symscrew.algebra import Node
+from symscrew.description import JOINT_TYPES, Joint
+from symscrew.kinematics import System
 from symscrew.loops import Loops
-from symscrew.mechanism import Joint
 from symscrew.program import Function, Port
-from symscrew.system import System
-from symscrew.tape import Node
 
 TWIST_UNITS = ("rad/s",) * 3 + ("m/s",) * 3
 TWIST_LABELS = ("wx", "wy", "wz", "vx", "vy", "vz")

@@ -17,23 +17,30 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from symscrew.admissible import Admissible
-from symscrew.differentiation import differentiate
-from symscrew.drives import solve_symmetric
+from symscrew.algebra import (
+    IDENTITY,
+    ZERO,
+    Guard,
+    Node,
+    Vector,
+    add,
+    cross,
+    differentiate,
+    dot,
+    magnitude,
+    scale,
+    transform,
+)
+from symscrew.dynamics import Admissible, solve_symmetric
 from symscrew.effects import Acting, Effect
-from symscrew.elimination import Guard, magnitude
-from symscrew.functions.closure import guarded
-from symscrew.functions.derivatives import null_space
+from symscrew.functions.closing import guarded
+from symscrew.functions.derivative import null_space
 from symscrew.functions.forward import driven
-from symscrew.functions.kinematics import moving_bodies
+from symscrew.functions.kinematic import moving_bodies
 from symscrew.functions.ports import a_port, drive_label, function, q_port, u_port, v_port, y_port
+from symscrew.kinematics import GROUND, Link, Rates, System, acceleration_matrix
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
-from symscrew.recursion import Rates, acceleration_matrix
-from symscrew.screws import IDENTITY, ZERO, Vector, add, cross, dot, scale, transform
-from symscrew.system import System
-from symscrew.tape import Node
-from symscrew.tree import GROUND, Link
 
 PARAMETERS = ("m", "mcx", "mcy", "mcz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz")
 UNITS = ("kg", *("kg m",) * 3, *("kg m^2",) * 6)

@@ -10,13 +10,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from symscrew.mechanism import Mechanism
-from symscrew.mobility.checks import Check, verify
+from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.decisions import Decisions, decide, nearly_parallel
 from symscrew.mobility.finite import FiniteMobility, finite_mobility
 from symscrew.mobility.generators import NotPolynomialError
-from symscrew.mobility.instantaneous import (
+from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
     LimbMobility,
@@ -25,15 +23,16 @@ from symscrew.mobility.instantaneous import (
     limb_constraints,
     limb_mobility,
     moved_body,
-)  # fmt: skip
+)
+from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.limb_poses import LimbPose, limb_pose
-from symscrew.mobility.network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
+from symscrew.mobility.rank_evidence import Decisions, decide, nearly_parallel
 from symscrew.mobility.screw_systems import ScrewSystem
+from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import Singularities, singularities
-from symscrew.mobility.symbolic import Locus, SymbolicMobility, symbolic_mobility, symbolic_screws
 from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
-from symscrew.mobility.words import describe_twist, describe_wrench
+from symscrew.mobility.symbolic_screws import Locus, SymbolicMobility, symbolic_mobility, symbolic_screws
 
 
 @dataclass(frozen=True)
@@ -151,10 +150,6 @@ class Mobility:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
         return (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
-
-    def verify(self) -> tuple[Check, ...]:
-        """Every claim checked again by another route; see `symscrew.mobility.checks`."""
-        return verify(self)
 
     def report(self) -> str:
         """The result in words, one line a fact."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.mobility.local import SEED, Local, coarse_rank, flatten, local_at, local_refined, vanishes
+from symscrew.mobility.local_solutions import SEED, Local, coarse_rank, flatten, local_at, local_refined, vanishes
 from symscrew.mobility.quadric_cone import cone_directions
 from symscrew.mobility.reduced import ReducedClosure, Values, is_zero
 from symscrew.mobility.variety import Array, ClosureVariety

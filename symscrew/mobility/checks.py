@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import sympy
 
+from symscrew.algebra import CONTEXT
+from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.configuration import moved
-from symscrew.mobility.network import network_of
+from symscrew.mobility.joint_network import network_of
 from symscrew.mobility.screw_systems import ZERO_BELOW, eliminate
-from symscrew.mobility.symbolic import numbers_at
+from symscrew.mobility.symbolic_screws import numbers_at
 from symscrew.mobility.variety import DIGITS_60, ClosureVariety
 from symscrew.mobility.witnesses import recheck
-from symscrew.operations import CONTEXT
-
-if TYPE_CHECKING:
-    from symscrew.mobility.analysis import Mobility
 
 
 @dataclass(frozen=True)

@@ -12,16 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.algebra import CONTEXT, IDENTITY, high_precision, revolute
+from symscrew.description import Mechanism, exact, numeric, validate
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.expressions import exact, numeric
-from symscrew.mechanism import Mechanism
-from symscrew.mobility.local import CLOSED
-from symscrew.mobility.network import Edge, Network
+from symscrew.mobility.joint_network import Edge, Network
+from symscrew.mobility.local_solutions import CLOSED
 from symscrew.mobility.variety import DIGITS_60, Array, ClosureVariety
-from symscrew.operations import CONTEXT
-from symscrew.screws import IDENTITY, revolute
-from symscrew.tape import high_precision
-from symscrew.validation import validate
 
 STEPS = 24
 SNAPPED = 1e-12  # joints that the walk leaves this close to their reference stay exactly there, if the loops close

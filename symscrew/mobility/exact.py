@@ -13,11 +13,10 @@ from fractions import Fraction
 
 import sympy
 
-from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Joint, Mechanism
-from symscrew.mobility.field import Exact, Field, NotDecidableError, Number, inverse
-from symscrew.mobility.network import Network
-from symscrew.screws import IDENTITY, cross, dot, scale, subtract
+from symscrew.algebra import IDENTITY, cross, dot, scale, subtract
+from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.mobility.exact_field import Exact, Field, NotDecidableError, Number, inverse
+from symscrew.mobility.joint_network import Network
 
 MOST_WORK = 200_000
 LONGEST = 6000

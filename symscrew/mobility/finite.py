@@ -21,9 +21,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.mobility.blocks import blocks_of
 from symscrew.mobility.branches import UndecidedError, find_branches
-from symscrew.mobility.local import (
+from symscrew.mobility.independent_parts import blocks_of
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.local_solutions import (  # fmt: skip
     Local,
     definite_stress,
     flatten,
@@ -31,10 +32,9 @@ from symscrew.mobility.local import (
     proved_definite,
     quadratic_forms,
     vanishes,
-)  # fmt: skip
-from symscrew.mobility.network import Network
+)
+from symscrew.mobility.passive_spins import without_spins
 from symscrew.mobility.screw_systems import null_space
-from symscrew.mobility.spins import without_spins
 from symscrew.mobility.tangent_cone import continued
 from symscrew.mobility.variety import DIGITS_60, ClosureVariety
 from symscrew.mobility.witnesses import Witness

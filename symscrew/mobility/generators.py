@@ -18,10 +18,9 @@ import sympy
 from sympy import QQ
 from sympy.polys.rings import PolyRing
 
-from symscrew.mechanism import Mechanism
-from symscrew.mobility.field import Field, NotDecidableError, Number
-from symscrew.operations import CONTEXT
-from symscrew.tape import high_precision
+from symscrew.algebra import CONTEXT, high_precision
+from symscrew.description import Mechanism
+from symscrew.mobility.exact_field import Field, NotDecidableError, Number
 
 Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""

@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.mechanism import Mechanism
-from symscrew.mobility.network import Network
-from symscrew.mobility.screw_systems import (
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.screw_systems import (  # fmt: skip
     ScrewSystem,
     combine,
     eliminate,
@@ -23,8 +23,8 @@ from symscrew.mobility.screw_systems import (
     null_space,
     span,
     swapped,
-)  # fmt: skip
-from symscrew.mobility.words import describe_type
+)
+from symscrew.mobility.screw_text import describe_type
 
 
 @dataclass(frozen=True)

@@ -14,13 +14,12 @@ from typing import Any
 
 import sympy
 
-from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Joint, Mechanism, Parameter
+from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
+from symscrew.algebra import product as matrix_product
+from symscrew.description import JOINT_TYPES, Joint, Mechanism, Parameter
 from symscrew.mobility.generators import Generators, NotPolynomialError, Poly
-from symscrew.mobility.symbolic import Locus, SymbolicScrews, Vector, expressions_of
 from symscrew.mobility.symbolic_loops import TooLargeError, null_vectors
-from symscrew.screws import IDENTITY, Matrix, add, cross, transform
-from symscrew.screws import product as matrix_product
+from symscrew.mobility.symbolic_screws import Locus, SymbolicScrews, Vector, expressions_of
 
 LARGEST_SHOWN = 12
 """Terms of a component."""

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.mobility.instantaneous import Instantaneous
-from symscrew.mobility.network import Network
+from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import eliminate, normalised, null_space, swapped
-from symscrew.mobility.words import describe_wrench
+from symscrew.mobility.screw_text import describe_wrench
 
 
 @dataclass(frozen=True)

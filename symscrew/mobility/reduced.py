@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.mobility.local import Local
+from symscrew.mobility.local_solutions import Local
 from symscrew.mobility.variety import Array, ClosureVariety
 
 STEPS = 80

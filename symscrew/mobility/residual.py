@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from symscrew.mobility.network import Edge, Network
-from symscrew.operations import CONTEXT
+from symscrew.algebra import CONTEXT
+from symscrew.mobility.joint_network import Edge, Network
 
 BITS = 256
 ONE = 1 << BITS

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from symscrew.operations import CONTEXT
+from symscrew.algebra import CONTEXT
 
 Row = list
 ZERO_BELOW = CONTEXT.mpf(10) ** -27

@@ -1,6 +1,6 @@
 """Singularities of three kinds at a configuration: the margins' values there, and actuation loci in symbols.
 
-The margins are those that every model has as functions (`symscrew.margins`). The loci hold in the reference
+The margins are those that every model has as functions (`symscrew.mobility.margins`). The loci hold in the reference
 configuration: with drives locked, a limb also gives the wrenches reciprocal to its passive screws alone; where all
 determinants of six wrenches vanish, a freedom is left.
 """
@@ -16,12 +16,11 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symscrew.expressions import exact
-from symscrew.margins import FORMS, MOST_SUBSETS, Margin, actuation_margins, constraint_margins, limb_margins
-from symscrew.mechanism import Mechanism
+from symscrew.description import Mechanism, exact
+from symscrew.kinematics import System
 from symscrew.mobility.generators import NotPolynomialError, Poly
-from symscrew.mobility.symbolic import Locus, SymbolicScrews, symbolic_screws
-from symscrew.system import System
+from symscrew.mobility.margins import FORMS, MOST_SUBSETS, Margin, actuation_margins, constraint_margins, limb_margins
+from symscrew.mobility.symbolic_screws import Locus, SymbolicScrews, symbolic_screws
 
 SINGULAR = 1e-9  # a margin below this counts as zero: the margins have no unit
 STEPS = 24
@@ -31,7 +30,7 @@ MOST_MINORS = 60  # determinants of six wrenches that are looked at
 
 @dataclass(frozen=True)
 class MarginValue:
-    """A margin at the configuration; see `symscrew.margins.Margin`."""
+    """A margin at the configuration; see `symscrew.mobility.margins.Margin`."""
 
     kind: str
     name: str

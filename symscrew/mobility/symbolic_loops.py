@@ -15,11 +15,11 @@ from typing import Any
 
 import sympy
 
-from symscrew.mechanism import Mechanism
+from symscrew.description import Mechanism
 from symscrew.mobility.generators import Fraction, NotPolynomialError, Poly
-from symscrew.mobility.network import network_of
+from symscrew.mobility.joint_network import network_of
 from symscrew.mobility.screw_systems import eliminate
-from symscrew.mobility.symbolic import Locus, SymbolicScrews, Vector, symbolic_screws
+from symscrew.mobility.symbolic_screws import Locus, SymbolicScrews, Vector, symbolic_screws
 
 MOST_TERMS = 1500
 """Terms of an intermediate polynomial; beyond it the closed form is not of reasonable size."""

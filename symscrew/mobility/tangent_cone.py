@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.network import Network
+from symscrew.algebra import CONTEXT
+from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import null_space
-from symscrew.operations import CONTEXT
 
 Array = np.ndarray
 

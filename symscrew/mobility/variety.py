@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.network import Edge, Network
+from symscrew.algebra import CONTEXT
+from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.residual import ClosureResidual
-from symscrew.operations import CONTEXT
 
 Array = np.ndarray
 Pose = tuple[Array, Array]

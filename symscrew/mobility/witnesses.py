@@ -11,14 +11,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symscrew.algebra import CONTEXT
 from symscrew.mobility.configuration import moved
-from symscrew.mobility.local import CLOSED, flatten, local_at
-from symscrew.mobility.network import Network
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.local_solutions import CLOSED, flatten, local_at
 from symscrew.mobility.reduced import ReducedClosure, is_zero
 from symscrew.mobility.screw_systems import null_space
 from symscrew.mobility.tangent_cone import continued
 from symscrew.mobility.variety import DIGITS_60, Array, ClosureVariety
-from symscrew.operations import CONTEXT
 
 ORDERS = 4
 RADIUS = 0.02

@@ -1,26 +1,46 @@
-"""Trajectory optimisation on generated models: problem, transcriptions, solver, result."""
+"""Trajectory optimisation on generated models.
 
-from symscrew.optimisation.problem import (
-    Bounds,
-    Conditions,
-    Distance,
-    Objective,
-    Solver,
-    TrajectoryProblem,
-    Transcription,
-)
-from symscrew.optimisation.result import Trajectory
-from symscrew.optimisation.solve import prepare, solve
+problem file --> TrajectoryProblem --guess, transcription--> solution --mesh_errors, refinement--> Trajectory
+             --followed_motion--> replay by simulation --plan_file--> files
+"""
+
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.optimisation.followed_motion import Replay, replay
+    from symscrew.optimisation.plan_file import plot_plan, write_plan
+    from symscrew.optimisation.problem import (
+        Bounds,
+        Conditions,
+        Distance,
+        Objective,
+        Solver,
+        TrajectoryProblem,
+        Transcription,
+    )
+    from symscrew.optimisation.problem_file import load_problem
+    from symscrew.optimisation.result import Trajectory
+    from symscrew.optimisation.solution import Prepared, prepare, solve
 
 __all__ = [
     "Bounds",
     "Conditions",
     "Distance",
     "Objective",
+    "Prepared",
+    "Replay",
     "Solver",
     "Trajectory",
     "TrajectoryProblem",
     "Transcription",
+    "load_problem",
+    "plot_plan",
     "prepare",
+    "replay",
     "solve",
+    "write_plan",
 ]
+
+__getattr__ = doors(__name__)

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 import casadi as ca
 import numpy as np
 
+from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.rows import PointFunction
-from symscrew.optimisation.straight_line import run
 
 if TYPE_CHECKING:
     from symscrew.optimisation.result import Trajectory

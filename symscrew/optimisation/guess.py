@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
-from symscrew.optimisation.kinematics import Kinematics
+from symscrew.optimisation.consistent_poses import Kinematics
 from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Scales
@@ -186,7 +186,7 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     """(T, tau, y, y_1, y_2, z) -> residual at u = 0 and its matrix by u."""
-    from symscrew.optimisation.straight_line import run
+    from symscrew.optimisation.casadi_graph import run
 
     blocks = model.blocks(moving=True)
     duration = ca.SX.sym("duration")

@@ -13,9 +13,8 @@ from functools import cached_property
 import casadi as ca
 
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.functions.kinematics import joint_freedom_labels
-from symscrew.functions.ports import u_port
-from symscrew.optimisation.equations import PointEquations
+from symscrew.functions import joint_freedom_labels, u_port
+from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.problem import Conditions, TrajectoryProblem
 from symscrew.optimisation.rows import INFINITY, PointFunction, Scales
 from symscrew.optimisation.state import State

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from symscrew.description import Mechanism
 from symscrew.effects import Effect, Gravity
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.mechanism import Mechanism
 
 Range = tuple[float, float]
 OBJECTIVES = ("effort", "time", "energy", "electrical", "jerk", "peak", "preload", "expression")
@@ -64,8 +64,8 @@ class Bounds:
     `drives` [N, N m] and `drive_rates` [N/s, N m/s] by labels of u; `joints` [m, rad] and `speeds` [m/s, rad/s] by
     labels of joint freedoms, passive ones too; `reactions`: joint -> largest force [N] and largest moment about the
     joint's point [N m] (None: free);
-    `margins`: name of a singularity margin -> range (see `symscrew.margins`); `points`: (point, 0 to 2) -> range of
-    a coordinate [m]; `expressions`: text in t, T, the q_, v_, u_ of labels, points' coordinates (point_x) and
+    `margins`: name of a singularity margin -> range (see `symscrew.mobility.margins`); `points`: (point, 0 to 2) ->
+    range of a coordinate [m]; `expressions`: text in t, T, the q_, v_, u_ of labels, points' coordinates (point_x) and
     parameters -> range, as in an objective of type "expression".
     """
 

@@ -9,8 +9,8 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
+from symscrew.optimisation.consistent_poses import Kinematics
 from symscrew.optimisation.guess import default_parameters
-from symscrew.optimisation.kinematics import Kinematics
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.transcription import Transcribed
 
@@ -218,7 +218,7 @@ class Trajectory:
 
     @cached_property
     def _closure(self) -> ca.Function:
-        from symscrew.optimisation.straight_line import numeric
+        from symscrew.optimisation.casadi_graph import numeric
 
         return numeric(self.model.equations.closure)
 
@@ -253,7 +253,7 @@ class Trajectory:
         return Samples(tau * T, blocks["y"], y_dot, y_ddot, q, v, a, blocks["u"], blocks["x"], z, good)
 
     def _motion(self, *parts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        from symscrew.optimisation.straight_line import numeric
+        from symscrew.optimisation.casadi_graph import numeric
 
         function = numeric(self.model.equations.motion)
         v, a = function(*self._with_parameters(*parts))
@@ -261,21 +261,21 @@ class Trajectory:
 
     def of_tree(self, name: str, samples: Samples) -> np.ndarray:
         """A kinematic function of the model at samples: (n, outputs)."""
-        from symscrew.optimisation.straight_line import numeric
+        from symscrew.optimisation.casadi_graph import numeric
 
         program = self.model.equations.tree_function(name)
         return self._evaluated(numeric(program), [p.name for p in program.inputs], samples)
 
     def reactions(self, samples: Samples) -> np.ndarray:
         """Reactions of all joints (f ; m_O), absolute axes: (n, 6 joints)."""
-        from symscrew.optimisation.straight_line import numeric
+        from symscrew.optimisation.casadi_graph import numeric
 
         program = self.model.equations.reactions
         return self._evaluated(numeric(program), [p.name for p in program.inputs], samples)
 
     def margins(self, samples: Samples) -> dict[str, np.ndarray]:
         """Singularity margins along the motion."""
-        from symscrew.optimisation.straight_line import numeric
+        from symscrew.optimisation.casadi_graph import numeric
 
         result: dict[str, np.ndarray] = {}
         for program in self.model.equations.margins:
@@ -299,6 +299,6 @@ class Trajectory:
     @cached_property
     def errors(self) -> Errors:
         """Errors between the points."""
-        from symscrew.optimisation.errors import errors_of
+        from symscrew.optimisation.mesh_errors import errors_of
 
         return errors_of(self)

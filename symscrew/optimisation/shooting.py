@@ -12,11 +12,11 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
+from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.layout import Terms
 from symscrew.optimisation.point import PointModel
 from symscrew.optimisation.rows import PointFunction, Row
 from symscrew.optimisation.sparse import Family
-from symscrew.optimisation.straight_line import run
 from symscrew.optimisation.tableau import Tableau
 from symscrew.optimisation.transcription import Collocation, LinearRows, Placer
 

@@ -10,10 +10,10 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.functions.kinematics import moving_bodies
+from symscrew.functions import moving_bodies
+from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.problem import Conditions, Objective
 from symscrew.optimisation.rows import INFINITY, Row
-from symscrew.optimisation.straight_line import run
 from symscrew.optimisation.terms import expression
 
 if TYPE_CHECKING:

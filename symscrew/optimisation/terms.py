@@ -8,8 +8,8 @@ from typing import Any
 import casadi as ca
 import sympy
 
+from symscrew.description import parse
 from symscrew.errors import DescriptionError
-from symscrew.expressions import parse
 
 UNARY: Mapping[str, Callable[[Any], Any]] = {
     "sin": ca.sin, "cos": ca.cos, "tan": ca.tan, "asin": ca.asin, "acos": ca.acos, "atan": ca.atan, "exp": ca.exp,

@@ -3,7 +3,14 @@
 mechanism --sections--> blocks --document--> HTML (one file, formulas as MathML) or Markdown (with pictures)
 """
 
-from symscrew.report.document import Document, write
-from symscrew.report.sections import document
+from typing import TYPE_CHECKING
 
-__all__ = ["Document", "document", "write"]
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.report.blocks import Document, write_document
+    from symscrew.report.sections import document
+
+__all__ = ["Document", "document", "write_document"]
+
+__getattr__ = doors(__name__)

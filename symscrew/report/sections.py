@@ -11,20 +11,16 @@ import numpy as np
 import sympy
 
 from symscrew import __version__
-from symscrew.console import Progress
-from symscrew.cost import Bill
-from symscrew.joints import JOINT_TYPES
-from symscrew.mechanism import Joint, Mechanism
-from symscrew.mobility import analyse_mobility
-from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.report import formulas, key_figures, mathml, sections
+from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.display import Progress
+from symscrew.mobility import Mobility, analyse_mobility, formulas, key_figures, mathml, sections
 from symscrew.model import Model
 from symscrew.program import Iteration
-from symscrew.report import margins
-from symscrew.report.document import Block, Bullets, Document, Picture, Section, Table, Text
-from symscrew.report.studies import accuracy_section, bill_section
-from symscrew.timing import Times
-from symscrew.workspace.configurations import Call
+from symscrew.report import margin_maps
+from symscrew.report.blocks import Block, Bullets, Document, Picture, Section, Table, Text
+from symscrew.report.study_pages import accuracy_section, bill_section
+from symscrew.studies import Bill, Times
+from symscrew.studies.workspace import Call
 
 LONG_SCREW = 160
 SIGNIFICANT = ("inverse_dynamics", "forward_dynamics", "joint_reactions")
@@ -67,7 +63,7 @@ def document(
         Section("Generated functions", tuple(_functions(model, times or {}))),
     ]
     with progress.step("singularities"):
-        made.append(Section("Singularities", tuple(_singularities(model, found, call or margins.compiled(model)))))
+        made.append(Section("Singularities", tuple(_singularities(model, found, call or margin_maps.compiled(model)))))
     if accuracy is not None:
         made += accuracy_section(accuracy)
     if bill is not None:
@@ -144,7 +140,7 @@ def _kinds(mechanism: Mechanism) -> str:
 
 
 def _picture(mechanism: Mechanism) -> Picture:
-    from symscrew.drawing import mechanism_figure
+    from symscrew.display import mechanism_figure
 
     return Picture(
         "mechanism", svg(mechanism_figure(mechanism)), "Reference configuration, absolute axes at O.", width=62
@@ -155,10 +151,10 @@ def svg(figure: Any) -> bytes:
     """A figure as SVG text, letters as outlines, equal for equal figures."""
     import matplotlib
 
-    from symscrew.plots import style
+    from symscrew.display import curve_style
 
     out = io.BytesIO()
-    with style(), matplotlib.rc_context({"svg.hashsalt": "symscrew", "svg.fonttype": "path"}):
+    with curve_style(), matplotlib.rc_context({"svg.hashsalt": "symscrew", "svg.fonttype": "path"}):
         figure.savefig(out, format="svg", bbox_inches="tight", pad_inches=0.04, metadata={"Date": None})
     return out.getvalue()
 
@@ -331,7 +327,7 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
         blocks.append(Table(header, rows, frozenset({2}), "In the reference configuration"))
     else:
         blocks.append(Text("This mechanism has no margins: no limb and no loop whose rank could be lost."))
-    figure = margins.figure(model, call)
+    figure = margin_maps.figure(model, call)
     if figure is not None:
         text = (
             "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 "

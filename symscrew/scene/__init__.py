@@ -1,9 +1,10 @@
 """Scenes: a mechanism, what acts on it, how it starts and is driven, and how its motion is to be integrated.
 
-`load` reads a TOML file, `loads` a text; see `symscrew.scene.reading` for the keys.
+`load_scene` reads a TOML file, `parse_scene` a text; see `symscrew.scene.scene_file` for the keys.
 """
 
-from symscrew.scene.reading import load, loads
-from symscrew.scene.scene import Initial, Integrator, Scene, Table
+from symscrew.scene.contents import Initial, Integrator, Scene, Table
+from symscrew.scene.controllers import controller, parameter_values
+from symscrew.scene.scene_file import load_scene, parse_scene
 
-__all__ = ["Initial", "Integrator", "Scene", "Table", "load", "loads"]
+__all__ = ["Initial", "Integrator", "Scene", "Table", "controller", "load_scene", "parameter_values", "parse_scene"]

@@ -1,1 +1,58 @@
-"""Simulation of a scene: from its programs to a run, its report and its files."""
+"""Simulation of a scene: from its programs to a run, its report and its files.
+
+Scene --prepare--> state programs --native (C) or portable (NumPy)--> Run --run_file, picture--> files
+"""
+
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.simulation.initial import initial_state, initial_states
+    from symscrew.simulation.linking import Linker, Operand
+    from symscrew.simulation.motion import prepare, simulate
+    from symscrew.simulation.native import (
+        NATIVE_FLAGS,
+        NATIVE_METHODS,
+        NO_TABLES,
+        Library,
+        kernel_text,
+        run_natively,
+        table_code,
+    )
+    from symscrew.simulation.picture import plot_run
+    from symscrew.simulation.real_time_loop import REAL_TIME, emit, loop_plant, loop_source
+    from symscrew.simulation.run_file import FORMATS, run_summary, write_run
+    from symscrew.simulation.scene_functions import Functions, RunError
+    from symscrew.simulation.state_programs import Plant
+    from symscrew.simulation.sundials import whole_run
+
+__all__ = [
+    "FORMATS",
+    "NATIVE_FLAGS",
+    "NATIVE_METHODS",
+    "NO_TABLES",
+    "REAL_TIME",
+    "Functions",
+    "Library",
+    "Linker",
+    "Operand",
+    "Plant",
+    "RunError",
+    "emit",
+    "initial_state",
+    "initial_states",
+    "kernel_text",
+    "loop_plant",
+    "loop_source",
+    "plot_run",
+    "prepare",
+    "run_natively",
+    "run_summary",
+    "simulate",
+    "table_code",
+    "whole_run",
+    "write_run",
+]
+
+__getattr__ = doors(__name__)

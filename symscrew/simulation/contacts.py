@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symscrew.description import exact, numeric
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
-from symscrew.expressions import exact, numeric
 from symscrew.model import Model
 
 Accelerations = Callable[[np.ndarray], np.ndarray]

@@ -12,19 +12,18 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.compiled import compile_c
-from symscrew.export.c import print_c
-from symscrew.export.listing import decimal
+from symscrew.export import decimal, print_c
 from symscrew.model import Model
 from symscrew.program import Program
+from symscrew.runtime import compile_c
 from symscrew.scene import Scene, Table
 from symscrew.simulation.fronts import layouts, paths
-from symscrew.simulation.history import History, Passage
-from symscrew.simulation.programs import Plant
+from symscrew.simulation.recording import History, Passage
+from symscrew.simulation.state_programs import Plant
 
 KERNELS = Path(__file__).parent / "kernels"
-FLAGS = ("-O3", "-fno-trapping-math")
-METHODS = {"euler": 0, "semi_implicit_euler": 1, "rk4": 2, "rk8": 3, "dop853": 4}
+NATIVE_FLAGS = ("-O3", "-fno-trapping-math")
+NATIVE_METHODS = {"euler": 0, "semi_implicit_euler": 1, "rk4": 2, "rk8": 3, "dop853": 4}
 GOING_ON = 1
 NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
 
@@ -213,7 +212,7 @@ class Library:
         with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
             file, library = Path(temporary) / "run.c", Path(temporary) / "run.so"
             file.write_text(text, encoding="utf-8")
-            compile_c(file, library, flags=FLAGS if flags is None else flags)
+            compile_c(file, library, flags=NATIVE_FLAGS if flags is None else flags)
             self.code = ctypes.CDLL(str(library))  # stays mapped when the file is gone
         self.hash = hashlib.sha256(text.encode()).hexdigest()[:16]
         for name in ("simulation_size", "crossing_size"):
@@ -236,7 +235,7 @@ class Library:
         arrays = [np.ascontiguousarray(a, dtype=float) for a in (q, v, x)]
         return int(
             self.code.simulation_start(
-                _pointer(self.state), d(t), *map(_pointer, arrays), ctypes.c_int(METHODS[method]), d(h), d(rtol),
+                _pointer(self.state), d(t), *map(_pointer, arrays), ctypes.c_int(NATIVE_METHODS[method]), d(h), d(rtol),
                 d(atol), d(longest), ctypes.c_long(budget),
             )
         )  # fmt: skip
@@ -277,7 +276,7 @@ ENDINGS = {
 PORTION = 20_000  # steps between two looks at the progress
 
 
-def integrate(
+def integrate_natively(
     scene: Scene,
     plant: Plant,
     start: tuple[np.ndarray, np.ndarray, np.ndarray],
@@ -285,10 +284,10 @@ def integrate(
 ) -> History:
     """The run of a scene by the compiled loop."""
     library = Library(plant, table_code(list(scene.tables.values())))
-    return run(library, scene, start, progress)
+    return run_natively(library, scene, start, progress)
 
 
-def run(
+def run_natively(
     library: Library,
     scene: Scene,
     start: tuple[np.ndarray, np.ndarray, np.ndarray],

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.plots import TIME, Curve, draw, figure, save, style
-from symscrew.replacement import replaced
-from symscrew.simulation.files import labels
-from symscrew.simulation.run import Run
+from symscrew.display import TIME, Curve, curve_style, draw_curves, figure, save_figure
+from symscrew.simulation.motion import Run
+from symscrew.simulation.run_file import labels
+from symscrew.whole_files import replaced
 
 NAMES = {
     "q": {"rad": "angle", "1": "quaternion", "m": "length"},
@@ -20,12 +20,12 @@ NAMES = {
 MOST, FLOOR = 12, 1e-18
 
 
-def plot(run: Run, path: Path) -> Path:
+def plot_run(run: Run, path: Path) -> Path:
     """Draw a run: a frame for each kind of coordinate, rate and drive, for the energies and for the errors."""
     frames = [*_frames(run), _energies(run), _errors(run)]
     made, axes = figure(-(-len(frames) // 2), 2, width=10.0, height=2.3)
     for place, (title, label, curves, logarithmic) in zip(axes, frames, strict=False):
-        draw(place, run.t, curves, title=title, label=label, columns=4)
+        draw_curves(place, run.t, curves, title=title, label=label, columns=4)
         if len(curves) > MOST and (legend := place.get_legend()) is not None:
             legend.remove()
             place.autoscale(axis="y")
@@ -38,9 +38,9 @@ def plot(run: Run, path: Path) -> Path:
     for place in axes[len(frames) :]:
         place.set_visible(False)
     crossed = "; dotted: singular configuration passed" if run.crossings else ""
-    with style():
+    with curve_style():
         made.suptitle(f"{run.scene.name}: {run.status}{crossed}", fontsize=9)
-    return replaced(path, lambda target: save(made, target))
+    return replaced(path, lambda target: save_figure(made, target))
 
 
 Frame = tuple[str, str, Sequence[Curve], bool]

@@ -17,9 +17,9 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import Scene
 from symscrew.simulation import contacts as contact
-from symscrew.simulation.functions import Functions, RunError
-from symscrew.simulation.history import History
-from symscrew.simulation.programs import Plant
+from symscrew.simulation.recording import History
+from symscrew.simulation.scene_functions import Functions, RunError
+from symscrew.simulation.state_programs import Plant
 
 SINGLE_STEP = {"dop853": "DOP853", "radau": "Radau"}
 RESTARTED = {"bdf": "BDF", "lsoda": "LSODA"}

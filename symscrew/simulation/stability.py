@@ -12,8 +12,8 @@ import numpy as np
 
 from symscrew.program import evaluate
 from symscrew.scene import Scene
-from symscrew.simulation.history import History
-from symscrew.simulation.programs import Plant
+from symscrew.simulation.recording import History
+from symscrew.simulation.state_programs import Plant
 
 LIMITS = {"dop853": 6.39, "rk8": 6.39, "rk4": 2.785, "euler": 2.0, "semi_implicit_euler": 2.0}
 CLOSE = 0.5  # mean steps above this part of the longest stable one are bound by it

@@ -8,11 +8,11 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 
-from symscrew.export.casadi import program_function
+from symscrew.export import program_function
 from symscrew.scene import Scene, Table
-from symscrew.simulation.functions import Functions, RunError
-from symscrew.simulation.history import History
-from symscrew.simulation.programs import Plant
+from symscrew.simulation.recording import History
+from symscrew.simulation.scene_functions import Functions, RunError
+from symscrew.simulation.state_programs import Plant
 
 
 def integrate(

@@ -6,8 +6,8 @@ import argparse
 import json
 from pathlib import Path
 
-from symscrew.benchmark.pinocchio_build import CPP_FLAGS
-from symscrew.machine import machine
+from symscrew.studies.benchmark.pinocchio_build import CPP_FLAGS
+from symscrew.studies.this_machine import machine
 
 from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, lean, optimisation, simulation
 from .tables import table

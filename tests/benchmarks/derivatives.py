@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.benchmark.pinocchio_build import python_model
-from symscrew.benchmark.pinocchio_closed import less_overhead
-from symscrew.benchmark.pinocchio_tree import PinocchioTree, pinocchio_tree
-from symscrew.compiled import load
 from symscrew.model import Model, derive
-from symscrew.timing import Times, interleaved
+from symscrew.runtime.compiled import load
+from symscrew.studies.benchmark.pinocchio_build import python_model
+from symscrew.studies.benchmark.pinocchio_closed import less_overhead
+from symscrew.studies.benchmark.pinocchio_tree import PinocchioTree, pinocchio_tree
+from symscrew.studies.timing import Times, interleaved
 
 from .inverse_dynamics import generated
 from .states import consistent_states

@@ -15,12 +15,13 @@ from typing import Any
 
 import numpy as np
 
-from symscrew import catalogue, interchange
-from symscrew.benchmark.pinocchio_closed import PROXIMAL, closed, less_overhead, serial
-from symscrew.benchmark.pinocchio_tree import pinocchio_tree
-from symscrew.compiled import load
+from symscrew import catalogue
+from symscrew.formats import by_suffix
 from symscrew.model import Model, derive
-from symscrew.timing import Times, interleaved
+from symscrew.runtime.compiled import load
+from symscrew.studies.benchmark.pinocchio_closed import PROXIMAL, closed, less_overhead, serial
+from symscrew.studies.benchmark.pinocchio_tree import pinocchio_tree
+from symscrew.studies.timing import Times, interleaved
 
 from .inverse_dynamics import generated
 from .states import consistent_states
@@ -80,7 +81,7 @@ def _mujoco(model: Model, folder: Path) -> Callable[[], float]:
     import mujoco
 
     path = folder / f"{model.name}.xml"
-    interchange.save(model.mechanism, path)
+    by_suffix.save_as(model.mechanism, path)
     made = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(made)
     least = mujoco.MjModel.from_xml_string(

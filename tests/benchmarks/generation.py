@@ -10,11 +10,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from symscrew.timing import interleaved
+from symscrew.studies.timing import interleaved
 
 from .tables import table
 
-COMMAND = "import sys; from symscrew.cli import main; sys.exit(main())"  # what the script `symscrew` does
+COMMAND = "import sys; from symscrew.cli.parser import main; sys.exit(main())"  # what the script `symscrew` does
 CASES = ("three_ups_upu_s_physical", "stewart_6ups", "panda")
 TARGETS = {"C": ["--target", "c"], "C, CasADi, NumPy": ["--target", "c", "casadi", "numpy"]}
 

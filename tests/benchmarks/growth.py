@@ -19,15 +19,15 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.accuracy.growth import GRAVITY, four_bars
-from symscrew.compiled import FLAGS, SPILLS, find_compiler
-from symscrew.effects import Gravity
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
 from symscrew.export.c import print_c
-from symscrew.generation import render
-from symscrew.mechanism import Mechanism
+from symscrew.generation.folder import render
 from symscrew.model import Model, derive
+from symscrew.runtime.compiled import FLAGS, SPILLS, find_compiler
 from symscrew.simulation.native import Library
-from symscrew.simulation.programs import plant
+from symscrew.simulation.state_programs import plant
+from symscrew.studies.accuracy.growth_study import GRAVITY, four_bars
 
 from .mechanisms import chain, platform
 from .tables import exponent, table

@@ -12,12 +12,19 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.benchmark import Compiled, single
-from symscrew.benchmark.pinocchio_build import PinocchioUnavailableError, build_pinocchio, open_case, python_rnea, timed
-from symscrew.benchmark.pinocchio_tree import pinocchio_tree
-from symscrew.compiled import load
 from symscrew.model import Model, derive
-from symscrew.timing import Times, interleaved
+from symscrew.runtime.compiled import load
+from symscrew.studies.benchmark.function_times import single
+from symscrew.studies.benchmark.pinocchio_build import (
+    PinocchioUnavailableError,
+    build_pinocchio,
+    open_case,
+    python_rnea,
+    timed,
+)
+from symscrew.studies.benchmark.pinocchio_tree import pinocchio_tree
+from symscrew.studies.benchmark.timed_code import Compiled
+from symscrew.studies.timing import Times, interleaved
 
 from .states import consistent_states
 from .tables import table

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from symscrew.builder import MechanismBuilder
-from symscrew.mechanism import Mechanism
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
 
 HEIGHT = "3/5"
 

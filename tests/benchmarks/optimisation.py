@@ -24,11 +24,11 @@ import casadi as ca
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.optimisation import TrajectoryProblem, solve
+from symscrew.optimisation.followed_motion import replay
 from symscrew.optimisation.guess import first_guess
-from symscrew.optimisation.reading import load
-from symscrew.optimisation.replay import replay
-from symscrew.optimisation.solve import prepare
+from symscrew.optimisation.problem import TrajectoryProblem
+from symscrew.optimisation.problem_file import load_problem
+from symscrew.optimisation.solution import prepare, solve
 from symscrew.optimisation.tableau import tableau
 
 from .tables import table
@@ -42,7 +42,7 @@ def run(*, repeats: int) -> tuple[str, dict[str, Any]]:
     """Markdown and raw numbers."""
     rows, raw = [], {}
     for name in CASES:
-        problem = load(EXAMPLES / f"{name}.toml")
+        problem = load_problem(EXAMPLES / f"{name}.toml")
         seconds, found = min((_timed(lambda p=problem: solve(p)) for _ in range(repeats)), key=lambda t: t[0])
         raw[name] = {"seconds": seconds, "cost": found.cost, **dict(found.statistics.processor)}
         times = [f"{v:.2f}" for v in found.statistics.processor.values()]
@@ -73,8 +73,8 @@ def _processor() -> float:
 
 
 def _panda() -> TrajectoryProblem:
-    problem = load(EXAMPLES / "panda_point_to_point.toml")
-    from symscrew.optimisation import Objective, Transcription
+    problem = load_problem(EXAMPLES / "panda_point_to_point.toml")
+    from symscrew.optimisation.problem import Objective, Transcription
 
     return replace(
         problem,
@@ -199,7 +199,7 @@ BACKENDS = ("cython", "numpy")
 def _cart_pole_beside_opty(repeats: int) -> tuple[str, dict[str, Any]]:
     if importlib.util.find_spec("opty") is None:
         return 'opty is not installed, nothing is compared: pip install -e ".[opty]" (builds cyipopt on IPOPT)', {}
-    from symscrew.optimisation import Transcription
+    from symscrew.optimisation.problem import Transcription
     from tests.optimal_problems import cart_pole_problem
 
     known = solve(cart_pole_problem(Transcription("gauss", 6, 60))).cost

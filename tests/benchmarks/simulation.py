@@ -16,12 +16,12 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.effects import Gravity
-from symscrew.scene import Initial, Integrator, Scene
+from symscrew.effects.gravity import Gravity
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state, initial_states
-from symscrew.simulation.programs import Plant
-from symscrew.simulation.run import _observed, prepare
+from symscrew.simulation.motion import _observed, prepare
+from symscrew.simulation.state_programs import Plant
 from tests.hard.mechanisms import four_bars, swung
 from tests.runs import error_of, scene_of
 
@@ -51,7 +51,7 @@ def _fastest(name: str, library: native.Library, start, model, plant: Plant, goa
     """The loosest tolerance that reaches the goal: its error, median and least processor time [ms]."""
     for tolerance in TOLERANCES:
         scene = scene_of(name, tolerance=tolerance)
-        history = native.run(library, scene, start)
+        history = native.run_natively(library, scene, start)
         if not history.ok:
             continue
         error = error_of(name, _observed(scene, model, plant, history))
@@ -59,7 +59,7 @@ def _fastest(name: str, library: native.Library, start, model, plant: Plant, goa
             times = []
             for _ in range(repeats):
                 begin = time.thread_time()
-                native.run(library, scene, start)
+                native.run_natively(library, scene, start)
                 times.append(1e3 * (time.thread_time() - begin))
             return tolerance, error, statistics.median(times), min(times)
     return None
@@ -104,7 +104,7 @@ def _chain(repeats: int) -> tuple[str, dict]:
         times = []
         for _ in range(repeats):
             begin = time.thread_time()
-            history = native.run(library, scene, state)
+            history = native.run_natively(library, scene, state)
             times.append(1e3 * (time.thread_time() - begin))
         angle = -history.q[:, [c.label for c in model.system.tree.q].index("A0")]
         moment = ((count + 1) / 2 + count) * 9.81

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from symscrew.compiled import CompiledModel
 from symscrew.model import Model
+from symscrew.runtime.compiled import CompiledModel
 
 Array = np.ndarray
 

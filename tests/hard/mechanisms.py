@@ -10,9 +10,9 @@ import numpy as np
 from scipy.special import ellipj, ellipkinc
 
 import symscrew
-from symscrew import description
-from symscrew.builder import MechanismBuilder
-from symscrew.mechanism import Mechanism
+from symscrew.description import toml_file
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
 
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 EXAMPLES = Path(__file__).parents[2] / "examples" / "benchmarks" / "mechanisms"
@@ -23,7 +23,7 @@ def changed(text: str, *replacements: tuple[str, str]) -> Mechanism:
     for old, new in replacements:
         assert old in text, old
         text = text.replace(old, new)
-    return description.loads(text)
+    return toml_file.parse_description(text)
 
 
 def catalogue_text(name: str) -> str:

@@ -14,8 +14,8 @@ import mpmath
 import numpy as np
 
 from symscrew.model import Model
-from symscrew.program import Program
-from symscrew.rank_revealing import RankRevealing
+from symscrew.program.rank_revealing import RankRevealing
+from symscrew.program.straight_line import Program
 
 MP = mpmath.mp.clone()
 MP.dps = 50

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy
 
-from symscrew.mechanism import Body, Joint, Mechanism, Point
+from symscrew.description.mechanism import Body, Joint, Mechanism, Point
 
 Numbers = Sequence[Any]
 

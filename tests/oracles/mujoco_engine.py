@@ -21,9 +21,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from symscrew.benchmark.mujoco_placed import PlacedModel
-from symscrew.maximal_coordinates import BodyState, plane_axes
-from symscrew.mechanism import Joint, Mechanism
+from symscrew.description.mechanism import Joint, Mechanism
+from symscrew.reference.maximal_coordinates import BodyState, plane_axes
+from symscrew.studies.benchmark.mujoco_placed import PlacedModel
 
 Array = np.ndarray
 RANK = 1e-9

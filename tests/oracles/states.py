@@ -12,8 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from symscrew.joint_motion import constraint_residuals, joint_rates, rotation_about
-from symscrew.maximal_coordinates import (
+from symscrew.description.mechanism import Mechanism
+from symscrew.reference.joint_motion import constraint_residuals, joint_rates, rotation_about
+from symscrew.reference.maximal_coordinates import (
     REST,
     BodyState,
     JointScrews,
@@ -23,7 +24,6 @@ from symscrew.maximal_coordinates import (
     numeric,
     stack_states,
 )
-from symscrew.mechanism import Mechanism
 
 Array = np.ndarray
 States = dict[str, BodyState]

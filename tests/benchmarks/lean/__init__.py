@@ -21,11 +21,11 @@ from typing import Any
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.benchmark import Compiled, difference, pointers, states
-from symscrew.compiled import compile_c
 from symscrew.export.c import print_c
 from symscrew.model import Model, derive
-from symscrew.timing import Times, interleaved
+from symscrew.runtime.compiled import compile_c
+from symscrew.studies.benchmark.timed_code import Compiled, difference, pointers, states
+from symscrew.studies.timing import Times, interleaved
 
 from ..tables import table
 

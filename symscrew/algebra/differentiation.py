@@ -1,0 +1,331 @@
+"""Derivatives on the tape: the chain rule as elimination of vertices from the linearised program.
+
+The nodes between the seeds and the outputs make a graph whose edges carry local partial derivatives. Taking
+out a vertex joins each of its predecessors with each of its successors by the product of the two edges,
+added to the edge that may be there; when only seed directions and outputs are left, the edges between
+them are the derivatives (Griewank and Walther, Evaluating Derivatives, 2008, sec. 9.2). Taking vertices out
+in order of evaluation is forward mode, in the opposite order reverse mode, and cheapest vertex first
+(Markowitz) often shares what both repeat. The order with the fewest operations is used; all give the same.
+
+Zeros are never edges, signs and ones cost nothing, and equal products are one node, as everywhere on the tape.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from symscrew.algebra.nodes import Node, Tape
+
+Direction = str
+Vertex = int | tuple[str, int | Direction]
+Edges = dict[Vertex, Node]
+ORDERS = ("forward", "reverse", "markowitz")
+WAITS = frozenset(("reciprocal", "sqrt"))
+WAIT = 8  # operations that a machine does while a division waits for another one
+PROMISING = 1.3  # an order is built and counted exactly if its rough count is within this factor of the best
+
+
+@dataclass
+class Graph:
+    """The linearised program: edges by predecessor and by successor, and its vertices in order of evaluation."""
+
+    into: dict[Vertex, Edges]
+    out: dict[Vertex, set[Vertex]]
+    order: list[int]
+
+
+def differentiate(
+    tape: Tape,
+    outputs: Sequence[Node],
+    seeds: Mapping[Node, Mapping[Direction, Node]],
+    directions: Sequence[Direction],
+    *,
+    order: str | None = None,
+) -> list[list[Node]]:
+    """d outputs[i] / d directions[j] as nodes, shape [outputs][directions].
+
+    Args:
+        tape: the tape of all nodes.
+        outputs: what to differentiate.
+        seeds: per node its derivative along each direction (zeros left out). A node given here is taken as
+            an independent variable: what stands behind it is not looked at, so an empty mapping holds it fixed.
+        directions: the columns of the result.
+        order: "forward", "reverse" or "markowitz"; default: the one with the fewest operations.
+    """
+    if order is not None and order not in ORDERS:
+        raise ValueError(f"expected an order of elimination among {', '.join(ORDERS)}, got {order!r}")
+    graph = linearise(tape, outputs, seeds)
+    names = (order,) if order else _promising(graph)
+    best: list[list[Node]] = []
+    fewest = None
+    for name in names:
+        into = _eliminated(tape, graph, name)
+        found = [[into["output", i].get(("direction", d), tape.zero) for d in directions] for i in range(len(outputs))]
+        operations = count_operations([n for row in found for n in row]) if len(names) > 1 else 0
+        if fewest is None or operations < fewest:
+            best, fewest = found, operations
+    return best
+
+
+def linearise(tape: Tape, outputs: Sequence[Node], seeds: Mapping[Node, Mapping[Direction, Node]]) -> Graph:
+    """The graph of local derivatives between seed directions and outputs, without what no seed reaches."""
+    given = {node.index: columns for node, columns in seeds.items()}
+    into: dict[Vertex, Edges] = {}
+    order: list[int] = []
+    for node in evaluation_order(outputs, given):
+        if node.index in given:
+            edges: Edges = {("direction", d): w for d, w in given[node.index].items() if w is not tape.zero}
+        else:
+            edges = {}
+            for arg, weight in _partials(tape, node):
+                if arg.index in into and weight is not tape.zero:
+                    edges[arg.index] = edges[arg.index] + weight if arg.index in edges else weight
+        if edges:
+            into[node.index] = edges
+            order.append(node.index)
+    for i, node in enumerate(outputs):
+        into["output", i] = {node.index: tape.one} if node.index in into else {}
+    graph = Graph(into, _successors(into), order)
+    _remove_dead(graph)
+    return graph
+
+
+def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
+    """Nodes behind the outputs down to the given ones; arguments come first."""
+    found: dict[int, Node] = {}
+    stack = list(outputs)
+    while stack:
+        node = stack.pop()
+        if node.index not in found and node.value is None:
+            found[node.index] = node
+            if node.index not in given and node.op != "symbol":
+                stack.extend(node.args)
+    return [found[index] for index in sorted(found)]
+
+
+def _successors(into: Mapping[Vertex, Edges]) -> dict[Vertex, set[Vertex]]:
+    out: dict[Vertex, set[Vertex]] = {}
+    for vertex, edges in into.items():
+        for before in edges:
+            out.setdefault(before, set()).add(vertex)
+    return out
+
+
+def _remove_dead(graph: Graph) -> None:
+    """Take out vertices that reach no output."""
+    for vertex in reversed(graph.order):
+        if not graph.out.get(vertex):
+            for before in graph.into.pop(vertex):
+                graph.out[before].discard(vertex)
+    graph.order = [vertex for vertex in graph.order if vertex in graph.into]
+
+
+def _partials(tape: Tape, node: Node) -> Iterator[tuple[Node, Node]]:
+    """(argument, partial derivative) of one operation."""
+    op, args = node.op, node.args
+    if op == "symbol":
+        return
+    if op in ("add", "sub"):
+        yield args[0], tape.one
+        yield args[1], tape.one if op == "add" else -tape.one
+    elif op == "neg":
+        yield args[0], -tape.one
+    elif op == "mul":
+        yield args[0], args[1]
+        yield args[1], args[0]
+    elif op == "reciprocal":
+        yield args[0], -(node * node)
+    elif op == "sqrt":
+        yield args[0], 1 / (2 * node)
+    elif op == "exp":
+        yield args[0], node
+    elif op == "sin":
+        yield args[0], tape.function("cos", args[0])
+    elif op == "cos":
+        yield args[0], -tape.function("sin", args[0])
+    elif op == "tan":
+        yield args[0], 1 + node * node
+    elif op == "atan2":
+        y, x = args
+        scale = 1 / (x * x + y * y)
+        yield y, x * scale
+        yield x, -(y * scale)
+    elif op == "abs":
+        yield args[0], tape.function("select", tape.function("less", args[0], 0), -tape.one, 1)
+    elif op == "select":
+        yield args[1], tape.function("select", args[0], 1, 0)
+        yield args[2], tape.function("select", args[0], 0, 1)
+    elif op != "less":  # a comparison is constant where it is differentiable
+        raise ValueError(f"no derivative is known of the operation {op!r}")
+
+
+def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:
+    """The nodes with inputs replaced by other nodes, folded anew."""
+    done = {node.index: other for node, other in replaced.items()}
+    stack = list(nodes)
+    while stack:
+        node = stack[-1]
+        if node.index in done:
+            stack.pop()
+            continue
+        args = () if node.value is not None or node.op == "symbol" else node.args
+        missing = [a for a in args if a.index not in done]
+        if missing:
+            stack.extend(missing)
+        else:
+            new = [done[a.index] for a in args]
+            done[node.index] = (
+                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
+            )
+    return [done[node.index] for node in nodes]
+
+
+def remade(tape: Tape, op: str, args: Sequence[Node]) -> Node:
+    """An operation on other arguments, folded anew."""
+    if op == "sub":
+        return args[0] - args[1]
+    if op in ("add", "mul", "neg", "reciprocal"):
+        return getattr(tape, op)(*args)
+    return tape.function(op, *args)
+
+
+# -- elimination ---------------------------------------------------------------------------------------------
+
+
+def _eliminated(tape: Tape, graph: Graph, name: str) -> dict[Vertex, Edges]:
+    """Edges into the outputs when all vertices are taken out."""
+    into = {vertex: dict(edges) for vertex, edges in graph.into.items()}
+    out = {vertex: set(after) for vertex, after in graph.out.items()}
+    for vertex in _sequence(graph, name):
+        before = into.pop(vertex)
+        for following in out.pop(vertex):
+            edges = into[following]
+            weight = edges.pop(vertex)
+            for source, inner in before.items():
+                product = weight * inner
+                total = edges[source] + product if source in edges else product
+                if total is tape.zero:
+                    edges.pop(source, None)
+                    out[source].discard(following)
+                else:
+                    edges[source] = total
+                    out[source].add(following)
+        for source in before:
+            out[source].discard(vertex)
+    return into
+
+
+def _sequence(graph: Graph, name: str) -> Sequence[int]:
+    if name == "forward":
+        return graph.order
+    if name == "reverse":
+        return graph.order[::-1]
+    return _simulate(graph, None)[0]
+
+
+def _promising(graph: Graph) -> list[str]:
+    """Orders whose operations, counted without what equal nodes save, are not far above the fewest."""
+    counts = {name: _simulate(graph, None if name == "markowitz" else _sequence(graph, name))[1] for name in ORDERS}
+    return [name for name in ORDERS if counts[name] <= PROMISING * min(counts.values())]
+
+
+def needed(results: Sequence[Node]) -> set[Node]:
+    """Operations that the results need, themselves included."""
+    return {node for node in _reached(results) if node.value is None and node.op != "symbol"}
+
+
+def inputs_of(results: Sequence[Node]) -> set[Node]:
+    """Inputs on which the results depend."""
+    return {node for node in _reached(results) if node.op == "symbol"}
+
+
+def _reached(results: Sequence[Node]) -> set[Node]:
+    found: set[Node] = set()
+    stack = list(results)
+    while stack:
+        node = stack.pop()
+        if node not in found:
+            found.add(node)
+            if node.value is None and node.op != "symbol":
+                stack.extend(node.args)
+    return found
+
+
+def count_operations(results: Sequence[Node]) -> int:
+    """How many operations the results take."""
+    return len(needed(results))
+
+
+def cost(results: Sequence[Node]) -> int:
+    """Operations of the results, and what divisions and roots take that wait for each other."""
+    chain: dict[Node, int] = {}
+    for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
+        chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
+    return len(chain) + WAIT * max(chain.values(), default=0)
+
+
+def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int]:
+    """The order of elimination (the fixed one, or cheapest vertex first) and its operations.
+
+    Edges are known here by whether a product with them costs an operation: signs and ones do not.
+    """
+    into: dict[Vertex, dict[Vertex, bool]] = {
+        v: {p: not _is_sign(w) for p, w in edges.items()} for v, edges in graph.into.items()
+    }
+    out = {vertex: set(after) for vertex, after in graph.out.items()}
+    place = {vertex: i for i, vertex in enumerate(graph.order)}
+
+    def price(vertex: int) -> int:
+        before, plain = into[vertex], 0
+        for costs in before.values():
+            plain += costs
+        total = 0
+        for following in out[vertex]:
+            edges = into[following]
+            total += plain if edges[vertex] else 0
+            for source in before:
+                total += source in edges
+        return total
+
+    def take(vertex: int) -> set[Vertex]:
+        before, after = into.pop(vertex), out.pop(vertex)
+        for following in after:
+            edges = into[following]
+            weight = edges.pop(vertex)
+            for source, costs in before.items():
+                edges[source] = source in edges or weight or costs
+                out[source].add(following)
+        for source in before:
+            out[source].discard(vertex)
+        return {*before, *after}
+
+    operations = 0
+    if fixed is not None:
+        for vertex in fixed:
+            operations += price(vertex)
+            take(vertex)
+        return list(fixed), operations
+    sequence: list[int] = []
+    current = {vertex: price(vertex) for vertex in graph.order}
+    queue = [(cost, place[vertex], vertex) for vertex, cost in current.items()]
+    heapq.heapify(queue)
+    while queue:
+        cost, _, vertex = heapq.heappop(queue)
+        if current.get(vertex) != cost:
+            continue
+        del current[vertex]
+        operations += cost
+        sequence.append(vertex)
+        for near in take(vertex):
+            if near in current:
+                now = price(near)  # type: ignore[arg-type]
+                if now != current[near]:  # type: ignore[index]
+                    current[near] = now  # type: ignore[index]
+                    heapq.heappush(queue, (now, place[near], near))  # type: ignore[index]
+    return sequence, operations
+
+
+def _is_sign(weight: Node) -> bool:
+    return weight.value is not None and abs(weight.value) == 1

@@ -1,0 +1,261 @@
+"""Sparse elimination in an order fixed while generating, with pivots proved on sample states.
+
+A row is a mapping from columns to nodes. Whether an entry is zero, and whether it may be a pivot, is
+decided by its values at several consistent states, never by symbolic zero tests alone: some entries vanish
+only on the closure manifold. Entries are compared without units: each row and column has a scale (a power
+of the characteristic length).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from symscrew.algebra.differentiation import needed
+from symscrew.algebra.nodes import Node, Tape
+from symscrew.algebra.screws import Vector, cross, dot
+
+NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
+SAFE = 0.03  # a row whose best pivot is smaller than this, without units, waits for the others
+ACCEPTABLE = 0.1  # a pivot may be this much smaller than the best one if it saves operations
+
+Column = Any  # hashable: a multiplier, a drive, an index into v, or column 1
+Affine = dict[Column, Node]
+
+
+@dataclass(frozen=True)
+class Guard:
+    """A pivot to be watched at run time: it must not fall below a threshold times `scale`."""
+
+    pivot: Node
+    scale: float
+
+
+def divides(pivot: Node, used: Set[Node]) -> bool:
+    """Whether one of the operations `used` divides by a pivot; only then its smallness does harm."""
+    if pivot.value is not None:
+        return False
+    inverses = {node for node in needed([1 / pivot]) - needed([pivot]) if node.op == "reciprocal"}
+    return not inverses or bool(inverses & used)
+
+
+def magnitude(tape: Tape, entry: Node, scale: float) -> tuple[float, float]:
+    """Smallest and largest magnitude of an entry over the samples, without units.
+
+    Rounded to five digits, so that the last digits of another machine's sines do not choose other pivots.
+    """
+    values = np.abs(np.atleast_1d(tape.sample(entry))) * scale
+    values = values[np.isfinite(values)]  # where a reference is singular, an earlier pivot was zero there
+    if not len(values):
+        return 0.0, 0.0
+    return float(f"{values.min():.4e}"), float(f"{values.max():.4e}")
+
+
+@dataclass(frozen=True)
+class Pivot:
+    """A column of a row, and the smallest magnitude of its entry over the samples, without units."""
+
+    column: Column
+    size: float
+
+
+def choose_pivot(
+    tape: Tape, row: Mapping[Column, Node], allowed: Mapping[Column, float], cost: Mapping[Column, int]
+) -> Pivot | None:
+    """The column of `row` to eliminate, or None if all allowed entries vanish on the manifold.
+
+    `allowed` gives the scale of an entry in each column that may be a pivot, `cost` how many other rows it
+    stands in. Among the entries that are large enough: constants first, then the cheapest, then the largest.
+    """
+    sizes = {c: magnitude(tape, row[c], allowed[c]) for c in row if c in allowed}
+    sizes = {c: size for c, size in sizes.items() if size[1] > NEGLIGIBLE}
+    if not sizes:
+        return None
+    best = max(size[0] for size in sizes.values())
+    good = [c for c, size in sizes.items() if size[0] >= ACCEPTABLE * best]
+
+    def preference(column: Column) -> tuple:
+        return (row[column].value is None, cost.get(column, 0), -sizes[column][0])
+
+    column = min(good, key=preference)
+    return Pivot(column, sizes[column][0])
+
+
+def combine(target: Mapping[Column, Node], factor: Node, other: Mapping[Column, Node]) -> Affine:
+    """target + factor * other, column by column; entries that fold to zero disappear."""
+    result = dict(target)
+    for column, entry in other.items():
+        total = result[column] + factor * entry if column in result else factor * entry
+        if total is total.tape.zero:
+            result.pop(column, None)
+        else:
+            result[column] = total
+    return result
+
+
+def solve_for(row: Mapping[Column, Node], pivot: Column) -> Affine:
+    """The pivot's unknown from sum(row) = 0, as an affine combination of the other columns."""
+    factor = -(1 / row[pivot])
+    return {c: factor * entry for c, entry in row.items() if c != pivot}
+
+
+def insert_solution(row: Mapping[Column, Node], pivot: Column, solution: Mapping[Column, Node]) -> Affine:
+    """`row` with the pivot's unknown replaced by its solution."""
+    rest = {c: entry for c, entry in row.items() if c != pivot}
+    return combine(rest, row[pivot], solution) if pivot in row else rest
+
+
+def solve_block(rows: Sequence[Mapping[Column, Node]], columns: Sequence[Column]) -> tuple[list[Affine], Node]:
+    """Two or three unknowns from as many rows, sum(row) = 0, by Cramer's rule, and the determinant.
+
+    Every unknown is an affine combination of the other columns. One division instead of as many as unknowns, which
+    would wait for each other; the determinant is the product of their pivots.
+    """
+    others = list(dict.fromkeys(c for row in rows for c in row if c not in columns))
+    tape = rows[0][columns[0]].tape
+    matrix = [[row.get(c, tape.zero) for row in rows] for c in columns]
+    rests = [[row.get(c, tape.zero) for row in rows] for c in others]
+    if len(columns) == 2:
+        (a, b), (c, d) = matrix
+        determinant = a * d - b * c
+        over = 1 / determinant
+        found = [[(c * y - d * x) * over, (b * x - a * y) * over] for x, y in rests]
+    else:
+        first, second, third = (_three(column) for column in matrix)
+        across = cross(second, third)
+        determinant = tape.node(dot(first, across))
+        over = 1 / determinant
+        found = []
+        for rest in rests:
+            turned = cross(_three(rest), first)
+            numerators = -tape.node(dot(_three(rest), across)), dot(turned, third), -tape.node(dot(turned, second))
+            found.append([n * over for n in numerators])
+    solutions = [
+        {c: values[k] for c, values in zip(others, found, strict=True) if values[k] is not tape.zero}
+        for k in range(len(columns))
+    ]
+    return solutions, determinant
+
+
+def _three(values: Sequence[Node]) -> Vector:
+    x, y, z = values
+    return (x, y, z)
+
+
+@dataclass
+class Elimination:
+    """A square sparse system with its pivots chosen; `solve` serves any number of right-hand sides.
+
+    `steps`: (row, column, pivot, factors of the later rows); `upper`: the rows as they were when eliminated.
+    """
+
+    steps: list[tuple[int, Column, Node, dict[int, Node]]] = field(default_factory=list)
+    upper: dict[int, Affine] = field(default_factory=dict)
+    guards: list[Guard] = field(default_factory=list)
+    redundant: list[int] = field(default_factory=list)
+    free: list[Column] = field(default_factory=list)
+
+    def solve(self, right: Sequence[Node], free: Mapping[Column, Node] | None = None) -> dict[Column, Node]:
+        """Unknowns from rows . unknowns = right; free unknowns as given, else zero.
+
+        A multiple of another unknown is not taken through the pivot and back.
+        """
+        values = list(right)
+        for row, _, _, factors in self.steps:
+            for other, factor in factors.items():
+                values[other] = values[other] - factor * values[row]
+        solution: dict[Column, Node] = dict(free or {})
+        for row, column, pivot, _ in reversed(self.steps):
+            over = 1 / pivot
+            total, whole = values[row], values[row].tape.zero
+            for c, entry in self.upper[row].items():
+                if c == column or c not in solution:
+                    continue
+                part = entry * over
+                if part.value is not None:
+                    whole = whole - part * solution[c]
+                else:
+                    total = total - entry * solution[c]
+            solution[column] = total * over + whole
+        return solution
+
+
+def eliminate(
+    tape: Tape,
+    rows: Sequence[Mapping[Column, Node]],
+    unknowns: Mapping[Column, float],
+    row_scales: Sequence[float],
+    *,
+    last: Sequence[Column] = (),
+    defined: Mapping[int, Column] | None = None,
+) -> Elimination:
+    """Choose pivots for rows . unknowns = right in Markowitz order.
+
+    `unknowns` and `row_scales` give the unit scale of each column and row. Rows that vanish on the closure
+    manifold are redundant, columns without a pivot are free. Columns in `last` are free if there is a choice.
+    `defined`: a row that is there to define an unknown has its pivot there, and the unknown has no other.
+    """
+    own = defined or {}
+    result = Elimination()
+    active = {i: {c: e for c, e in row.items() if c in unknowns} for i, row in enumerate(rows)}
+    while active:
+        choice = _markowitz(tape, active, unknowns, row_scales, set(last), own)
+        if choice is None:
+            break
+        row, column = choice
+        pivot_row = active.pop(row)
+        pivot = pivot_row[column]
+        factors = {}
+        for other, entries in active.items():
+            if column in entries:
+                factor = entries[column] * (1 / pivot)
+                factors[other] = factor
+                reduced = combine(entries, -factor, pivot_row)
+                reduced.pop(column, None)
+                active[other] = reduced
+        result.steps.append((row, column, pivot, factors))
+        result.upper[row] = pivot_row
+        if pivot.value is None:
+            result.guards.append(Guard(pivot, unknowns[column] * row_scales[row]))
+    result.redundant = sorted(active)
+    solved = {column for _, column, _, _ in result.steps}
+    result.free = [c for c in unknowns if c not in solved]
+    return result
+
+
+def _markowitz(
+    tape: Tape,
+    active: Mapping[int, Mapping[Column, Node]],
+    unknowns: Mapping[Column, float],
+    row_scales: Sequence[float],
+    last: set[Column],
+    defined: Mapping[int, Column],
+) -> tuple[int, Column] | None:
+    others = set(defined.values())
+    counts: dict[Column, int] = {}
+    sizes: dict[tuple[int, Column], tuple[float, float]] = {}
+    for i, row in active.items():
+        for column, entry in row.items():
+            size = magnitude(tape, entry, unknowns[column] * row_scales[i])
+            if size[1] > NEGLIGIBLE:
+                sizes[i, column] = size
+                counts[column] = counts.get(column, 0) + 1
+    if not sizes:
+        return None
+    row_best: dict[int, float] = {}
+    row_count: dict[int, int] = {}
+    for (i, _), size in sizes.items():
+        row_best[i] = max(row_best.get(i, 0.0), size[0])
+        row_count[i] = row_count.get(i, 0) + 1
+
+    def preference(key: tuple[int, Column]) -> tuple:
+        i, column = key
+        small = sizes[key][0] < ACCEPTABLE * row_best[i] or sizes[key][0] < 1e-4
+        fill = (row_count[i] - 1) * (counts[column] - 1)
+        return (column in last, small, fill, active[i][column].value is None, -sizes[key][0])
+
+    allowed = [(i, c) for i, c in sizes if (c == defined[i] if i in defined else c not in others)]
+    return min(allowed, key=preference, default=None)

@@ -1,0 +1,421 @@
+"""The tape: every derived quantity, defined once over earlier ones.
+
+A node is one operation on earlier nodes. Making a node folds what can be folded at once: zeros, ones,
+constants, signs; equal nodes are one node (hash-consing, normalised so that a - b and b - a share). So an
+expression stays one operation deep whatever the size of the mechanism, structural zeros vanish while
+deriving, and a program is a walk over the tape.
+
+Constants carry 60 digits; a constant below 1e-45 is zero. Besides its definition a node has values at a
+few sample states (`Tape.set_samples`), which is how eliminations choose pivots that do not vanish.
+
+`to_sympy` turns a node back into a SymPy expression, down to the inputs or to named intermediate nodes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy
+
+from symscrew.algebra.operations import CONTEXT, IN_SYMPY, apply_high_precision, apply_numpy, evaluate_constant
+
+ZERO_BITS = -149  # a constant below 2^-149, about 1e-45, is zero
+ZERO_BELOW = CONTEXT.mpf(2) ** ZERO_BITS
+KEY_BITS = 150  # constants that agree to 45 digits are one constant
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """An input of the model: unique name, unit, what it is, and its SymPy symbol."""
+
+    name: str
+    unit: str
+    description: str
+    assumptions: tuple[tuple[str, bool], ...] = (("real", True),)
+
+    @property
+    def sympy(self) -> sympy.Symbol:
+        """The SymPy symbol of this input."""
+        return sympy.Symbol(self.name, **dict(self.assumptions))
+
+
+class Node:
+    """One operation on earlier nodes of the same tape; use + - * / on nodes and numbers."""
+
+    __slots__ = ("args", "index", "op", "tape", "value")
+
+    def __init__(self, tape: Tape, index: int, op: str, args: tuple, value: Any = None) -> None:
+        self.tape, self.index, self.op, self.args, self.value = tape, index, op, args, value
+
+    def __add__(self, other: Any) -> Node:
+        tape = self.tape
+        return tape.add(self, other if type(other) is Node else tape.node(other))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Node:
+        return self.tape.add(self, self.tape.neg(self.tape.node(other)))
+
+    def __rsub__(self, other: Any) -> Node:
+        return self.tape.add(self.tape.node(other), self.tape.neg(self))
+
+    def __mul__(self, other: Any) -> Node:
+        tape = self.tape
+        return tape.mul(self, other if type(other) is Node else tape.node(other))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Node:
+        return self.tape.mul(self, self.tape.reciprocal(self.tape.node(other)))
+
+    def __rtruediv__(self, other: Any) -> Node:
+        return self.tape.mul(self.tape.node(other), self.tape.reciprocal(self))
+
+    def __neg__(self) -> Node:
+        return self.tape.neg(self)
+
+    def __repr__(self) -> str:
+        if self.value is not None:
+            return f"Node({mpmath.nstr(self.value, 12)})"
+        if self.op == "symbol":
+            return f"Node({self.args[0].name})"
+        return f"Node({self.op} {' '.join(str(a.index) for a in self.args)})"
+
+
+class Tape:
+    """Makes and keeps nodes. One tape serves one model; the order of nodes is an order of evaluation."""
+
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+        self._known: dict[tuple, Node] = {}
+        self._folded: dict[tuple[str, int, int], Node] = {}
+        self._samples: dict[int, np.ndarray] = {}
+        self._parameter_values: list[dict[int, Any]] = []
+        self._settled: dict[int, Node] = {}
+        self.symbols: dict[str, Node] = {}
+        self.zero = self.constant(0)
+        self.one = self.constant(1)
+        self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}
+
+    # -- making nodes ---------------------------------------------------------------------------------
+
+    def symbol(self, name: str, unit: str, description: str) -> Node:
+        """The input of this name; asking again gives the same node."""
+        if name not in self.symbols:
+            self.symbols[name] = self._make("symbol", (Symbol(name, unit, description),))
+        return self.symbols[name]
+
+    def node(self, value: Any) -> Node:
+        """`value` as a node: a node, a number, or an exact SymPy number."""
+        if isinstance(value, Node):
+            return value
+        if isinstance(value, int):
+            return self._small.get(value) or self.constant(value)
+        return self.constant(value)
+
+    def constant(self, value: Any, exact: Any = None) -> Node:
+        """The constant `value` (int, mpf, SymPy number); `exact` says how to print it exactly."""
+        if isinstance(value, sympy.Basic):
+            exact = value
+            value = high_precision(value)
+        number = value if isinstance(value, CONTEXT.mpf) else CONTEXT.mpf(value)
+        sign, mantissa, exponent, bits = number._mpf_
+        if not mantissa and exponent:
+            raise ZeroDivisionError("a constant of the model is not finite: check the geometry for a division by 0")
+        if exponent + bits < ZERO_BITS:
+            sign, number = 0, CONTEXT.zero
+        if sign:
+            inner = self.constant(-number, None if exact is None else _negative(exact))
+            return self._make("neg", (inner,), number)
+        key = ("const", _rounded(number))
+        found = self._known.get(key)
+        if found is None:
+            found = Node(self, len(self.nodes), "const", (exact,), number)
+            self._known[key] = found
+            self.nodes.append(found)
+        return found
+
+    def neg(self, x: Node) -> Node:
+        """-x."""
+        if x.op == "neg":
+            return x.args[0]
+        if x.op == "const" and x.value == 0:
+            return x
+        return self._make("neg", (x,), None if x.value is None else -x.value)
+
+    def add(self, x: Node, y: Node) -> Node:
+        """x + y; differences and sums of negatives are normalised, and in (u + v) - u and the like u is left out."""
+        if x is self.zero:
+            return y
+        if y is self.zero:
+            return x
+        if x.value is not None and y.value is not None:
+            return self._fold("add", x, y)
+        if x.value is not None or y.value is not None:
+            merged = self._merge_constant(*((x, y) if x.value is not None else (y, x)))
+            if merged is not None:
+                return merged
+        x_negative, y_negative = x.op == "neg", y.op == "neg"
+        a, b = (x.args[0] if x_negative else x), (y.args[0] if y_negative else y)
+        if a is b:
+            return self.zero if x_negative != y_negative else self.mul(self.node(-2 if x_negative else 2), a)
+        for whole, inverted, part, sign in ((a, x_negative, b, y_negative), (b, y_negative, a, x_negative)):
+            if whole.op in ("add", "sub"):
+                terms = [(whole.args[0], inverted), (whole.args[1], inverted != (whole.op == "sub"))]
+                if (part, not sign) in terms:
+                    rest, negative = terms[1 - terms.index((part, not sign))]
+                    return self.neg(rest) if negative else rest
+        if x_negative == y_negative:
+            total = self._make("add", (a, b) if a.index < b.index else (b, a))
+            return self.neg(total) if x_negative else total
+        if x_negative:
+            a, b = b, a
+        return self._make("sub", (a, b)) if a.index < b.index else self.neg(self._make("sub", (b, a)))
+
+    def _fold(self, op: str, x: Node, y: Node) -> Node:
+        """The sum or product of two constants, computed once."""
+        key = (op, x.index, y.index) if x.index < y.index else (op, y.index, x.index)
+        if key not in self._folded:
+            value = x.value + y.value if op == "add" else x.value * y.value
+            self._folded[key] = self.constant(value, (op, x, y))
+        return self._folded[key]
+
+    def _merge_constant(self, constant: Node, other: Node) -> Node | None:
+        """constant + (constant2 +- y) as (constant + constant2) +- y, or None if `other` has no constant."""
+        negative = other.op == "neg"
+        inner = other.args[0] if negative else other
+        if inner.op not in ("add", "sub"):
+            return None
+        first, second = inner.args
+        if inner.op == "sub":
+            second = self.neg(second)
+        if first.value is None:
+            first, second = second, first
+        if first.value is None:
+            return None
+        if negative:
+            first, second = self.neg(first), self.neg(second)
+        return self.add(self.add(constant, first), second)
+
+    def mul(self, x: Node, y: Node) -> Node:
+        """x y; signs move outwards, constants together."""
+        if x is self.zero or y is self.zero:
+            return self.zero
+        if x.value is not None and y.value is not None:
+            return self._fold("mul", x, y)
+        negative = False
+        if x.op == "neg":
+            x, negative = x.args[0], True
+        if y.op == "neg":
+            y, negative = y.args[0], not negative
+        if y.value is not None:
+            x, y = y, x
+        if x is self.one:
+            return self.neg(y) if negative else y
+        if x.value is not None and y.op == "mul" and y.args[0].value is not None:
+            x, y = self.mul(x, y.args[0]), y.args[1]
+            if x is self.one:
+                return self.neg(y) if negative else y
+        rest = self._cancelled(x, y)
+        if rest is not None:
+            return self.neg(rest) if negative else rest
+        result = self._make("mul", (y, x) if x.value is None and y.index < x.index else (x, y))
+        return self.neg(result) if negative else result
+
+    def _cancelled(self, x: Node, y: Node) -> Node | None:
+        """z of x (z / x) or (x z) / x; None if nothing cancels."""
+        for a, b in ((x, y), (y, x)):
+            factors = b.args if b.op == "mul" else (b,)
+            inverse = a.args[0] if a.op == "reciprocal" else None
+            for factor in factors:
+                if factor is inverse or (factor.op == "reciprocal" and factor.args[0] is a):
+                    return self.one if b is factor else factors[factor is factors[0]]
+        return None
+
+    def reciprocal(self, x: Node) -> Node:
+        """1 / x; shared, so that several quotients by x cost one division."""
+        if x.value is not None:
+            if x.value == 0:
+                raise ZeroDivisionError("the model divides by a structural zero: check the geometry")
+            return self.constant(1 / x.value, ("reciprocal", x))
+        if x.op == "neg":
+            return self.neg(self.reciprocal(x.args[0]))
+        if x.op == "reciprocal":
+            return x.args[0]
+        return self._make("reciprocal", (x,))
+
+    def function(self, name: str, *args: Any) -> Node:
+        """sqrt, exp, sin, cos, tan, atan2, abs, less (1 if x < y else 0), select (condition, if true, if false)."""
+        nodes = tuple(self.node(a) for a in args)
+        if name in ("sin", "cos") and nodes[0].op == "neg":
+            inner = self.function(name, nodes[0].args[0])
+            return self.neg(inner) if name == "sin" else inner
+        if name == "abs" and nodes[0].op == "neg":
+            nodes = nodes[0].args
+        if all(n.value is not None for n in nodes):
+            return self.constant(evaluate_constant(name, [n.value for n in nodes]), (name, *nodes))
+        if name == "select" and nodes[1] is nodes[2]:
+            return nodes[1]
+        return self._make(name, nodes)
+
+    def sqrt(self, x: Any) -> Node:
+        """The square root of x."""
+        return self.function("sqrt", x)
+
+    def _make(self, op: str, args: tuple, value: Any = None) -> Node:
+        key = (op, args)  # nodes are equal if they are one
+        found = self._known.get(key)
+        if found is None:
+            found = Node(self, len(self.nodes), op, args, value)
+            self._known[key] = found
+            self.nodes.append(found)
+        return found
+
+    # -- values at samples ----------------------------------------------------------------------------
+
+    def set_samples(self, values: Mapping[Node, np.ndarray]) -> None:
+        """Give inputs their values at the sample states (arrays of one length); forgets earlier ones."""
+        self._samples = {node.index: np.asarray(v, dtype=float) for node, v in values.items()}
+
+    def add_samples(self, values: Mapping[Node, np.ndarray]) -> None:
+        """Give further inputs their values, beside those that have some."""
+        self._samples.update({node.index: np.asarray(v, dtype=float) for node, v in values.items()})
+
+    def sample(self, node: Node) -> np.ndarray:
+        """Values of `node` at the sample states, shape (samples,); not finite where a division by zero is asked for."""
+        known = self._samples
+        if node.index not in known:
+            with np.errstate(all="ignore"):
+                self._evaluate(node, known)
+        return known[node.index]
+
+    def _evaluate(self, node: Node, known: dict[int, np.ndarray]) -> None:
+        stack = [node]
+        while stack:
+            current = stack[-1]
+            if current.index in known:
+                stack.pop()
+            elif current.value is not None:
+                known[current.index] = np.asarray(float(current.value))
+            elif current.op == "symbol":
+                raise KeyError(f"input {current.args[0].name} has no sample values yet")
+            else:
+                missing = [a for a in current.args if a.index not in known]
+                if missing:
+                    stack.extend(missing)
+                else:
+                    known[current.index] = apply_numpy(current.op, [known[a.index] for a in current.args])
+
+    # -- identities in the run-time parameters ---------------------------------------------------------
+
+    def set_parameter_trials(self, trials: list[dict[Node, Any]]) -> None:
+        """Several sets of values of the run-time parameters, on which `settle` tests identities."""
+        self._parameter_values = [{n.index: CONTEXT.mpf(v) for n, v in trial.items()} for trial in trials]
+        self._settled = {}
+
+    def settle(self, node: Any) -> Node:
+        """`node`, or the constant that it equals for every trial of the run-time parameters (to 45 digits).
+
+        For nodes of constants and run-time parameters only: geometry given in parameters has zeros that
+        hold for all their values but that no local rule sees.
+        """
+        node = self.node(node)
+        if node.value is not None or not self._parameter_values:
+            return node
+        if node.index not in self._settled:
+            values = [_evaluate_high_precision(node, trial) for trial in self._parameter_values]
+            spread = max(abs(v - values[0]) for v in values)
+            same = spread < ZERO_BELOW * (1 + abs(values[0]))
+            self._settled[node.index] = self.constant(values[0]) if same else node
+        return self._settled[node.index]
+
+    # -- back to SymPy ----------------------------------------------------------------------------------
+
+    def to_sympy(self, node: Any, named: Mapping[Node, sympy.Symbol] | None = None) -> sympy.Expr:
+        """`node` as a SymPy expression of the inputs, stopping at the nodes in `named`."""
+        stop = {n.index: s for n, s in (named or {}).items()}
+        done: dict[int, sympy.Expr] = {}
+        stack = [self.node(node)]
+        while stack:
+            current = stack[-1]
+            if current.index in done:
+                stack.pop()
+                continue
+            if current.index in stop:
+                done[current.index] = stop[current.index]
+                continue
+            needed = [a for a in _definition(current)[1] if a.index not in done]
+            if needed:
+                stack.extend(needed)
+            else:
+                done[current.index] = _build_sympy(current, done)
+        return done[self.node(node).index]
+
+
+def is_zero(entry: Node | int) -> bool:
+    """Whether an entry is always zero."""
+    return entry == 0 if isinstance(entry, int) else entry is entry.tape.zero
+
+
+def high_precision(number: sympy.Expr) -> Any:
+    """An exact SymPy number as a 60-digit float of `CONTEXT`."""
+    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(number.evalf(60)._mpf_)
+
+
+def _rounded(number: Any) -> tuple:
+    return mpmath.libmp.mpf_pos(number._mpf_, KEY_BITS, "n")
+
+
+def _negative(exact: Any) -> Any:
+    return -exact if isinstance(exact, sympy.Basic) else ("neg_of", exact)
+
+
+def _definition(node: Node) -> tuple[Any, tuple[Node, ...]]:
+    """The operation and operands that define a node; a folded constant keeps how it was folded."""
+    if node.op == "symbol":
+        return node.op, ()
+    if node.op == "const":
+        how, sign = node.args[0], 1
+        while isinstance(how, tuple) and how[0] == "neg_of":
+            how, sign = how[1], -sign
+        if isinstance(how, tuple):
+            return (how[0], sign), tuple(how[1:])
+        return (how, sign), ()
+    return node.op, node.args
+
+
+def _build_sympy(node: Node, done: Mapping[int, sympy.Expr]) -> sympy.Expr:
+    op, operands = _definition(node)
+    sign = 1
+    if node.op == "symbol":
+        return node.args[0].sympy
+    if node.op == "const":
+        op, sign = op
+        if op is None:
+            integer = CONTEXT.nint(node.value)
+            return sympy.Integer(int(integer)) if integer == node.value else sympy.Float(node.value, 30)
+        if isinstance(op, sympy.Basic):
+            return sign * op
+    return sign * IN_SYMPY[op](*(done[a.index] for a in operands))
+
+
+def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
+    done: dict[int, Any] = dict(inputs)
+    stack = [node]
+    while stack:
+        current = stack[-1]
+        if current.index in done:
+            stack.pop()
+        elif current.value is not None:
+            done[current.index] = current.value
+        else:
+            missing = [a for a in current.args if a.index not in done]
+            if missing:
+                stack.extend(missing)
+            else:
+                done[current.index] = apply_high_precision(current.op, [done[a.index] for a in current.args])
+    return done[node.index]

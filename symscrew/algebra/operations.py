@@ -1,0 +1,81 @@
+"""What each operation of the tape means: in NumPy (the same bits on every machine), in SymPy and with 60 digits."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy
+
+from symscrew.algebra import elementary
+
+CONTEXT = mpmath.ctx_mp.MPContext()
+CONTEXT.dps = 60
+
+ARITHMETIC: dict[str, Any] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": operator.truediv,
+    "neg": operator.neg,
+}
+"""What means the same for numbers of every kind and for nodes of a tape."""
+
+IN_SYMPY: dict[str, Any] = {
+    **ARITHMETIC,
+    "reciprocal": lambda x: 1 / x,
+    "sqrt": sympy.sqrt,
+    "exp": sympy.exp,
+    "sin": sympy.sin,
+    "cos": sympy.cos,
+    "tan": sympy.tan,
+    "atan2": sympy.atan2,
+    "abs": sympy.Abs,
+    "less": lambda x, y: sympy.Piecewise((1, x < y), (0, True)),
+    "select": lambda c, x, y: sympy.Piecewise((x, sympy.Ne(c, 0)), (y, True)),
+}
+
+IN_NUMPY: dict[str, Any] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "neg": np.negative,
+    "reciprocal": lambda x: 1.0 / x,
+    "div": np.divide,
+    "sqrt": np.sqrt,
+    "exp": elementary.exp,
+    "sin": elementary.sin,
+    "cos": elementary.cos,
+    "tan": elementary.tan,
+    "atan2": elementary.arctan2,
+    "abs": np.abs,
+    "less": lambda x, y: np.where(x < y, 1.0, 0.0),
+    "select": lambda c, x, y: np.where(c != 0, x, y),
+}
+
+
+def apply_numpy(op: str, args: list[Any]) -> Any:
+    """One operation of the tape on NumPy values."""
+    return IN_NUMPY[op](*args)
+
+
+def evaluate_constant(name: str, values: list[Any]) -> Any:
+    """A function of constants with 60 digits."""
+    if name == "less":
+        return 1 if values[0] < values[1] else 0
+    if name == "select":
+        return values[1] if values[0] != 0 else values[2]
+    if name == "abs":
+        return abs(values[0])
+    return getattr(CONTEXT, name)(*values)
+
+
+def apply_high_precision(op: str, args: list[Any]) -> Any:
+    """One operation of the tape with 60 digits."""
+    if op in ARITHMETIC:
+        return ARITHMETIC[op](*args)
+    if op == "reciprocal":
+        return 1 / args[0]
+    return evaluate_constant(op, args)

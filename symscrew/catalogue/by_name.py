@@ -1,0 +1,54 @@
+"""The mechanisms that come with the package, each a TOML file beside this module."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from symscrew.description import Mechanism, load_description
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats import READABLE, load_format
+
+_FOLDER = Path(__file__).parent
+
+
+def names() -> tuple[str, ...]:
+    """Names of the catalogue's mechanisms, sorted."""
+    return tuple(sorted(file.stem for file in _FOLDER.glob("*.toml")))
+
+
+def load(name: str) -> Mechanism:
+    """The catalogue's mechanism `name`; raises DescriptionError with the nearest names.
+
+    >>> load("four_bar").ground
+    'base'
+    """
+    if name not in names():
+        raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
+    return load_description(_FOLDER / f"{name}.toml")
+
+
+def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
+    """A mechanism by its name in the catalogue or by the path of a .toml, .urdf, .xml or .mjcf file.
+
+    `run_time`: parameters that become run-time inputs, whatever the description says.
+
+    Raises:
+        DescriptionError: neither, or the file does not describe a mechanism.
+    """
+    text = str(name_or_path)
+    if text in names():
+        return load_description(_FOLDER / f"{text}.toml", run_time=run_time)
+    path = Path(text)
+    if "\0" not in text and (path.suffix in (".toml", *READABLE) or path.is_file()):
+        if not path.is_file():
+            raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a description of a mechanism")
+        if path.suffix in READABLE:
+            if run_time:
+                raise DescriptionError(f"{shorten(text, 200)} has no parameters; convert it to .toml and add them")
+            return load_format(path)
+        return load_description(path, run_time=run_time)
+    raise DescriptionError(
+        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
+        f"{did_you_mean(text, names())}"
+    )

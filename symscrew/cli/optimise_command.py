@@ -1,0 +1,99 @@
+"""`symscrew optimise`."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import json
+import sys
+
+from symscrew.display import table
+from symscrew.errors import DescriptionError
+from symscrew.optimisation import Replay, Trajectory, load_problem, replay, solve
+from symscrew.whole_files import destination
+
+FORMATS = (".npz", ".csv")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, derive, optimise, write; 1 where no optimum was found (the best iterate is written all the same)."""
+    out = destination(options.out, FORMATS, "--out")
+    picture = destination(options.plot, (".png",), "--plot") if options.plot else None
+    if picture is not None and importlib.util.find_spec("matplotlib") is None:
+        raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
+    if options.rate is not None and not options.rate > 0:
+        raise DescriptionError(f"--rate: expected samples per second above 0, got {options.rate:g}")
+    problem = load_problem(options.problem)
+    found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
+    from symscrew.optimisation import plot_plan, write_plan
+
+    written = [write_plan(found, out, rate=options.rate)]
+    again = replay(found) if found.ok else None
+    if picture is not None:
+        written.append(plot_plan(found, picture, again))
+    if options.json:
+        print(json.dumps(_numbers(found, again), indent=1))
+    else:
+        print("\n".join(summary(found, again)))
+    for path in written:
+        print(f"wrote {path}", file=sys.stderr)
+    return 0 if found.ok else 1
+
+
+def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
+    """The outcome in words, with a table of time."""
+    lines = [f"{found.problem.name}: {found.status}"]
+    if not found.ok:
+        lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
+        lines.append("  what is written is the best iterate, no solution")
+        return lines
+    errors = found.errors
+    lines.append(f"cost {found.cost:.10g} (estimated error {errors.cost:.1e}), duration {found.duration:.10g} s")
+    lines += [f"{name} = {value:.10g}" for name, value in found.parameters.items()]
+    for k, label in enumerate(found.drive_labels):
+        u = found.drives_at_points[:, k]
+        low, high = found.model.drive_range(label)
+        near = 1e-3 * found.model.scales.u[k]
+        share = 100 * float(((u < low + near) | (u > high - near)).mean())
+        lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g}, on a bound at {share:.0f} % of the points")
+    lines.append(
+        f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2 (at the end "
+        f"{errors.drift:.1e}), bounds exceeded by {errors.violation:.1e} (scaled); smallest pivot of the coordinates "
+        f"{errors.pivot:.2g}"
+    )
+    if again is not None:
+        lines.append(
+            f"replayed by forward simulation: ends {again.end_error:.1e} from the plan, closure {again.closure:.1e}, "
+            f"integration error {again.integration:.1e}"
+        )
+    spent = found.statistics
+    rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
+    lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
+    return [*lines, table(("part", "time [s]", "processor [s]"), rows)]
+
+
+def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
+    result: dict[str, object] = {
+        "problem": found.problem.name,
+        "ok": found.ok,
+        "status": found.status,
+        "reasons": list(found.reasons),
+        "cost": found.cost if found.ok else None,
+        "duration": found.duration,
+        "parameters": found.parameters,
+        "iterations": found.statistics.iterations,
+        "intervals": len(found.mesh) - 1,
+        "refinements": found.refinements,
+        "times": dict(found.statistics.times),
+        "processor_times": dict(found.statistics.processor),
+    }
+    if found.ok:
+        errors = found.errors
+        result["errors"] = {
+            name: getattr(errors, name) for name in ("closure", "dynamic", "drift", "cost", "pivot", "violation")
+        }
+    if again is not None:
+        result["replay"] = {
+            "end_error": again.end_error, "closure": again.closure, "integration": again.integration
+        }  # fmt: skip
+    return result

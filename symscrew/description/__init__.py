@@ -1,0 +1,54 @@
+"""Descriptions of mechanisms: bodies, joints, loops, points and parameters, exactly as their author meant them.
+
+    TOML file --toml_file--> tables --reader, limb_letters--> builder --validation--> Mechanism
+
+A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read by a grammar of our own.
+"""
+
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
+from symscrew.description.joints import JOINT_TYPES, Motion
+from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Point, Vector
+from symscrew.description.names import RESERVED, check_name, check_text
+from symscrew.description.reader import Reader
+from symscrew.description.taken_names import members, namespace, taken_as_file
+from symscrew.description.template import write_template
+from symscrew.description.toml_file import load_description, parse_description, read_tables, read_text, to_toml
+from symscrew.description.toml_tables import check_keys, check_sections, from_file
+from symscrew.description.validation import validate
+
+__all__ = [
+    "CONSTANTS",
+    "FUNCTIONS",
+    "JOINT_TYPES",
+    "RESERVED",
+    "Body",
+    "Joint",
+    "Matrix3",
+    "Mechanism",
+    "MechanismBuilder",
+    "Motion",
+    "Parameter",
+    "Point",
+    "Reader",
+    "Vector",
+    "check_keys",
+    "check_name",
+    "check_sections",
+    "check_text",
+    "exact",
+    "from_file",
+    "load_description",
+    "members",
+    "namespace",
+    "numeric",
+    "parse",
+    "parse_description",
+    "read_tables",
+    "read_text",
+    "taken_as_file",
+    "to_text",
+    "to_toml",
+    "validate",
+    "write_template",
+]

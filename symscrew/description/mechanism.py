@@ -1,0 +1,121 @@
+"""What a mechanism is: bodies, joints, loops, points and parameters, as immutable data.
+
+A mechanism is a connected graph. Its vertices are bodies (one of them is the ground), its edges are
+joints; a loop is a joint between two bodies that are already connected, nothing else. Everything is
+given in absolute axes in the reference configuration, so no body frames are needed. Numbers are exact
+SymPy expressions, free of floating point, in the mechanism's parameters.
+
+`builder` makes a `Mechanism` from Python calls, `toml_file` from a TOML file; both end in `validation`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import sympy
+
+Vector = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
+Matrix3 = tuple[Vector, Vector, Vector]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A named quantity of the description.
+
+    `value` is an exact number (after resolving the parameters it refers to). A run-time parameter is an
+    input of every generated function; any other is baked into the code.
+    """
+
+    name: str
+    value: sympy.Expr
+    unit: str = "1"
+    description: str = ""
+    run_time: bool = False
+
+    @property
+    def symbol(self) -> sympy.Symbol:
+        """The real SymPy symbol that stands for this parameter in all expressions."""
+        return sympy.Symbol(self.name, real=True)
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body. `mass` [kg], `com` [m], `inertia` [kg m^2] about the centre of mass, absolute axes.
+
+    All three are None for a body without inertia (kinematics only, or a massless link).
+    """
+
+    name: str
+    mass: sympy.Expr | None = None
+    com: Vector | None = None
+    inertia: Matrix3 | None = None
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint from `parent` to `child`: its point [m] and unit axes in the reference configuration.
+
+    `type` is one of the keys of `symscrew.description.joints.JOINT_TYPES`. `pitch` [m/rad] belongs to H only.
+    `driven` lists the indices of the driven freedoms. `reference` are the values of the joint's
+    coordinates in the reference configuration (default 0; S, E and free joints have none).
+    """
+
+    name: str
+    type: str
+    parent: str
+    child: str
+    point: Vector
+    axes: tuple[Vector, ...] = ()
+    pitch: sympy.Expr | None = None
+    driven: tuple[int, ...] = ()
+    reference: tuple[sympy.Expr, ...] = ()
+
+
+@dataclass(frozen=True)
+class Point:
+    """A named point fixed in a body, at its place in the reference configuration [m]."""
+
+    name: str
+    body: str
+    at: Vector
+
+
+@dataclass(frozen=True)
+class Limb:
+    """Names of the joints of a limb in order from `base` to `tip`, for people and for mobility analysis."""
+
+    name: str
+    joints: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A validated mechanism. Mappings keep the order of the description.
+
+    `characteristic_length` [m] is what norms of mixed quantities divide lengths by; None for the default
+    (`System.length`).
+    """
+
+    name: str
+    ground: str
+    bodies: Mapping[str, Body]
+    joints: Mapping[str, Joint]
+    points: Mapping[str, Point] = field(default_factory=dict)
+    parameters: Mapping[str, Parameter] = field(default_factory=dict)
+    limbs: Mapping[str, Limb] = field(default_factory=dict)
+    platform: str | None = None
+    description: str = ""
+    source: str = ""
+    characteristic_length: sympy.Expr | None = None
+    warnings: tuple[str, ...] = ()
+
+    def baked(self, expression: sympy.Expr) -> sympy.Expr:
+        """`expression` with every parameter that is not a run-time input replaced by its value."""
+        values = {p.symbol: p.value for p in self.parameters.values() if not p.run_time}
+        return expression.xreplace(values) if values else expression
+
+    def number(self, expression: sympy.Expr) -> sympy.Expr:
+        """`expression` with every parameter replaced by its value: an exact number."""
+        values = {p.symbol: p.value for p in self.parameters.values()}
+        return expression.xreplace(values) if values else expression

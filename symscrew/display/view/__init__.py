@@ -1,0 +1,14 @@
+"""A mechanism in a web page: one self-contained file with its model in JavaScript, to be turned, moved and played."""
+
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.display.view.motion_file import RecordedMotion, read, read_motion
+    from symscrew.display.view.page import make_page, open_page, write_page
+    from symscrew.display.view.page_data import scene
+
+__all__ = ["RecordedMotion", "make_page", "open_page", "read", "read_motion", "scene", "write_page"]
+
+__getattr__ = doors(__name__)

@@ -1,0 +1,64 @@
+"""The page: a template, its style and scripts, the bundled 3-D library, the model's functions and data, in one file.
+
+The page asks the network for nothing; its content security policy forbids it.
+"""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+import tempfile
+import webbrowser
+from importlib import resources
+from pathlib import Path
+
+from symscrew.display.view.motion_file import RecordedMotion
+from symscrew.display.view.page_data import functions_of, scene
+from symscrew.export import print_script
+from symscrew.model import Model
+from symscrew.whole_files import replaced
+
+SCRIPTS = ("screws.js", "kinematics.js", "shapes.js", "layers.js", "stage.js", "panel.js", "main.js")
+LIBRARY = "library.min.js"
+
+
+def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
+    """The page of a model as text, with a recorded motion if there is one.
+
+    Raises:
+        DescriptionError: the motion does not belong to this model.
+    """
+    data = json.dumps(scene(model, motion), ensure_ascii=False, allow_nan=False)
+    parts = {
+        "title": html.escape(model.name),
+        "style": _file("page", "page.css"),
+        "data": data.replace("<", "\\u003c"),
+        "licences": _in_script(_file("assets", "LICENSE")),
+        "library": _file("assets", LIBRARY),
+        "functions": _in_script(print_script(model, "functions", functions_of(model))),
+        "scripts": "\n".join(f"<script>\n{_file('page', name)}</script>" for name in SCRIPTS),
+    }
+    return re.sub(r"<!-- insert (\w+) -->", lambda found: parts[found.group(1)], _file("page", "page.html"))
+
+
+def write_page(model: Model, path: str | Path, motion: RecordedMotion | None = None) -> Path:
+    """Write the page of a model; the file is there whole or not at all. Raises OSError where it cannot be written."""
+    text = make_page(model, motion)
+    return replaced(Path(path), lambda part: part.write_text(text, encoding="utf-8"))
+
+
+def open_page(model: Model, motion: RecordedMotion | None = None) -> Path:
+    """Write the page into a new temporary directory and open it in the browser, if there is one."""
+    file = write_page(model, Path(tempfile.mkdtemp(prefix="symscrew_view_")) / f"{model.name}.html", motion)
+    webbrowser.open(file.as_uri())
+    return file
+
+
+def _file(*parts: str) -> str:
+    return resources.files("symscrew.display.view").joinpath(*parts).read_text(encoding="utf-8")
+
+
+def _in_script(text: str) -> str:
+    """A script whose comments cannot end the element it stands in."""
+    return text.replace("</", "<\\/").replace("<!--", "<\\!--")

@@ -1,0 +1,200 @@
+"""What the page must know of a mechanism: outlines, joints, limbs, coordinates, and a recorded motion.
+
+Everything is plain data (lists, numbers, texts) in absolute axes in the reference configuration; the poses of
+the bodies and all screws are computed in the page by the model's own functions.
+"""
+
+from __future__ import annotations
+
+import base64
+from typing import Any
+
+import numpy as np
+
+from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.display.shape import along, body_points, numbers, plate
+from symscrew.display.view.motion_file import RecordedMotion
+from symscrew.functions import THRESHOLD, joint_freedom_labels, moving_bodies
+from symscrew.model import Model
+
+Array = np.ndarray
+
+FUNCTIONS = (
+    "body_poses", "joint_screws", "joint_points", "closure", "closure_jacobian", "platform_jacobian", "velocity",
+    "acceleration", "momentum_screws", "energy", "joint_reactions", "assemble", "limb_margins", "constraint_margin",
+    "actuation_margins",
+)  # fmt: skip
+MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
+ALL_DRIVES = "all drives"
+MAX_FRAMES = 1500
+MAX_VALUES = 400_000
+
+
+def functions_of(model: Model) -> tuple[str, ...]:
+    """Names of the model's functions that the page calls."""
+    return tuple(name for name in FUNCTIONS if name in model.programs)
+
+
+def scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
+    """The page's data for a model, with a recorded motion if there is one.
+
+    Raises:
+        DescriptionError: the motion does not belong to this model.
+    """
+    mechanism, system = model.mechanism, model.system
+    bodies = [mechanism.ground, *moving_bodies(system)]
+    index = {name: k for k, name in enumerate(bodies)}
+    points = body_points(mechanism)
+    platform = mechanism.platform or bodies[-1]
+    return {
+        "name": mechanism.name,
+        "description": mechanism.description,
+        "notes": list(model.notes),
+        "effects": [repr(effect) for effect in model.effects],
+        "length": system.length,
+        "threshold": THRESHOLD,
+        "platform": index[platform],
+        "platform_named": mechanism.platform is not None,
+        "bodies": [_body(mechanism, name, points[name]) for name in bodies],
+        "joints": _joints(model, index),
+        "points": [
+            {"name": p.name, "body": index[p.body], "at": numbers(mechanism, p.at).tolist()}
+            for p in mechanism.points.values()
+        ],
+        "limbs": _limbs(mechanism),
+        "drives": _drives(model),
+        "independent": _independent(model),
+        "quaternions": [link.q.start for link in system.tree.links[1:] if link.q.stop - link.q.start == 4],
+        "q_labels": [c.label for c in system.tree.q],
+        "v_kinds": [c.kind for c in system.tree.v],
+        "reference": system.reference.tolist(),
+        "parameters": system.parameter_values.tolist(),
+        "margins": _margins(model),
+        "functions": {
+            name: {
+                "inputs": [[port.name, port.size] for port in model.programs[name].inputs],
+                "outputs": {port.name: list(port.labels) for port in model.programs[name].outputs},
+            }
+            for name in functions_of(model)
+        },
+        "motion": None if motion is None else _motion(model, motion),
+    }
+
+
+def _body(mechanism: Mechanism, name: str, places: Array) -> dict[str, Any]:
+    """Outline of a body: a plate with struts to what lies outside its plane, or a bar; and its mass."""
+    flat = plate(places) if len(places) > 2 else None
+    made: dict[str, Any] = {"name": name, "plate": [], "struts": [], "bar": [], "mass": None, "com": None}
+    if flat is not None:
+        inside, corners = flat
+        made["plate"] = corners.tolist()
+        made["struts"] = [[corners.mean(axis=0).tolist(), place.tolist()] for place in places[~inside]]
+    else:
+        made["bar"] = along(places).tolist()
+    # the outer part of a sliding pair is drawn thicker than the one that slides in it
+    made["outer"] = any(j.type in ("P", "C") and j.parent == name for j in mechanism.joints.values())
+    body = mechanism.bodies.get(name)
+    if body is not None and body.mass is not None and body.com is not None and name != mechanism.ground:
+        made["mass"] = float(mechanism.number(body.mass))
+        made["com"] = numbers(mechanism, body.com).tolist()
+    return made
+
+
+def _joints(model: Model, index: dict[str, int]) -> list[dict[str, Any]]:
+    mechanism = model.mechanism
+    owners = [name for _, _, name in joint_freedom_labels(model.system)]
+    return [
+        {
+            "name": joint.name,
+            "type": joint.type,
+            "parent": index[joint.parent],
+            "child": index[joint.child],
+            "point": numbers(mechanism, joint.point).tolist(),
+            "axes": [_unit(numbers(mechanism, axis)) for axis in joint.axes],
+            "kinds": [_kind(joint, k) for k in range(JOINT_TYPES[joint.type].freedom)],
+            "driven": list(joint.driven),
+            "pitch": None if joint.pitch is None else float(mechanism.number(joint.pitch)),
+            "screws": owners.index(joint.name) if joint.name in owners else 0,
+        }
+        for joint in mechanism.joints.values()
+    ]
+
+
+def _kind(joint: Joint, freedom: int) -> str:
+    """The kind of a joint's freedom: "turn", "slide" or "screw"."""
+    kind = JOINT_TYPES[joint.type].freedoms[freedom].kind
+    return {"P": "slide", "H": "screw"}.get(kind, "turn")
+
+
+def _unit(vector: Array) -> list[float]:
+    return (vector / np.linalg.norm(vector)).tolist()
+
+
+def _limbs(mechanism: Mechanism) -> list[dict[str, Any]]:
+    names = list(mechanism.joints)
+    return [
+        {"name": limb.name, "joints": [names.index(joint) for joint in limb.joints]}
+        for limb in mechanism.limbs.values()
+    ]
+
+
+def _drives(model: Model) -> list[dict[str, Any]]:
+    names = list(model.mechanism.joints)
+    if "joint_reactions" not in model.programs or not model.system.drives:
+        return []
+    port = next(p for p in model.programs["joint_reactions"].outputs if p.name == "u")
+    return [
+        {"joint": names.index(joint), "freedom": freedom, "label": label, "unit": unit}
+        for (joint, freedom), label, unit in zip(model.system.drives, port.labels, port.units, strict=True)
+    ]
+
+
+def _independent(model: Model) -> list[dict[str, Any]]:
+    """The independent coordinates y: entry of q, kind, for a quaternion's component where it starts, what they move.
+
+    `axis`: of the platform's free motion and of rotation vectors, x, y or z.
+    """
+    tree = model.system.tree
+    at = {c.label: k for k, c in enumerate(tree.q)}
+    pose = {k.q.start: "xyz"[k.motion.axis or 0] for k in tree.links[1:]
+            if k.motion.kind == "P" and k.joint not in model.mechanism.joints}  # fmt: skip
+    result = []
+    for label in next(p for p in model.programs["velocity"].inputs if p.name == "y_dot").labels:
+        entry = at[label]
+        start = next(
+            (k.q.start for k in tree.links[1:] if k.q.stop - k.q.start == 4 and k.q.start <= entry < k.q.stop), None
+        )
+        kind = "turn" if start is not None else tree.q[entry].kind
+        axis = pose.get(entry) if start is None else label[-1]
+        made = {"label": label, "q": entry, "kind": kind, "unit": tree.q[entry].unit, "quaternion": start}
+        result.append(made | {"axis": axis})
+    return result
+
+
+def _margins(model: Model) -> list[dict[str, Any]]:
+    """Every margin from a singularity: function, entry, name, and whether it is a squared volume.
+
+    Of the actuation margins only that of all drives: those of some drives are for who locks only these.
+    """
+    made = []
+    for function in MARGINS:
+        if function not in model.programs:
+            continue
+        port = model.programs[function].outputs[0]
+        for k, (label, form) in enumerate(zip(port.labels, port.forms, strict=True)):
+            if function != "actuation_margins" or label == ALL_DRIVES:
+                name = label if function == "limb_margins" else MARGINS[function]
+                made.append({"function": function, "entry": k, "name": name, "squared": form == "squared"})
+    return made
+
+
+def _motion(model: Model, motion: RecordedMotion) -> dict[str, Any]:
+    """The motion as little-endian 4-byte numbers in base64, thinned to what a page can hold."""
+    motion.check(model)
+    arrays = {"t": motion.t[:, None], "q": motion.q, "v": motion.v, "u": motion.u, "reactions": motion.reactions}
+    given = {name: array for name, array in arrays.items() if array is not None}
+    columns = sum(array.shape[1] for array in given.values())
+    frames = min(len(motion.t), MAX_FRAMES, max(2, MAX_VALUES // columns))
+    chosen = np.unique(np.round(np.linspace(0, len(motion.t) - 1, frames)).astype(int))
+    packed = {name: base64.b64encode(array[chosen].astype("<f4").tobytes()).decode() for name, array in given.items()}
+    return {"recorded": len(motion.t), "frames": len(chosen), "arrays": packed}

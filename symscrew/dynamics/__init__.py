@@ -1,0 +1,41 @@
+"""Dynamics: from momentum rates and effects to drives, reactions and accelerations.
+
+System, Acting --equilibrium--> balance of every link --drives, reactions--> wrenches at every joint
+               --tree_dynamics, articulated, projection, coriolis--> `Admissible`: accelerations of free motion
+"""
+
+from symscrew.dynamics.derivatives import Direction, Variation, closure_rows, inertial_derivatives, power_changes, three
+from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
+from symscrew.dynamics.equilibrium import ONE, Balance, Setting, balance
+from symscrew.dynamics.free_motion import Admissible
+from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
+from symscrew.dynamics.rods import bars, thin_rods, with_end_masses
+from symscrew.dynamics.tree_dynamics import applied_forces, generalised_forces, mass_matrix
+
+__all__ = [
+    "ONE",
+    "Admissible",
+    "Balance",
+    "Direction",
+    "DriveSolution",
+    "Reactions",
+    "Setting",
+    "Variation",
+    "applied_forces",
+    "at_origin",
+    "balance",
+    "bars",
+    "closure_rows",
+    "generalised_forces",
+    "inertial_derivatives",
+    "joint_wrenches",
+    "mass_matrix",
+    "numeric_multipliers",
+    "power_changes",
+    "solve_drives",
+    "solve_reactions",
+    "solve_symmetric",
+    "thin_rods",
+    "three",
+    "with_end_masses",
+]

@@ -1,0 +1,192 @@
+"""Forward dynamics of trees in linear time: articulated-body inertias from the tips to the ground.
+
+Seen from its joint, a link with everything outboard of it answers an acceleration of its origin (alpha ; a)
+with the wrench (f ; m) = (A a + B alpha ; B^T a + D alpha) + bias (Featherstone 1983). Accelerations are
+counted from those that the tree has at present with all joints steady, so that velocities enter the biases
+only. All in link axes, about the link's origin.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symscrew.algebra import (
+    ZERO,
+    Guard,
+    Matrix,
+    Node,
+    Vector,
+    add,
+    cross,
+    dot,
+    magnitude,
+    product,
+    scale,
+    subtract,
+    transform,
+    transpose,
+)
+from symscrew.effects import Acting
+from symscrew.kinematics import GROUND, Inertia, Link, Placement, System
+
+Screw = tuple[Vector, Vector]  # (angular ; linear)
+
+
+@dataclass(frozen=True)
+class Articulated:
+    """How a link answers accelerations: force A a + B alpha, moment B^T a + D alpha; A and D symmetric."""
+
+    linear: Matrix  # A
+    mixed: Matrix  # B
+    angular: Matrix  # D
+
+    def wrench(self, screw: Screw) -> tuple[Vector, Vector]:
+        """Force and moment for an acceleration screw (alpha ; a)."""
+        alpha, a = screw
+        force = add(transform(self.linear, a), transform(self.mixed, alpha))
+        return force, add(transform(transpose(self.mixed), a), transform(self.angular, alpha))
+
+    def less(self, force: Vector, moment: Vector, factor: Node) -> Articulated:
+        """What is left when a freedom yields: less factor times the dyad of the wrench (force ; moment)."""
+        f, m = scale(factor, force), scale(factor, moment)
+        return Articulated(
+            _minus(self.linear, f, force, symmetric=True),
+            _minus(self.mixed, f, moment),
+            _minus(self.angular, m, moment, symmetric=True),
+        )
+
+    def plus(self, other: Articulated) -> Articulated:
+        """Two at the same link."""
+        return Articulated(*(_sum(x, y) for x, y in zip(self.parts, other.parts, strict=True)))
+
+    @property
+    def parts(self) -> tuple[Matrix, Matrix, Matrix]:
+        """A, B, D."""
+        return self.linear, self.mixed, self.angular
+
+    def inwards(self, placed: Placement) -> Articulated:
+        """The same in the parent's axes about the parent's origin."""
+        a, b, d = (_turned(placed, part) for part in self.parts)
+        r = placed.offset
+        shift: Matrix = ((0, -r[2], r[1]), (r[2], 0, -r[0]), (-r[1], r[0], 0))
+        # acceleration of this origin: a_parent + alpha x r, moment about the parent's: m + r x f
+        carried = product(a, shift)
+        mixed = _sum(b, _negative(carried))
+        turned = _sum(product(shift, b), _negative(product(transpose(b), shift)))
+        angular = _sum(_sum(d, turned), _negative(product(shift, carried)))
+        return Articulated(a, mixed, angular)
+
+
+def rigid(inertia: Inertia) -> Articulated:
+    """A body by itself."""
+    x, y, z = inertia.first
+    mass, second = inertia.mass, inertia.second
+    trace = second[0][0] + second[1][1] + second[2][2]
+    rows = tuple(tuple((trace if i == j else 0) - second[i][j] for j in range(3)) for i in range(3))
+    return Articulated(
+        ((mass, 0, 0), (0, mass, 0), (0, 0, mass)),
+        ((0, z, -y), (-z, 0, x), (y, -x, 0)),
+        rows,  # type: ignore[arg-type]
+    )
+
+
+def articulated_accelerations(system: System, acting: Acting) -> tuple[list[Node], list[Guard]]:
+    """Accelerations of a tree's joints (for v) under everything that acts, and the guarded pivots."""
+    tape, tree = system.tape, system.tree
+    zeros = [tape.zero] * len(tree.v)
+    inertia = acting.lean_inertia()
+    bodies = [rigid(one) for one in inertia]
+    biases = _biases(system, acting)
+    forces = acting.known_forces(zeros)
+    known = system.tree_rates([forces.get(k, tape.zero) for k in range(len(tree.v))])
+    kept: list[list[tuple[Screw, tuple[Vector, Vector], Node, Node]]] = [[] for _ in tree.links]
+    guards: list[Guard] = []
+    for link in reversed(tree.links[1:]):
+        body, (force, moment) = bodies[link.index], biases[link.index]
+        for k, screw in enumerate(own_screws(system, link)):
+            answer = body.wrench(screw)
+            stiffness = _pairing(tape, answer, screw) + acting.reflected_inertia.get(link.v.start + k, tape.zero)
+            inverse = 1 / stiffness
+            effort = inverse * (known[link.v.start + k] - _pairing(tape, (force, moment), screw))
+            body = body.less(*answer, inverse)
+            force, moment = add(force, scale(effort, answer[0])), add(moment, scale(effort, answer[1]))
+            kept[link.index].append((screw, answer, inverse, effort))
+            guards.append(Guard(stiffness, 1.0 / max(1e-300, magnitude(tape, stiffness, 1.0)[1])))
+        if link.parent != GROUND:
+            placed = system.placed[link.index]
+            bodies[link.parent] = bodies[link.parent].plus(body.inwards(placed))
+            f, m = placed.inwards(force), placed.inwards(moment)
+            waiting = biases[link.parent]
+            biases[link.parent] = add(waiting[0], f), add(add(waiting[1], m), cross(placed.offset, f))
+    return _outwards(system, kept), guards
+
+
+def own_screws(system: System, link: Link) -> list[Screw]:
+    """Unit screws (angular ; linear) of a link's joint, link axes, at its origin, one per entry of v."""
+    frame, placed = system.frames[link.index], system.placed[link.index]
+    if link.motion.kind == "F":
+        return []
+    if link.motion.kind == "S":
+        return [((1, 0, 0), ZERO), ((0, 1, 0), ZERO), ((0, 0, 1), ZERO)]
+    if link.motion.kind == "P":
+        return [(ZERO, placed.outwards(frame.axis))]
+    return [((0, 0, 1), (0, 0, frame.pitch) if frame.pitch is not None else ZERO)]
+
+
+def _biases(system: System, acting: Acting) -> list[tuple[Vector, Vector]]:
+    """Wrench that every link needs with all joints steady, less the loads on it."""
+    needed = acting.inertial_wrenches([system.tape.zero] * len(system.tree.v))
+    result = []
+    for link in system.tree.links:
+        force, moment = needed.get(link.index, (ZERO, ZERO))
+        if link.index in acting.loads:
+            back = transpose(system.placed[link.index].turn)
+            f, m = (transform(back, vector) for vector in acting.loads[link.index])
+            force, moment = subtract(force, f), subtract(moment, m)
+        result.append((force, moment))
+    return result
+
+
+def _outwards(system: System, kept: Sequence[Sequence[tuple]]) -> list[Node]:
+    """Joint accelerations from the ground to the tips."""
+    tape, tree = system.tape, system.tree
+    result = [tape.zero] * len(tree.v)
+    moving: list[Screw] = [(ZERO, ZERO)] * len(tree.links)
+    for link in tree.links[1:]:
+        placed = system.placed[link.index]
+        alpha, a = moving[link.parent]
+        alpha, a = placed.outwards(alpha), placed.outwards(add(a, cross(alpha, placed.offset)))
+        for k, (screw, answer, inverse, effort) in reversed(list(enumerate(kept[link.index]))):
+            value = effort - inverse * _pairing(tape, answer, (alpha, a))
+            result[link.v.start + k] = value
+            alpha, a = add(alpha, scale(value, screw[0])), add(a, scale(value, screw[1]))
+        moving[link.index] = (alpha, a)
+    return result
+
+
+def _pairing(tape: object, wrench: tuple[Vector, Vector], screw: Screw) -> Node:
+    return tape.node(dot(wrench[0], screw[1]) + dot(wrench[1], screw[0]))  # type: ignore[attr-defined]
+
+
+def _minus(matrix: Matrix, left: Vector, right: Vector, *, symmetric: bool = False) -> Matrix:
+    """matrix - left right^T; a symmetric result is computed once."""
+    rows = [[matrix[i][j] - left[i] * right[j] for j in range(3)] for i in range(3)]
+    if symmetric:
+        rows = [[rows[min(i, j)][max(i, j)] for j in range(3)] for i in range(3)]
+    return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
+
+
+def _sum(x: Matrix, y: Matrix) -> Matrix:
+    return tuple(add(a, b) for a, b in zip(x, y, strict=True))  # type: ignore[return-value]
+
+
+def _negative(x: Matrix) -> Matrix:
+    return tuple(scale(-1, row) for row in x)  # type: ignore[return-value]
+
+
+def _turned(placed: Placement, matrix: Matrix) -> Matrix:
+    """R matrix R^T with R from link axes to parent axes."""
+    rows = tuple(placed.inwards(row) for row in matrix)
+    columns = tuple(placed.inwards(column) for column in transpose(rows))  # type: ignore[arg-type]
+    return transpose(columns)  # type: ignore[arg-type]

@@ -1,0 +1,408 @@
+"""Equilibrium of all links at once: drives and joint reactions from the rates of the momentum screws.
+
+From the tips of the limbs to the ground, every link carries one wrench per column: column 1 (inertia,
+weight, loads), one per multiplier of a cut joint, one per drive. The row of a passive freedom, S . W = 0,
+solves for one multiplier at once, so that only the columns that are still unknown travel down the limb;
+the row of a driven freedom trades a multiplier for the drive. What remains at the hub are as many
+equations in the drives as the mechanism has freedoms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from symscrew.algebra import (
+    SAFE,
+    Affine,
+    Column,
+    Guard,
+    Node,
+    Pivot,
+    Tape,
+    Vector,
+    add,
+    choose_pivot,
+    cross,
+    dot,
+    insert_solution,
+    magnitude,
+    scale,
+    solve_block,
+    solve_for,
+    transform,
+)
+from symscrew.kinematics import GROUND, Cut, Frame, Link, Placement, Row, Tree, on_hub
+
+ONE: Column = "1"
+Wrench = tuple[Vector, Vector]
+Wrenches = dict[Column, Wrench]
+Projection = Callable[[Wrench], Node]
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A limb's last body, at a cut joint, as a bar that bears tension: see `symscrew.dynamics.rods`.
+
+    `ends`: link -> what it must supply for the bar per unit of tension, and for the bar's inertia; in the axes before
+    its motion, at its origin. `links` are the bar's own links, which are left out then.
+    """
+
+    links: frozenset[int]
+    ends: Mapping[int, tuple[Wrench, Wrench]]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What equilibrium is written for: the tree at given placements, its cuts, drives and unit scales."""
+
+    tape: Tape
+    tree: Tree
+    frames: Sequence[Frame]
+    placed: Sequence[Placement]
+    cuts: Sequence[Cut]
+    drives: Mapping[int, int]  # index into v -> index into u
+    cut_drives: Mapping[int, Sequence[tuple[int, Row]]]  # cut -> (index into u, unit drive wrench on its child)
+    length: float  # characteristic length [m]
+    virtual_directions: tuple[tuple[Vector, ...], tuple[Vector, ...]] = (
+        (),
+        (),
+    )  # forces, couples it cannot bear
+    joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
+    bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
+
+    def row_scale(self, v_index: int | None) -> float:
+        """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
+        return 1.0 if v_index is None or self.tree.v[v_index].kind == "length" else 1.0 / self.length
+
+    def multipliers(self) -> dict[Column, float]:
+        """All multiplier columns with their unit scale; a bar has its tension per length."""
+        return {
+            ("multiplier", c, r): 1.0 / self.length if c in self.bars else 1.0 if row.unit == "N" else self.length
+            for c, cut in enumerate(self.cuts)
+            for r, row in enumerate(cut.rows[:1] if c in self.bars else cut.rows)
+        }
+
+    def cut_wrench(self, c: int, multipliers: Mapping[Column, Affine], drive: Callable[[int], Affine]) -> Wrenches:
+        """What a cut joint exerts on its tip, at its point in tip axes, per column: multipliers and drives."""
+        cut = self.cuts[c]
+        total: Wrenches = {}
+        for r, row in enumerate(cut.rows):
+            for column, factor in multipliers["multiplier", c, r].items():
+                accumulate(total, column, scale(factor, row.force), scale(factor, row.couple))
+        sign = -1 if cut.tip_is_parent else 1
+        for u, row in self.cut_drives.get(c, ()):
+            for column, factor in drive(u).items():
+                accumulate(total, column, scale(sign * factor, row.force), scale(sign * factor, row.couple))
+        return total
+
+    def before_motion(
+        self, link: Link, here: Wrenches, loads: Mapping[int, tuple[Vector, Vector]], at_cut: Callable[[int], Wrenches]
+    ) -> Wrenches:
+        """All that the joint of a link must supply, in the axes before its motion, at its origin.
+
+        `here` are the wrenches on the link in its own axes; the loads and the cuts where it is the hub
+        (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
+        """
+        placed = self.placed[link.index]
+        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
+        if link.index in loads:
+            force, moment = loads[link.index]
+            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+        for c, cut in enumerate(self.cuts):
+            if cut.hub != link.index or c in self.bars:
+                continue
+            for column, (f, m) in at_cut(c).items():
+                accumulate(result, column, *on_hub(cut, self.tree, self.placed, f, m))
+        return result
+
+    def add_bars(self, link: Link, before: Wrenches, multipliers: Mapping[Column, Affine]) -> None:
+        """Add to `before` what a link must supply for the bars that end on it."""
+        for c, bar in self.bars.items():
+            if link.index in bar.ends:
+                (pull, couple), inertia = bar.ends[link.index]
+                accumulate(before, ONE, *inertia)
+                for column, factor in multipliers["multiplier", c, 0].items():
+                    accumulate(before, column, scale(factor, pull), scale(factor, couple))
+
+
+@dataclass
+class Balance:
+    """Result of the elimination: multipliers as affine functions of drives and free multipliers."""
+
+    multipliers: dict[Column, Affine]
+    finals: list[Affine]
+    guards: list[Guard]
+    free: list[Column]
+    unbalanced: list[int] = field(default_factory=list)
+
+
+def balance(
+    setting: Setting,
+    wrench: Callable[[Link], tuple[Vector, Vector]],
+    loads: Mapping[int, tuple[Vector, Vector]],
+    *,
+    drives_last: bool = False,
+    blocks: bool = False,
+) -> Balance:
+    """Eliminate all multipliers, limb by limb.
+
+    `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
+    `loads` are further wrenches that act on a link, in the axes before its motion. With `drives_last` the rows of
+    driven freedoms are used for no multiplier that other rows give: the drives follow from the multipliers then, and
+    their levers, which vanish where a limb is stretched, are no pivots. With `blocks` two or three multipliers whose
+    pivots would wait for each other are solved at once.
+    """
+    return _Elimination(setting, wrench, loads, drives_last=drives_last, blocks=blocks).run()
+
+
+class _Elimination:
+    """State of `balance`: wrenches that wait at links, multipliers solved so far."""
+
+    def __init__(
+        self,
+        setting: Setting,
+        wrench: Callable[[Link], tuple[Vector, Vector]],
+        loads: Mapping[int, tuple[Vector, Vector]],
+        *,
+        drives_last: bool,
+        blocks: bool,
+    ) -> None:
+        self.setting, self.wrench, self.loads = setting, wrench, loads
+        self.drives_last, self.blocks = drives_last, blocks
+        tape = setting.tape
+        self.scales = setting.multipliers()
+        self.solved: dict[Column, Affine] = {c: {c: tape.one} for c in self.scales}
+        self.waiting: dict[int, Wrenches] = {link.index: {} for link in setting.tree.links}
+        for c, cut in enumerate(setting.cuts):
+            if cut.tip != GROUND and c not in setting.bars:
+                here = self.waiting[cut.tip]
+                for column, (f, m) in self._cut_wrench(c).items():
+                    accumulate(here, column, scale(-1, f), scale(-1, add(cross(cut.tip_point, f), m)))
+        self.result = Balance(self.solved, [], [], [])
+        self.deferred: list[tuple[int | None, Affine]] = []
+
+    def run(self) -> Balance:
+        tree = self.setting.tree
+        left_out = {index for bar in self.setting.bars.values() for index in bar.links}
+        pending = {link.index for link in tree.links[1:]} - left_out
+        while pending:
+            ready = [i for i in pending if not any(tree.links[j].parent == i for j in pending)]
+            index = min(ready, key=lambda i: (self._open_tips(i, pending), self._unknowns(i), i))
+            pending.discard(index)
+            self._process(tree.links[index])
+        self._finish()
+        used = {c for affine in self.solved.values() for c in affine}
+        self.result.free = [c for c in self.scales if c in used]
+        return self.result
+
+    def _open_tips(self, index: int, pending: set[int]) -> int:
+        """How many limbs that end at this hub have not been eliminated down to where the hub's path begins."""
+        inside = set(self.setting.tree.path(index))
+        limbs = (set(self.setting.tree.path(cut.tip)) - inside for cut in self.setting.cuts if cut.hub == index)
+        return sum(1 for limb in limbs if limb & pending)
+
+    def _unknowns(self, index: int) -> int:
+        columns = {c for c in self.waiting[index] if c in self.scales}
+        for c, cut in enumerate(self.setting.cuts):
+            if index in (cut.hub, *(self.setting.bars[c].ends if c in self.setting.bars else ())):
+                for r in range(1 if c in self.setting.bars else len(cut.rows)):
+                    columns |= {k for k in self.solved["multiplier", c, r] if k in self.scales}
+        return len(columns)
+
+    def _process(self, link: Link) -> None:
+        setting = self.setting
+        here = self.waiting.pop(link.index)
+        force, moment = self.wrench(link)
+        accumulate(here, ONE, force, moment)
+        before = setting.before_motion(link, here, self.loads, self._cut_wrench)
+        setting.add_bars(link, before, self.solved)
+        screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
+        before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
+        if link.joint == setting.tree.virtual and link.parent == GROUND:
+            before = self._use_rows(*self._virtual_rows(), before)
+        self.waiting[link.index] = {}
+        if link.parent == GROUND:
+            return
+        placed = self.setting.placed[link.index]
+        for column, (f, m) in before.items():
+            f, m = transform(placed.rotation, f), transform(placed.rotation, m)
+            accumulate(self.waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
+
+    def _virtual_rows(self) -> tuple[list[int | None], list[Projection]]:
+        """A virtual joint transmits nothing: rows also for the wrenches that are reciprocal to it."""
+        forces, couples = self.setting.virtual_directions
+        rows: list[Projection] = [lambda w, d=d: dot(d, w[0]) for d in forces]  # type: ignore[misc]
+        rows += [lambda w, d=d: dot(d, w[1]) for d in couples]  # type: ignore[misc]
+        return [None] * len(rows), rows
+
+    def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
+        """S . W for the k-th screw of the link's motion; axes before the motion."""
+        frame = self.setting.frames[link.index]
+        if link.motion.kind == "S":
+            return self.setting.tape.node(m[k])
+        if link.motion.kind == "P":
+            return self.setting.tape.node(dot(frame.axis, f))
+        value = m[2]
+        return self.setting.tape.node(value + frame.pitch * f[2] if link.motion.kind == "H" else value)
+
+    def _cut_wrench(self, c: int) -> Wrenches:
+        """The cut joint's wrench on its tip at its point, tip axes, per column that is still unknown."""
+        one = self.setting.tape.one
+        return self.setting.cut_wrench(c, self.solved, lambda u: {("drive", u): one})
+
+    def _use_rows(self, v_indices: Sequence[int | None], screws: Sequence[Projection], before: Wrenches) -> Wrenches:
+        """Solve a multiplier from every row S . W = 0, best pivot first; returns the updated wrenches.
+
+        A row whose pivots are all small at some sample state waits until all links are done.
+        """
+        waiting = dict(enumerate(zip(v_indices, screws, strict=True)))
+        if self.drives_last:
+            later = [k for k, (v, _) in waiting.items() if v in self.setting.drives or self._of_platform(v)]
+            self.deferred += [(v, self._row(v, screw, before)) for v, screw in (waiting.pop(k) for k in later)]
+        while waiting:
+            rows = {k: self._row(v, screw, before) for k, (v, screw) in waiting.items()}
+            found = {k: self._pivot(rows[k], v) for k, (v, _) in waiting.items()}
+            best = max(waiting, key=lambda k: found[k].size if found[k] else -1.0)  # type: ignore[union-attr]
+            pivot = found[best]
+            if pivot is None or pivot.size < SAFE:
+                self.deferred += [(v, rows[k]) for k, (v, _) in waiting.items()]
+                return before
+            before = _substitute_wrench(before, pivot.column, self._solve(rows[best], pivot.column))
+            del waiting[best]
+        return before
+
+    def _of_platform(self, v_index: int | None) -> bool:
+        """Whether a row is one of a hub on a virtual joint, all of whose rows are compared at once."""
+        return v_index is None or self.setting.tree.v[v_index].joint == self.setting.tree.virtual
+
+    def _row(self, v_index: int | None, screw: Projection, before: Wrenches) -> Affine:
+        """S . W per column, less the drive of a driven freedom."""
+        row: Affine = {}
+        for column, wrench in before.items():
+            entry = self.setting.tape.node(screw(wrench))
+            if entry is not self.setting.tape.zero:
+                row[column] = entry
+        if v_index is None:
+            return row
+        known = self.setting.joint_forces.get(v_index)
+        if known is not None:
+            row[ONE] = row.get(ONE, self.setting.tape.zero) - known
+        drive = self.setting.drives.get(v_index)
+        if drive is not None:
+            row["drive", drive] = row.get(("drive", drive), self.setting.tape.zero) - self.setting.tape.one
+        return row
+
+    def _pivot(self, row: Affine, v_index: int | None) -> Pivot | None:
+        factor = self.setting.row_scale(v_index)
+        allowed = {c: factor * s for c, s in self.scales.items()}
+        return choose_pivot(self.setting.tape, row, allowed, self._cost())
+
+    def _solve(self, row: Affine, pivot: Column) -> Affine:
+        """Solve the pivot's multiplier from sum(row) = 0 and put it in everywhere."""
+        if row[pivot].value is None:
+            _, largest = magnitude(self.setting.tape, row[pivot], 1.0)
+            self.result.guards.append(Guard(row[pivot], 1.0 / largest if largest > 0 else 1.0))
+        solution = solve_for(row, pivot)
+        self._put_in(pivot, solution)
+        return solution
+
+    def _put_in(self, pivot: Column, solution: Affine) -> None:
+        """Replace a multiplier by its solution everywhere."""
+        for key, affine in self.solved.items():
+            if pivot in affine:
+                self.solved[key] = insert_solution(affine, pivot, solution)
+        for index, here in self.waiting.items():
+            self.waiting[index] = _substitute_wrench(here, pivot, solution)
+        self.deferred = [(v, insert_solution(r, pivot, solution)) for v, r in self.deferred]
+
+    def _finish(self) -> None:
+        """Rows that waited: best pivots first, what has none is an equation for the drives."""
+        while self.deferred:
+            best, pivot = self._best(self.deferred)
+            if pivot is None:
+                self._keep(*self.deferred.pop(best))
+                continue
+            block = self._block(best, pivot.column) if self.blocks else [(best, pivot.column)]
+            rows = [self.deferred[k][1] for k, _ in block]
+            self.deferred = [entry for k, entry in enumerate(self.deferred) if k not in dict(block)]
+            if len(block) == 1:
+                self._solve(rows[0], pivot.column)
+            else:
+                self._solve_block(rows, [column for _, column in block])
+
+    def _best(self, waiting: Sequence[tuple[int | None, Affine]]) -> tuple[int, Pivot | None]:
+        """The row with the best pivot: those of the drives last, then those without one."""
+        found = [self._pivot(row, v) for v, row in waiting]
+        passive = [v not in self.setting.drives for v, _ in waiting]
+        sizes = [(passive[k], pivot.size if pivot else -1.0) for k, pivot in enumerate(found)]
+        best = sizes.index(max(sizes))
+        return best, found[best]
+
+    def _block(self, first: int, column: Column) -> list[tuple[int, Column]]:
+        """Rows that wait and their unknowns, to be solved at once: three or two whose pivots would all wait for each
+        other, else the first alone."""
+        found = [(first, column)]
+        left = dict(enumerate(self.deferred))
+        v_index, row = left.pop(first)
+        while len(found) < 3 and left and v_index not in self.setting.drives:
+            if row[column].value is not None:
+                break
+            solution = solve_for(row, column)
+            left = {k: (v, insert_solution(r, column, solution)) for k, (v, r) in left.items()}
+            places = list(left)
+            best, pivot = self._best(list(left.values()))
+            v_index, row = left.pop(places[best])
+            if pivot is None or v_index in self.setting.drives or row[pivot.column].value is not None:
+                break
+            column = pivot.column
+            found.append((places[best], column))
+        for count in (3, 2):
+            some = found[:count]
+            full = all(column in self.deferred[k][1] for k, _ in some for _, column in some)
+            if len(some) == count and full:
+                return some
+        return found[:1]
+
+    def _solve_block(self, rows: Sequence[Affine], columns: Sequence[Column]) -> None:
+        """Solve several multipliers at once and put them in everywhere."""
+        solutions, determinant = solve_block(rows, columns)
+        if determinant.value is None:
+            _, largest = magnitude(self.setting.tape, determinant, 1.0)
+            self.result.guards.append(Guard(determinant, 1.0 / largest if largest > 0 else 1.0))
+        for pivot, solution in zip(columns, solutions, strict=True):
+            self._put_in(pivot, solution)
+
+    def _cost(self) -> dict[Column, int]:
+        """In how many places a multiplier still stands."""
+        cost: dict[Column, int] = {}
+        for affine in self.solved.values():
+            for column in affine:
+                cost[column] = cost.get(column, 0) + 1
+        return cost
+
+    def _keep(self, v_index: int | None, row: Affine) -> None:
+        """A row without multipliers: an equation for the drives, or nothing on the manifold."""
+        known = {c: e for c, e in row.items() if c not in self.scales}
+        if any(c != ONE for c in known):
+            self.result.finals.append(known)
+        elif known and v_index is not None:
+            self.result.unbalanced.append(v_index)
+
+
+def accumulate(here: Wrenches, column: Column, force: Vector, moment: Vector) -> None:
+    """Add a wrench to a column of `here`, which the caller owns."""
+    if column in here:
+        f, m = here[column]
+        force, moment = add(f, force), add(m, moment)
+    here[column] = (force, moment)
+
+
+def _substitute_wrench(here: Wrenches, pivot: Column, solution: Affine) -> Wrenches:
+    if pivot not in here:
+        return here
+    force, moment = here[pivot]
+    result = {c: w for c, w in here.items() if c != pivot}
+    for column, factor in solution.items():
+        accumulate(result, column, scale(factor, force), scale(factor, moment))
+    return result

@@ -1,0 +1,185 @@
+"""Motion along the admissible directions of the closure: v = N z, with z the free joint rates.
+
+Every admissible motion of the tree is v = N z (columns of N: the rates that a unit free joint rate brings
+about, all loops staying closed), every acceleration a = N z' + p, where p takes the loops' own curvature at
+z' = 0. By virtual work along the columns of N the wrenches of cut joints drop out:
+
+    N^T M N z' = N^T (f - M p),      f = generalised forces at a = 0, drives included
+
+which needs no multipliers and no inverse of the tree's mass matrix. For a tree N is the identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from symscrew.algebra import Guard, Node, magnitude
+from symscrew.dynamics.articulated import articulated_accelerations
+from symscrew.dynamics.coriolis import still_forces
+from symscrew.dynamics.drives import solve_symmetric
+from symscrew.dynamics.projection import Projection
+from symscrew.dynamics.rods import rod_forces, rod_matrix, thin_rods
+from symscrew.dynamics.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
+from symscrew.effects import Acting
+from symscrew.kinematics import System
+from symscrew.loops import SMALL, Loops
+
+LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
+MASSLESS = 1e-13  # least eigenvalue, without units, of an inertia that counts
+
+Matrix = Sequence[Sequence[Node]]
+Accelerations = tuple[list[Node], list[Node], list[Guard]]
+
+
+class Admissible:
+    """The null space of a system's closure at its present nodes q, v, and what the dynamics look like on it.
+
+    `reflected` are inertias that move with one freedom of the tree only (index into v).
+    """
+
+    def __init__(self, system: System, loops: Loops, reflected: Mapping[int, Node] | None = None) -> None:
+        self.system, self.loops, self.reflected = system, loops, reflected
+
+    @cached_property
+    def columns(self) -> list[list[Node]]:
+        """N in joint rates w, column by column."""
+        tape, count = self.system.tape, len(self.loops.free)
+        zero_right = [tape.zero] * len(self.system.jacobian)
+        return [
+            self.loops.dependent(zero_right, [tape.one if i == k else tape.zero for i in range(count)])
+            for k in range(count)
+        ]
+
+    @cached_property
+    def tree_columns(self) -> list[list[Node]]:
+        """N in v."""
+        return [self.system.tree_rates(column) for column in self.columns]
+
+    def moved(self, start: Sequence[Node], amounts: Sequence[Node]) -> list[Node]:
+        """start + N amounts, in joint rates w."""
+        result = list(start)
+        for column, amount in zip(self.columns, amounts, strict=True):
+            result = [r + entry * amount for r, entry in zip(result, column, strict=True)]
+        return result
+
+    def curvature(self) -> list[Node]:
+        """p in joint rates w: accelerations of the tree with all free joint rates steady."""
+        still = [self.system.tape.zero] * len(self.loops.free)
+        return self.loops.dependent([-b for b in self.loops.bias(self.system)], still)
+
+    def accelerations(self, acting: Acting) -> Accelerations:
+        """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots.
+
+        Of the `ways`, equal but for rounding, the one with the fewest operations.
+        """
+        return min(self.ways(acting), key=lambda way: self.loops.operations(way[1]))
+
+    def ways(self, acting: Acting) -> list[Accelerations]:
+        """By the columns of N and handed on from rate to rate; both again with thin rods as masses at their ends."""
+        if not self.system.cuts and len(self.system.tree.v) > LONG:
+            a, guards = articulated_accelerations(self.system, acting)
+            gains = self.system.joint_rates(a)
+            return [([gains[k] for k in self.loops.free], a, guards)]
+        system, tree = self.system, mass_matrix(self.system, self.reflected)
+        ways = [self._by_columns(tree, lambda a: generalised_forces(system, acting, a))]
+        if system.cuts and len(system.tree.v) <= SMALL:
+            ways.append(self._handed_on(tree, still_forces(system, acting, tree)))
+            rods = thin_rods(system, acting)
+            if rods:
+                lean = rod_matrix(system, rods, self.reflected)
+                still = rod_forces(system, acting, rods, [system.tape.zero] * len(system.tree.v))
+                ways.append(self._by_columns(lean, lambda a: rod_forces(system, acting, rods, a)))
+                ways.append(self._handed_on(lean, still))
+        return ways
+
+    def _by_columns(self, tree: Matrix, forces: Callable[[Sequence[Node]], list[Node]]) -> Accelerations:
+        """With the columns of N, and the forces (for v) that the tree of this mass matrix needs at accelerations p."""
+        start = self.curvature()
+        missing = forces(self.system.tree_rates(start))
+        right = [-_inner(self.system, column, missing) for column in self.tree_columns]
+        free, guards = self._solved(self._projected(tree), right)
+        return free, self.system.tree_rates(self.moved(start, free)), guards
+
+    def _handed_on(self, tree: Matrix, still: Sequence[Node]) -> Accelerations:
+        """With inertia and forces handed on from the dependent rates to the free ones, limb by limb."""
+        system, free = self.system, self.loops.free
+        missing, opening = system.joint_rates(still), self.loops.bias(system)
+        projection = Projection(system.tape, self.loops.elimination, in_joint_rates(system, tree))
+        right = [-value for value in projection.forces(missing, opening, free)]
+        found, guards = self._solved(projection.inertia(free), right)
+        gains = projection.accelerations(dict(zip(free, found, strict=True)), opening)
+        return found, system.tree_rates(gains), guards
+
+    def residual(self, a: Sequence[Node], acting: Acting) -> list[Node]:
+        """N^T (generalised forces of the tree at its accelerations a, less what acts): zero for a motion."""
+        missing = generalised_forces(self.system, acting, a)
+        return [_inner(self.system, column, missing) for column in self.tree_columns]
+
+    @cached_property
+    def inertia(self) -> list[list[Node]]:
+        """N^T M N; only the lower half counts."""
+        return self._projected(mass_matrix(self.system, self.reflected))
+
+    def _projected(self, tree: Matrix) -> list[list[Node]]:
+        system, rows = self.system, []
+        sparse = [_entries(system, column) for column in self.tree_columns]
+        for k, column in enumerate(sparse):
+            pushed = [_paired(system, column, row) for row in tree]
+            rows.append([_paired(system, sparse[i], pushed) for i in range(k + 1)])
+        return rows
+
+    def solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
+        """z' from the projected equations; last columns first, so that branches of a tree stay apart."""
+        return self._solved(self.inertia, right)
+
+    def _solved(self, lower: Sequence[Sequence[Node]], right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
+        n = len(lower)
+        order = range(n)[::-1]
+        full = [[lower[max(i, j)][min(i, j)] for j in order] for i in order]
+        scales = [1.0 / max(1e-300, magnitude(self.system.tape, full[i][i], 1.0)[1]) for i in range(n)]
+        solution, guards = solve_symmetric(self.system.tape, full, [right[i] for i in order], scales)
+        return solution[::-1], list(guards)
+
+    def moves_mass(self) -> bool:
+        """Whether every admissible motion moves mass, at some sample state at least."""
+        lower, tape = self.inertia, self.system.tape
+        n = len(lower)
+        entries = [tape.sample(lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
+        if not entries:
+            return True
+        inertia = np.stack(np.broadcast_arrays(*entries), axis=-1).reshape(-1, n, n)
+        inertia = inertia[np.isfinite(inertia).all(axis=(1, 2))]  # not so where a reference is singular
+        if not len(inertia):
+            return True
+        scale = np.sqrt(np.abs(np.einsum("kii->ki", inertia)).max(axis=0))
+        return bool(scale.all() and np.linalg.eigvalsh(inertia / np.outer(scale, scale))[:, 0].max() > MASSLESS)
+
+    def nearest(self, w: Sequence[Node], scales: Sequence[float]) -> tuple[list[Node], list[Guard]]:
+        """N c with the c that brings it closest to w; `scales` divide the entries of w before they are squared."""
+        tape = self.system.tape
+        weights = [tape.constant(1.0 / (s * s)) for s in scales]
+        weighted = [[e * f for e, f in zip(column, weights, strict=True)] for column in self.columns]
+        normal = [[_inner(self.system, a, b) for b in self.columns] for a in weighted]
+        right = [_inner(self.system, column, w) for column in weighted]
+        sizes = [1.0 / max(1e-300, magnitude(tape, normal[i][i], 1.0)[1]) for i in range(len(normal))]
+        amounts, guards = solve_symmetric(tape, normal, right, sizes)
+        return self.moved([tape.zero] * len(w), amounts), list(guards)
+
+
+def _inner(system: System, x: Sequence[Node], y: Sequence[Node]) -> Node:
+    return _paired(system, _entries(system, x), y)
+
+
+def _entries(system: System, x: Sequence[Node]) -> list[tuple[int, Node]]:
+    """The entries of a vector that are not always zero: of long trees and chains of loops these are few."""
+    return [(k, entry) for k, entry in enumerate(x) if entry is not system.tape.zero]
+
+
+def _paired(system: System, x: Sequence[tuple[int, Node]], y: Sequence[Node]) -> Node:
+    total = system.tape.zero
+    for k, entry in x:
+        total = total + entry * y[k]
+    return total

@@ -1,0 +1,234 @@
+"""All joint reactions at once, and which of them an overconstrained mechanism leaves undetermined.
+
+With drives and multipliers known, one pass from the tips to the ground gives the wrench through every
+joint. Multipliers that equilibrium leaves free are internal loads of redundant constraints: they take the
+values that make the sum of squares of all reactions smallest (moments about the joints' points, divided by
+the characteristic length), and every component that they touch is reported as not unique.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew.algebra import (
+    NEGLIGIBLE,
+    ZERO,
+    Affine,
+    Column,
+    Guard,
+    Node,
+    Pose,
+    Vector,
+    add,
+    cross,
+    magnitude,
+    scale,
+    subtract,
+    transform,
+)
+from symscrew.dynamics.drives import solve_symmetric
+from symscrew.dynamics.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
+from symscrew.kinematics import GROUND, Link
+
+
+@dataclass(frozen=True)
+class JointWrench:
+    """Reaction of a joint per column (1 and free multipliers), at `point` in the axes of `rotation`'s source.
+
+    `rotation` maps those axes to absolute axes; `position` is the point in absolute coordinates.
+    """
+
+    joint: str
+    columns: Wrenches
+    pose: Pose
+
+
+@dataclass(frozen=True)
+class Reactions:
+    """Reactions from parent on child (f ; m_O), absolute axes, per joint; components that are not unique."""
+
+    wrenches: dict[str, tuple[Vector, Vector]]
+    free: int
+    not_unique: tuple[str, ...]
+    guards: tuple[Guard, ...]
+
+
+def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Affine]:
+    """Multipliers with the drives put in: columns 1 and free multipliers only."""
+    result = {}
+    for key, affine in balance.multipliers.items():
+        total: Affine = {}
+        for column, entry in affine.items():
+            if isinstance(column, tuple) and column[0] == "drive":
+                column, entry = ONE, entry * u[column[1]]
+            total[column] = total[column] + entry if column in total else entry
+        result[key] = total
+    return result
+
+
+def joint_wrenches(
+    setting: Setting,
+    pose: Sequence[Pose],
+    wrench: Callable[[Link], tuple[Vector, Vector]],
+    loads: Mapping[int, tuple[Vector, Vector]],
+    multipliers: Mapping[Column, Affine],
+    u: Sequence[Node],
+) -> list[JointWrench]:
+    """The wrench through every joint, from the tips to the ground, without the drives' shares."""
+    tree = setting.tree
+
+    def with_drives(c: int) -> Wrenches:
+        return setting.cut_wrench(c, multipliers, lambda k: {ONE: u[k]})
+
+    waiting: dict[int, Wrenches] = {link.index: {} for link in tree.links}
+    result: dict[str, JointWrench] = {}
+    for c, cut in enumerate(setting.cuts):
+        at_tip = setting.cut_wrench(c, multipliers, lambda _: {})
+        sign = -1 if cut.tip_is_parent else 1
+        place = Pose(pose[cut.tip].rotation, pose[cut.tip].point(cut.tip_point))
+        signed: Wrenches = {k: (scale(sign, f), scale(sign, m)) for k, (f, m) in at_tip.items()}
+        result[cut.joint.name] = JointWrench(cut.joint.name, signed, place)
+        for column, (f, m) in with_drives(c).items():
+            if cut.tip != GROUND:
+                accumulate(waiting[cut.tip], column, scale(-1, f), scale(-1, add(m, cross(cut.tip_point, f))))
+    for link in reversed(tree.links[1:]):
+        here = waiting.pop(link.index)
+        accumulate(here, ONE, *wrench(link))
+        before = setting.before_motion(link, here, loads, with_drives)
+        placed = setting.placed[link.index]
+        joint = tree.joints[link.joint]
+        last = tree.links_of(joint.name)[-1]
+        if link is last and joint.name != tree.virtual:
+            result[joint.name] = _tree_reaction(setting, pose, link, before, u)
+        for column, (f, m) in before.items():
+            f, m = transform(placed.rotation, f), transform(placed.rotation, m)
+            if link.parent != GROUND:
+                accumulate(waiting[link.parent], column, f, add(m, cross(placed.offset, f)))
+    return list(result.values())
+
+
+def _tree_reaction(
+    setting: Setting, pose: Sequence[Pose], link: Link, before: Wrenches, u: Sequence[Node]
+) -> JointWrench:
+    """What the joint transmits, its own freedoms cleared: passive ones carry nothing, driven ones the drive."""
+    frame, placed, parent = setting.frames[link.index], setting.placed[link.index], pose[link.parent]
+    sign = -1 if link.inverted else 1
+    columns: Wrenches = {}
+    for column, (force, moment) in before.items():
+        f, m = list(force), list(moment)
+        if link.motion.kind == "R":
+            m[2] = setting.tape.zero
+        elif link.motion.kind == "S":
+            m = [setting.tape.zero] * 3
+        elif link.motion.kind == "P":
+            along = frame.axis[0] * f[0] + frame.axis[1] * f[1] + frame.axis[2] * f[2]
+            f = list(subtract(force, scale(along, frame.axis)))
+        columns[column] = (scale(sign, (f[0], f[1], f[2])), scale(sign, (m[0], m[1], m[2])))
+    rotation = Pose(parent.rotation) @ Pose(placed.rotation)
+    place = Pose(rotation.rotation, pose[link.index].translation)
+    _remove_other_drives(setting, pose, link, columns, place, u)
+    return JointWrench(link.joint, columns, place)
+
+
+def _remove_other_drives(
+    setting: Setting, pose: Sequence[Pose], last: Link, columns: Wrenches, place: Pose, u: Sequence[Node]
+) -> None:
+    """Take the shares of drives and known forces on a joint's other motions (compound, helical) out of column 1."""
+    sign = -1 if last.inverted else 1
+    for link in setting.tree.links_of(last.joint):
+        cleared = link is last and link.motion.kind != "H"
+        if cleared or link.motion.kind == "S" or link.v.stop == link.v.start:
+            continue
+        drive, known = setting.drives.get(link.v.start), setting.joint_forces.get(link.v.start)
+        if drive is None and known is None:
+            continue
+        share = setting.tape.zero if drive is None else u[drive]
+        share = share if known is None else share + known
+        if link.motion.kind == "P":
+            axis, part = pose[link.parent].direction(setting.frames[link.index].axis), "force"
+        else:
+            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"  # type: ignore[assignment]
+        back = tuple(zip(*place.rotation, strict=True))
+        local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
+        accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))
+
+
+def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:
+    """Minimum-norm values of the free multipliers put in, everything at O in absolute axes."""
+    guards: tuple[Guard, ...] = ()
+    amounts: dict[Column, Node] = {}
+    if free:
+        amounts, guards = _smallest(setting, found, free)
+    wrenches: dict[str, tuple[Vector, Vector]] = {}
+    touched: list[str] = []
+    for joint in found:
+        total: Wrenches = {}
+        for column, (f, m) in joint.columns.items():
+            factor = setting.tape.one if column == ONE else amounts[column]
+            accumulate(total, ONE, scale(factor, f), scale(factor, m))
+        wrenches[joint.joint] = at_origin(joint.pose, *total.get(ONE, (ZERO, ZERO)))
+        touched += _not_unique(setting, joint, free)
+    return Reactions(wrenches, len(free), tuple(touched), guards)
+
+
+def at_origin(pose: Pose, force: Vector, moment: Vector) -> tuple[Vector, Vector]:
+    """A wrench at the pose's origin in its axes, referred to O in absolute axes."""
+    f = pose.direction(force)
+    return f, add(pose.direction(moment), cross(pose.translation, f))
+
+
+def _smallest(
+    setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]
+) -> tuple[dict[Column, Node], tuple[Guard, ...]]:
+    """Free multipliers that minimise the weighted sum of squares of all reactions."""
+    tape = setting.tape
+    weight = tape.constant(1.0 / setting.length)
+
+    def components(joint: JointWrench, column: Column) -> list[Node]:
+        if column not in joint.columns:
+            return [tape.zero] * 6
+        force, moment = joint.columns[column]
+        return [tape.node(c) for c in (*force, *scale(weight, moment))]
+
+    stacked = {c: _sparse(n for joint in found for n in components(joint, c)) for c in (ONE, *free)}
+
+    def inner(x: Mapping[int, Node], y: Mapping[int, Node]) -> Node:
+        total = tape.zero
+        for k in x if len(x) < len(y) else y:  # both ascend
+            if k in x and k in y:
+                total = total + x[k] * y[k]
+        return total
+
+    n = len(free)
+    upper = {(i, j): inner(stacked[free[i]], stacked[free[j]]) for i in range(n) for j in range(i, n)}
+    normal = [[upper[min(i, j), max(i, j)] for j in range(n)] for i in range(n)]
+    right = [-inner(stacked[a], stacked[ONE]) for a in free]
+    scales = [1.0 / max(1e-30, magnitude(tape, normal[i][i], 1.0)[1]) for i in range(len(free))]
+    values, guards = solve_symmetric(tape, normal, right, scales)
+    return dict(zip(free, values, strict=True)), guards
+
+
+def _sparse(entries: Iterable[Node]) -> dict[int, Node]:
+    """The entries that are not zero, by place."""
+    return {k: node for k, node in enumerate(entries) if node is not node.tape.zero}
+
+
+def _not_unique(setting: Setting, joint: JointWrench, free: Sequence[Column]) -> list[str]:
+    """Components (f ; m_O) that change with a free multiplier at some sample state."""
+    labels = ("fx", "fy", "fz", "mx", "my", "mz")
+    touched = []
+    scales = (1.0,) * 3 + (1.0 / setting.length,) * 3
+    totals = np.zeros(6)
+    for column in free:
+        if column in joint.columns:
+            force, moment = at_origin(joint.pose, *joint.columns[column])
+            for k, entry in enumerate((*force, *moment)):
+                values = np.abs(setting.tape.sample(setting.tape.node(entry))) * scales[k]
+                totals[k] = max(totals[k], float(np.max(values)))
+    for k, label in enumerate(labels):
+        if totals[k] > 100 * NEGLIGIBLE:
+            touched.append(f"{joint.joint}.{label}")
+    return touched

@@ -1,0 +1,185 @@
+"""The tree's own equations: mass matrix by composite bodies, generalised forces by one pass to the ground."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, product, scale, transform, transpose
+from symscrew.dynamics.equilibrium import accumulate
+from symscrew.effects import Acting
+from symscrew.kinematics import (
+    GROUND,
+    Inertia,
+    Link,
+    Placement,
+    Rates,
+    System,
+    acceleration_matrix,
+    inertial_wrench,
+    regrouped,
+)
+
+
+def generalised_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
+    """Generalised forces (for v) that the accelerations a of the tree need, less what acts."""
+    return balanced_forces(system, acting, a, acting.inertial_wrenches(a))
+
+
+def applied_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
+    """What acts, as generalised forces (for v)."""
+    return [-force for force in balanced_forces(system, acting, a, {})]
+
+
+def balanced_forces(
+    system: System, acting: Acting, a: Sequence[Node], waiting: dict[int, tuple[Vector, Vector]]
+) -> list[Node]:
+    """Generalised forces of wrenches of the links, own axes, less what acts."""
+    loads = acting.loads
+    tree, tape = system.tree, system.tape
+    result = [tape.zero] * len(tree.v)
+    for link in reversed(tree.links[1:]):
+        placed, frame = system.placed[link.index], system.frames[link.index]
+        if link.index not in waiting and link.index not in loads:
+            continue
+        force, moment = waiting.get(link.index, (ZERO, ZERO))
+        if link.index in loads:
+            f, m = loads[link.index]
+            back = transpose(placed.turn)
+            force, moment = (
+                add(force, scale(-1, transform(back, f))),
+                add(moment, scale(-1, transform(back, m))),
+            )
+        for k, value in enumerate(projected(link, frame, force, moment), start=link.v.start):
+            result[k] = tape.node(value)
+        if link.parent != GROUND:
+            force, moment = placed.inwards(force), placed.inwards(moment)
+            here = {"": waiting.get(link.parent, (ZERO, ZERO))}
+            accumulate(here, "", force, add(moment, cross(placed.offset, force)))
+            waiting[link.parent] = here[""]
+    forces = acting.known_forces(a)
+    known = [forces.get(k, tape.zero) for k in range(len(tree.v))]
+    return [value - force for value, force in zip(result, system.tree_rates(known), strict=True)]
+
+
+def projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple:
+    """S . W of the link's freedoms for v, link axes."""
+    if link.motion.kind == "F":
+        return ()
+    if link.motion.kind == "S":
+        return moment
+    if link.motion.kind == "P":
+        return (dot(frame.axis, force),)  # type: ignore[attr-defined]
+    if link.motion.kind == "H":
+        return (moment[2] + frame.pitch * force[2],)  # type: ignore[attr-defined]
+    return (moment[2],)
+
+
+def mass_matrix(
+    system: System, reflected: Mapping[int, Node] | None = None, inertia: Sequence[Inertia] | None = None
+) -> list[list[Node]]:
+    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint; for v.
+
+    `reflected` are inertias that move with one freedom only (index into v): they stand on the diagonal. `inertia` is
+    what the links have in place of their own.
+    """
+    tree, tape = system.tree, system.tape
+    composite: list[Inertia] = list(regrouped(tree, system.frames, inertia or system.inertia, system.geometry))
+    n = len(tree.v)
+    matrix = [[tape.zero] * n for _ in range(n)]
+    for link in reversed(tree.links[1:]):
+        for k in range(link.v.start, link.v.stop):
+            wrench = _unit_wrench(system, link, k - link.v.start, composite[link.index])
+            for j, value in _pushed(system, link, wrench):
+                matrix[j][k] = matrix[k][j] = value
+        if link.parent != GROUND:
+            moved = moved_inertia(system.placed[link.index], composite[link.index])
+            composite[link.parent] = Inertia(
+                composite[link.parent].mass + moved.mass,
+                add(composite[link.parent].first, moved.first),
+                tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
+            )
+    for k, further in (reflected or {}).items():
+        matrix[k][k] = matrix[k][k] + further
+    return matrix
+
+
+def in_joint_rates(system: System, inertia: Sequence[Sequence[Node]]) -> list[list[Node]]:
+    """A mass matrix for v as one for joint rates w.
+
+    A body's moment of inertia that is common to several axes needs no rotation: R (J - s 1) R^T + s 1.
+    """
+    matrix = [list(row) for row in inertia]
+    commons: dict[int, Node] = {}
+    for link in system.tree.links[1:]:
+        if link.motion.kind == "S":
+            places = range(link.v.start, link.v.stop)
+            diagonal = [matrix[k][k] for k in places]
+            common = max(diagonal, key=diagonal.count)
+            for k in places:
+                matrix[k][k] = matrix[k][k] - common
+                commons[k] = common
+    columns = [system.joint_rates(row) for row in matrix]
+    turned = [system.joint_rates(column) for column in zip(*columns, strict=True)]
+    for k, common in commons.items():
+        turned[k][k] = turned[k][k] + common
+    return turned
+
+
+def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
+    """Inertial wrench of a composite body at rest under a unit acceleration of one freedom of its joint."""
+    frame = system.frames[link.index]
+    alpha: Vector = ZERO
+    origin: Vector = ZERO
+    if link.motion.kind == "S":
+        alpha = (int(k == 0), int(k == 1), int(k == 2))
+    elif link.motion.kind == "P":
+        origin = frame.axis
+    else:
+        alpha = (0, 0, 1)
+        if frame.pitch is not None:
+            origin = (0, 0, frame.pitch)
+    return inertial_wrench(inertia, Rates(ZERO, alpha, origin, acceleration_matrix(ZERO, alpha)))
+
+
+def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[tuple[int, Node]]:
+    """Generalised forces of one wrench on its link, down to the ground."""
+    force, moment = wrench
+    result = []
+    while True:
+        for k, value in enumerate(projected(link, system.frames[link.index], force, moment)):
+            result.append((link.v.start + k, system.tape.node(value)))
+        placed = system.placed[link.index]
+        force, moment = placed.inwards(force), placed.inwards(moment)
+        moment = add(moment, cross(placed.offset, force))
+        if link.parent == GROUND:
+            return result
+        link = system.tree.links[link.parent]
+
+
+def moved_inertia(placed: Placement, inertia: Inertia) -> Inertia:
+    """A composite inertia in the parent's axes about the parent's origin."""
+    mass, first, r = inertia.mass, placed.inwards(inertia.first), placed.offset
+    moved = add(first, scale(mass, r))
+    turned = _turned(placed.rotation, _turned(placed.turn, inertia.second))
+    xx, yy, zz = (turned[i][i] + r[i] * (first[i] + moved[i]) for i in range(3))
+    xy, xz, yz = (turned[i][j] + (r[i] * first[j] + moved[i] * r[j]) for i, j in ((0, 1), (0, 2), (1, 2)))
+    return Inertia(mass, moved, ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
+
+
+def _turned(turn: Matrix, matrix: Matrix) -> Matrix:
+    """A symmetric matrix in other axes.
+
+    A turn about z keeps xx + yy, and its double angle costs three products: with t = c (xx - yy) - 2 s xy the new
+    entries are yy + c t, xx - c t and xy + s t.
+    """
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = matrix
+    if turn[2] == (0, 0, 1):
+        c, s = turn[0][0], turn[1][0]
+        part = c * (xx - yy) - s * (2 * xy)
+        along, across = c * part, xy + s * part
+        x, y = c * xz - s * yz, s * xz + c * yz
+        return ((yy + along, across, x), (across, xx - along, y), (x, y, zz))
+    first, second, third = product(turn, matrix)
+    xx, xy, xz = (dot(first, row) for row in turn)
+    yy, yz = dot(second, turn[1]), dot(second, turn[2])
+    return ((xx, xy, xz), (xy, yy, yz), (xz, yz, dot(third, turn[2])))

@@ -1,0 +1,129 @@
+"""Mass, centre and inertia of a body from its geoms, as MuJoCo finds them for homogeneous solids."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symscrew.errors import DescriptionError, shorten
+from symscrew.formats.geometry import (
+    CONTEXT,
+    UNITS,
+    ZERO,
+    Pose,
+    Real,
+    Rotation,
+    Triple,
+    dot,
+    length,
+    minus,
+    plus,
+    real,
+    scaled,
+    triple,
+    turned_inertia,
+)
+from symscrew.formats.mjcf_settings import Attributes, Settings, turn_to
+from symscrew.formats.xml import number, numbers
+
+SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
+WITH_FROM_TO = ("capsule", "cylinder", "ellipsoid", "box")
+WATER = "1000"
+
+
+@dataclass(frozen=True)
+class Solid:
+    """Mass [kg], centre of mass [m] and inertia about it [kg m^2], in the axes of the outer frame."""
+
+    mass: Real
+    com: Triple
+    inertia: Rotation
+
+
+def solid(attributes: Attributes, settings: Settings, outer: Pose, where: str) -> Solid | None:
+    """The homogeneous solid of a geom, None where it has no mass; raises DescriptionError."""
+    kind = attributes.get("type", "sphere")
+    group = int(number(attributes.get("group", "0"), f"{where}, group"))
+    if kind in ("plane", "hfield") or not settings.groups[0] <= group <= settings.groups[1]:
+        return None
+    mass = None if "mass" not in attributes else real(number(attributes["mass"], f"{where}, mass"))
+    density = real(number(attributes.get("density", WATER), f"{where}, density"))
+    if mass == 0 or (mass is None and density == 0):
+        return None
+    if kind not in SIZES or "mesh" in attributes or attributes.get("shellinertia", "false") != "false":
+        what = "shellinertia" if kind in SIZES and "mesh" not in attributes else f"a geom of type {shorten(kind)}"
+        raise DescriptionError(
+            f"{where}: the inertia of {what} is not computed here; give the body an <inertial> (and "
+            'inertiafromgeom="false"), or the geom mass="0"'
+        )
+    place, size = _placed(attributes, settings, kind, where)
+    volume, radii = _volume_and_radii(kind, size)
+    total = mass if mass is not None else density * volume
+    x, y, z = (total * radius for radius in radii)
+    zero = ZERO[0]
+    frame = outer @ place
+    matrix: Rotation = ((x, zero, zero), (zero, y, zero), (zero, zero, z))
+    return Solid(total, frame.translation, turned_inertia(frame.rotation, matrix))
+
+
+def together(solids: Sequence[Solid]) -> Solid | None:
+    """One body of several solids; None for none."""
+    if not solids:
+        return None
+    mass = sum((s.mass for s in solids), start=ZERO[0])
+    com = ZERO
+    for part in solids:
+        com = plus(com, scaled(part.com, part.mass / mass))
+    rows = [list(row) for row in (ZERO, ZERO, ZERO)]
+    for part in solids:
+        arm = minus(part.com, com)
+        for i in range(3):
+            for j in range(3):
+                steiner = dot(arm, arm) * UNITS[i][j] - arm[i] * arm[j]
+                rows[i][j] += part.inertia[i][j] + part.mass * steiner
+    x, y, z = ((row[0], row[1], row[2]) for row in rows)
+    return Solid(mass, com, (x, y, z))
+
+
+def _placed(attributes: Attributes, settings: Settings, kind: str, where: str) -> tuple[Pose, list[Real]]:
+    """Pose of a geom in its body and its sizes."""
+    size = [real(v) for v in numbers(attributes.get("size", ""), f"{where}, size")]
+    need = SIZES[kind]
+    if "fromto" in attributes:
+        if kind not in WITH_FROM_TO:
+            raise DescriptionError(f"{where}: fromto belongs to {', '.join(WITH_FROM_TO)}, not to a {kind}")
+        ends = numbers(attributes["fromto"], f"{where}, fromto", 6)
+        start, end = triple(ends[:3]), triple(ends[3:])
+        if not size:
+            raise DescriptionError(f"{where}: expected a size, got none")
+        half = length(minus(end, start)) / 2
+        # z of the geom points from the second end to the first.
+        place = Pose(turn_to(minus(start, end), f"{where}, fromto"), scaled(plus(start, end), real("0.5")))
+        return place, [*[size[0]] * (need - 1), half]
+    if len(size) < need or any(entry <= 0 for entry in size[:need]):
+        raise DescriptionError(
+            f"{where}: expected {need} positive sizes for a {kind}, got {shorten(attributes.get('size'))}"
+        )
+    return settings.pose(attributes, where), size[:need]
+
+
+def _volume_and_radii(kind: str, size: Sequence[Real]) -> tuple[Real, Triple]:
+    """Volume, and principal moments per mass, of a homogeneous solid."""
+    pi = CONTEXT.pi
+    if kind in ("sphere", "ellipsoid"):
+        a, b, c = (real(1) * s for s in (size if kind == "ellipsoid" else [size[0]] * 3))
+        return 4 * pi * a * b * c / 3, ((b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5)
+    if kind == "box":
+        a, b, c = size
+        return 8 * a * b * c, ((b * b + c * c) / 3, (a * a + c * c) / 3, (a * a + b * b) / 3)
+    radius, half = size
+    tube = 2 * pi * radius**2 * half
+    across, along = (3 * radius**2 + 4 * half**2) / 12, radius**2 / 2
+    if kind == "cylinder":
+        return tube, (across, across, along)
+    ball = 4 * pi * radius**3 / 3
+    volume = tube + ball
+    # two half balls: 2/5 r^2 about the middle of their common plane, shifted out by half, 3/8 r further inwards
+    out = 2 * radius**2 / 5 + half**2 + 3 * radius * half / 4
+    mixed = (tube * across + ball * out) / volume
+    return volume, (mixed, mixed, (tube * along + ball * 2 * radius**2 / 5) / volume)

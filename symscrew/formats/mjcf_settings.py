@@ -1,0 +1,205 @@
+"""Settings of an MJCF file: compiler, option, default classes; and which attributes are read.
+
+Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html. Whatever is not in the tables below is
+refused by name, so that nothing that changes the mechanics is passed over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats.geometry import (
+    CONTEXT,
+    UNITS,
+    Pose,
+    Real,
+    Rotation,
+    Triple,
+    about,
+    cross,
+    dot,
+    from_quaternion,
+    length,
+    minus,
+    product,
+    real,
+    scaled,
+    snapped,
+    transposed,
+    triple,
+    unit,
+)
+from symscrew.formats.xml import Element, check_attributes, elements, label, number, numbers
+
+ORIENTATIONS = ("axisangle", "xyaxes", "zaxis", "euler")
+PLACE = ("pos", "quat", *ORIENTATIONS)
+READ: dict[str, tuple[str, ...]] = {
+    "body": ("name", "childclass", "mocap", "gravcomp", "user", "sleep", *PLACE),
+    "frame": ("name", "childclass", *PLACE),
+    "inertial": ("mass", "diaginertia", "fullinertia", *PLACE),
+    "joint": (
+        "name", "class", "type", "group", "pos", "axis", "springdamper", "solreflimit", "solimplimit",
+        "solreffriction", "solimpfriction", "stiffness", "range", "limited", "actuatorfrcrange",
+        "actuatorfrclimited", "actuatorgravcomp", "margin", "ref", "springref", "armature", "damping",
+        "frictionloss", "user",
+    ),
+    "freejoint": ("name", "group", "align"),
+    "geom": (
+        "name", "class", "type", "contype", "conaffinity", "condim", "group", "priority", "size", "material",
+        "friction", "mass", "density", "shellinertia", "solmix", "solref", "solimp", "margin", "gap", "fromto",
+        "hfield", "mesh", "fitscale", "rgba", "fluidshape", "fluidcoef", "user", *PLACE,
+    ),
+    "site": ("name", "class", "type", "group", "material", "size", "fromto", "rgba", "user", *PLACE),
+    "connect": ("name", "class", "active", "solref", "solimp", "body1", "body2", "anchor", "site1", "site2"),
+    "weld": (
+        "name", "class", "active", "solref", "solimp", "body1", "body2", "relpose", "anchor", "site1", "site2",
+        "torquescale",
+    ),
+    "couple": ("name", "class", "active", "solref", "solimp", "joint1", "joint2", "polycoef"),
+    "equality": ("class", "active", "solref", "solimp"),
+}  # fmt: skip
+COMPILER = {
+    "angle": ("degree", "radian"), "coordinate": ("local",), "inertiafromgeom": ("false", "true", "auto"),
+    "balanceinertia": ("false",), "alignfree": ("false",),
+}  # fmt: skip
+COMPILER_ZERO = ("boundmass", "boundinertia")
+COMPILER_FREE = (
+    "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
+    "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
+)  # fmt: skip
+Attributes = Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What the file says before its bodies: units, default classes, how inertias are found."""
+
+    degrees: bool = True
+    sequence: str = "xyz"
+    from_geoms: str = "auto"
+    groups: tuple[int, int] = (0, 5)
+    defaults: Mapping[str, Mapping[str, Attributes]] = field(default_factory=dict)
+
+    def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
+        """The attributes of an element over those of its class (its own, its body's, or the main one)."""
+        check_attributes(element, READ[kind])
+        name = element.get("class") or inherited or "main"
+        if name not in self.defaults:
+            raise DescriptionError(
+                f"{label(element)}: no default class {shorten(name)}; {did_you_mean(name, self.defaults)}"
+            )
+        return {**self.defaults[name].get(kind, {}), **element.attrib}
+
+    def angle(self, value: Decimal) -> Real:
+        """An angle of the file [rad]; whole degrees that have round sines give these."""
+        return real(value) * CONTEXT.pi / 180 if self.degrees else real(value)
+
+    def pose(self, attributes: Attributes, where: str) -> Pose:
+        """The pose that pos, quat, axisangle, xyaxes, zaxis and euler give."""
+        place = triple(numbers(attributes.get("pos", "0 0 0"), f"{where}, pos", 3))
+        given = [key for key in ORIENTATIONS if key in attributes]
+        if len(given) > 1:
+            raise DescriptionError(f"{where}: expected one orientation, got {' and '.join(given)}")
+        return Pose(self._rotation(attributes, given[0] if given else "quat", where), place)
+
+    def _rotation(self, attributes: Attributes, key: str, where: str) -> Rotation:
+        if key not in attributes:
+            return UNITS
+        where, text = f"{where}, {key}", attributes[key]
+        if key == "quat":
+            w, x, y, z = (real(v) for v in numbers(text, where, 4))
+            return from_quaternion(w, x, y, z, where)
+        if key == "axisangle":
+            *axis, angle = numbers(text, where, 4)
+            return about(unit(triple(axis), where), self.angle(angle))
+        if key == "zaxis":
+            return turn_to(triple(numbers(text, where, 3)), where)
+        if key == "xyaxes":
+            given = numbers(text, where, 6)
+            x_axis = unit(triple(given[:3]), where)
+            y_given = triple(given[3:])
+            y_axis = unit(minus(y_given, scaled(x_axis, dot(x_axis, y_given))), where)
+            return snapped(transposed((x_axis, y_axis, cross(x_axis, y_axis))))
+        rotation = UNITS
+        for letter, angle in zip(self.sequence, numbers(text, where, 3), strict=True):
+            turn = about(UNITS["xyz".index(letter.lower())], self.angle(angle))
+            rotation = product(rotation, turn) if letter.islower() else product(turn, rotation)
+        return rotation
+
+
+def turn_to(direction: Triple, where: str) -> Rotation:
+    """The shortest rotation that takes z to a direction (about x where it is -z)."""
+    goal = unit(direction, where)
+    normal = cross(UNITS[2], goal)
+    if length(normal) < CONTEXT.mpf(10) ** -20:
+        return UNITS if goal[2] > 0 else about(UNITS[0], CONTEXT.pi)
+    return about(unit(normal, where), CONTEXT.atan2(length(normal), goal[2]))
+
+
+def settings(root: Element) -> tuple[Settings, list[str]]:
+    """Settings of a <mujoco>, and notes about what a mechanism does not hold; raises DescriptionError."""
+    given: dict[str, str] = {}
+    for compiler in elements(root, "compiler"):
+        _check_compiler(compiler)
+        given |= compiler.attrib
+    sequence = given.get("eulerseq", "xyz")
+    if len(sequence) != 3 or any(letter not in "xyzXYZ" for letter in sequence):
+        raise DescriptionError(f"<compiler>: expected an eulerseq of three of xyzXYZ, got {shorten(sequence)}")
+    first, last = (int(n) for n in numbers(given.get("inertiagrouprange", "0 5"), "<compiler>, inertiagrouprange", 2))
+    found: dict[str, dict[str, dict[str, str]]] = {"main": {}}
+    for default in elements(root, "default"):
+        _read_defaults(default, found, None)
+    made = Settings(
+        degrees=given.get("angle", "degree") == "degree",
+        sequence=sequence,
+        from_geoms=given.get("inertiafromgeom", "auto"),
+        groups=(first, last),
+        defaults=found,
+    )
+    return made, [note for option in elements(root, "option") for note in _option(option)]
+
+
+def _check_compiler(compiler: Element) -> None:
+    known = (*COMPILER, *COMPILER_ZERO, *COMPILER_FREE, "settotalmass", "eulerseq", "inertiagrouprange")
+    check_attributes(compiler, known)
+    for key, value in compiler.attrib.items():
+        if key in COMPILER and value not in COMPILER[key]:
+            raise DescriptionError(f"<compiler>: {key}={shorten(value)} is not supported; {' or '.join(COMPILER[key])}")
+        if key in COMPILER_ZERO and number(value, f"<compiler>, {key}") != 0:
+            raise DescriptionError(f"<compiler>: {key} is not supported; write masses and inertias out")
+        if key == "settotalmass" and number(value, f"<compiler>, {key}") > 0:
+            raise DescriptionError("<compiler>: settotalmass is not supported; write the masses out")
+    for child in elements(compiler):
+        if child.tag != "lengthrange":
+            raise DescriptionError(f"<compiler>: the element <{child.tag}> is not supported")
+
+
+def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]], above: str | None) -> None:
+    """Enter a class and those inside it, each with what it inherits."""
+    name = default.get("class") or ("main" if above is None else None)
+    if name is None:
+        raise DescriptionError("<default>: a default inside another needs a class")
+    values = {kind: dict(attributes) for kind, attributes in found[above or "main"].items()}
+    for child in elements(default):
+        if child.tag in ("joint", "geom", "site", "equality"):
+            check_attributes(child, READ[child.tag], f"<default class={shorten(name)}>, <{child.tag}>")
+            values[child.tag] = {**values.get(child.tag, {}), **child.attrib}
+    found[name] = values
+    for child in elements(default, "default"):
+        _read_defaults(child, found, name)
+
+
+def _option(option: Element) -> Iterable[str]:
+    """What the options add to the mechanics that a mechanism does not hold."""
+    standard = {"gravity": "0 0 -9.81", "wind": "0 0 0", "density": "0", "viscosity": "0"}
+    for key, value in standard.items():
+        text = option.get(key, value)
+        if numbers(text, f"<option>, {key}") != numbers(value, key):
+            yield f"not taken over: {key} {text}" + ("; give --gravity" if key == "gravity" else "")
+    for flag in elements(option, "flag"):
+        for key in ("gravity", "equality", "actuation"):
+            if flag.get(key, "enable") != "enable":
+                yield f"not taken over: flag {key}={flag.get(key)}"

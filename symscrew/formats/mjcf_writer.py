@@ -1,0 +1,242 @@
+"""A mechanism as MJCF, loops as equality constraints.
+
+Bodies have absolute axes in the reference configuration and their origin at the joint that carries them.
+Joints with several freedoms are several joints of one body: `name.0`, `name.1` ...; a helical joint is a slide
+and a hinge coupled by an equality. The tree takes those joints first whose loop MuJoCo could not close by an
+equality; of the others a spherical joint becomes a connect, a revolute joint two connects on its axis, a
+fixed joint a weld. Where only other joints are left, or a driven one, the joint carries a copy of its child
+without inertia that is welded to it.
+
+MuJoCo refuses bodies without mass or with a singular inertia: theirs are raised to 1e-9 of the mechanism's
+mass (and of mass times length^2), and the file's head names them. Driven freedoms get a motor, named points
+a site. The thin capsules are for the viewer: they have neither mass nor contacts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from xml.etree.ElementTree import Element, SubElement
+
+import numpy as np
+
+from symscrew.description import Joint, Mechanism
+from symscrew.formats.geometry import CONTEXT
+from symscrew.formats.open_chain import Array, Branch, Step, chains, numbers, steps
+from symscrew.formats.outline import fresh
+from symscrew.formats.xml import decimals, text_of
+from symscrew.reference import NumericMechanism, numeric
+
+SMALL = 1e-9
+WORLD = "world"
+RANKS = {"R": 1, "S": 2}
+TYPES = {"R": "hinge", "P": "slide", "S": "ball"}
+
+
+@dataclass
+class Writing:
+    """The file so far: elements by body, their origins, sections, and which bodies got a small inertia."""
+
+    mechanism: Mechanism
+    numbers: NumericMechanism
+    names: dict[str, str]
+    elements: dict[str, Element]
+    origins: dict[str, Array]
+    equality: Element
+    actuator: Element
+    raised: list[str] = field(default_factory=list)
+
+    @property
+    def mass(self) -> float:
+        """Mass of the whole mechanism, 1 if it has none [kg]."""
+        return float(self.numbers.mass.sum()) or 1.0
+
+
+def print_mjcf(mechanism: Mechanism) -> str:
+    """The text of the MJCF of any mechanism."""
+    root = Element("mujoco", model=mechanism.name)
+    SubElement(root, "compiler", angle="radian", inertiafromgeom="false", autolimits="true")
+    SubElement(root, "option", gravity="0 0 -9.81")
+    custom = SubElement(root, "custom")
+    for key, value in (("ground", mechanism.ground), ("platform", mechanism.platform)):
+        if value:
+            SubElement(custom, "text", name=f"symscrew_{key}", data=value)
+    if mechanism.description:
+        SubElement(custom, "text", name="symscrew_description", data=mechanism.description)
+    if mechanism.characteristic_length is not None:
+        length = decimals([float(mechanism.number(mechanism.characteristic_length))])
+        SubElement(custom, "text", name="symscrew_characteristic_length", data=length)
+    world = SubElement(root, "worldbody")
+    equality, actuator = SubElement(root, "equality"), SubElement(root, "actuator")
+    taken = [WORLD]
+    names = {mechanism.ground: WORLD}
+    for body in mechanism.bodies:
+        if body != mechanism.ground:
+            names[body] = fresh(body, taken)
+            taken.append(names[body])
+    origins = {mechanism.ground: np.zeros(3)}
+    writing = Writing(mechanism, numeric(mechanism), names, {mechanism.ground: world}, origins, equality, actuator)
+    tree = chains(mechanism, _rank)
+    for branch in tree.branches:
+        _add_body(writing, branch)
+    for joint in tree.cut:
+        _close(writing, joint)
+    for body in writing.elements:
+        _add_capsules(writing, body)
+    for point in mechanism.points.values():
+        place = numbers(mechanism, point.at) - writing.origins[point.body]
+        SubElement(writing.elements[point.body], "site", name=point.name, pos=decimals(place))
+    for section in (equality, actuator):
+        if not len(section):
+            root.remove(section)
+    head = [f"{mechanism.name}, {mechanism.description}", "Written by symscrew. Units m, kg, rad, s."]
+    if writing.raised:
+        raised = ", ".join(writing.raised)
+        head.append(f"Masses or moments raised to {SMALL:g} of the whole, because MuJoCo needs them: {raised}.")
+    return text_of(root, head)
+
+
+def _rank(joint: Joint) -> int:
+    """Joints that no equality stands for come first into the tree, spherical ones last."""
+    return 0 if joint.driven else RANKS.get(joint.type, 0)
+
+
+def _add_body(writing: Writing, branch: Branch) -> None:
+    mechanism = writing.mechanism
+    point = numbers(mechanism, branch.joint.point)
+    body = SubElement(writing.elements[branch.parent], "body", name=writing.names[branch.body])
+    body.set("pos", decimals(point - writing.origins[branch.parent]))
+    writing.elements[branch.body], writing.origins[branch.body] = body, point
+    _add_inertial(writing, branch.body, point)
+    alone = branch.joint.type == "free" and branch.parent == mechanism.ground and not branch.inverted
+    _add_joints(writing, body, branch.joint, inverted=branch.inverted, floating=alone)
+
+
+def _add_joints(writing: Writing, body: Element, joint: Joint, *, inverted: bool, floating: bool) -> None:
+    """The joints of one body, the motors of the driven ones, the coupling of a screw."""
+    if floating:
+        SubElement(body, "freejoint", name=joint.name)
+        for index in joint.driven:
+            _add_motor(writing, joint.name, index, 6)
+        return
+    for step in steps(writing.mechanism, joint, inverted=inverted):
+        if step.kind == "H":
+            _add_screw(writing, body, step)
+            continue
+        made = SubElement(body, "joint", name=step.name, type=TYPES[step.kind])
+        if step.kind != "S":
+            made.set("axis", decimals(step.axis))
+        if step.reference:
+            made.set("ref", decimals([step.reference]))
+        for index in step.driven:
+            _add_motor(writing, step.name, index, 3 if step.kind == "S" else 1)
+
+
+def _add_screw(writing: Writing, body: Element, step: Step) -> None:
+    slide, hinge = f"{step.name}.0", f"{step.name}.1"
+    SubElement(body, "joint", name=slide, type="slide", axis=decimals(step.axis))
+    turning = SubElement(body, "joint", name=hinge, type="hinge", axis=decimals(step.axis))
+    if step.reference:
+        turning.set("ref", decimals([step.reference]))
+    coefficients = decimals([0.0, step.pitch, 0.0, 0.0, 0.0])
+    SubElement(writing.equality, "joint", name=step.name, joint1=slide, joint2=hinge, polycoef=coefficients)
+    if step.driven:
+        _add_motor(writing, hinge, 0, 1)
+
+
+def _add_motor(writing: Writing, joint: str, index: int, size: int) -> None:
+    name = f"{joint}_{index}" if size > 1 else joint
+    motor = SubElement(writing.actuator, "motor", name=name, joint=joint)
+    if size > 1:
+        motor.set("gear", " ".join("1" if k == index else "0" for k in range(6)))
+
+
+def _add_inertial(writing: Writing, body: str, origin: Array) -> None:
+    index = writing.numbers.bodies.index(body)
+    mass, com, inertia = (getattr(writing.numbers, key)[index] for key in ("mass", "com", "inertia"))
+    least = SMALL * writing.mass
+    largest = float(np.abs(inertia).max())
+    axes = np.eye(3)
+    principal = np.diag(inertia).copy()
+    if np.abs(inertia - np.diag(principal)).max() > 0:
+        principal, axes = _principal(inertia)
+    com = com if mass > 0 else origin
+    whole = np.sort(principal)
+    # MuJoCo's own eigenvalues are good to an absolute 1e-12 only: principal moments are handed over
+    floor = SMALL * largest if mass > 0 and largest > 0 else least * writing.numbers.length**2
+    if mass < least or whole[0] < floor or whole[0] + whole[1] < whole[2]:
+        writing.raised.append(body)
+        mass, principal = max(mass, least), principal + floor
+    inertial = SubElement(writing.elements[body], "inertial", pos=decimals(com - origin), mass=decimals([mass]))
+    inertial.set("diaginertia", decimals(principal))
+    if not np.array_equal(axes, np.eye(3)):
+        inertial.set("quat", decimals(_quaternion(axes)))
+
+
+def _principal(inertia: Array) -> tuple[Array, Array]:
+    """Principal moments, ascending, and right-handed axes as columns; by long arithmetic the same on every machine."""
+    moments, columns = CONTEXT.eigsy(CONTEXT.matrix(inertia.tolist()))
+    axes = np.array(columns.tolist(), dtype=float).reshape(3, 3)
+    return np.array([float(x) for x in moments]), axes * np.sign(np.linalg.det(axes))
+
+
+def _quaternion(rotation: Array) -> Array:
+    """The unit quaternion (w, x, y, z) of a rotation, accurate at every angle."""
+    r = rotation
+    trace = np.trace(r)
+    outer = np.empty((4, 4))
+    outer[0, 0] = 1 + trace
+    outer[0, 1:] = outer[1:, 0] = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
+    outer[1:, 1:] = r + r.T + (1 - trace) * np.eye(3)
+    best = outer[np.argmax(np.diag(outer))]
+    return best / np.sqrt((best * best).sum())
+
+
+def _close(writing: Writing, joint: Joint) -> None:
+    """The equality that stands for a joint closing a loop."""
+    point = numbers(writing.mechanism, joint.point)
+    ends = [joint.parent, joint.child]
+    if joint.type == "fixed":
+        _add_equality(writing, "weld", joint.name, ends, None)
+    elif joint.type == "S" and not joint.driven:
+        _add_equality(writing, "connect", joint.name, ends, point)
+    elif joint.type == "R" and not joint.driven:
+        # read back, the ground is the parent: the coordinate keeps its sign
+        axis = numbers(writing.mechanism, joint.axes[0]) * (-1 if joint.child == writing.mechanism.ground else 1)
+        for k, place in enumerate((point, point + writing.numbers.length * axis)):
+            _add_equality(writing, "connect", f"{joint.name}.{k}", ends, place)
+    else:
+        copy = fresh(f"{joint.child}_copy", writing.names.values())
+        writing.names[copy] = copy
+        body = SubElement(writing.elements[joint.parent], "body", name=copy)
+        body.set("pos", decimals(point - writing.origins[joint.parent]))
+        writing.elements[copy], writing.origins[copy] = body, point
+        least = SMALL * writing.mass
+        moments = decimals([least * writing.numbers.length**2] * 3)
+        SubElement(body, "inertial", pos="0 0 0", mass=decimals([least]), diaginertia=moments)
+        writing.raised.append(copy)
+        _add_joints(writing, body, joint, inverted=False, floating=False)
+        _add_equality(writing, "weld", copy, [copy, joint.child], None)
+
+
+def _add_equality(writing: Writing, kind: str, name: str, ends: Sequence[str], point: Array | None) -> None:
+    """A connect at `point` [m, absolute], or a weld. Names of weld and bodies may be the same."""
+    first, second = ends if writing.names[ends[0]] != WORLD else ends[::-1]
+    made = SubElement(writing.equality, kind, name=name, body1=writing.names[first])
+    if writing.names[second] != WORLD:
+        made.set("body2", writing.names[second])
+    if point is not None:
+        made.set("anchor", decimals(point - writing.origins[first]))
+
+
+def _add_capsules(writing: Writing, body: str) -> None:
+    """Capsules from the body's origin to its other joints, for the viewer."""
+    size = writing.numbers.length
+    origin = writing.origins[body]
+    for joint in writing.mechanism.joints.values():
+        place = numbers(writing.mechanism, joint.point) - origin
+        if body in (joint.parent, joint.child) and np.linalg.norm(place) > 1e-3 * size:
+            SubElement(
+                writing.elements[body], "geom", type="capsule", size=decimals([0.02 * size]), mass="0", contype="0",
+                conaffinity="0", fromto=decimals([0, 0, 0, *place]),
+            )  # fmt: skip

@@ -1,0 +1,134 @@
+"""A mechanism without loops as URDF.
+
+Every link has absolute axes in the configuration where all coordinates have their reference values, and its
+origin at its joint. Coordinates keep their values: where the reference is not zero, the joint's origin is moved
+back by it. A joint with several freedoms becomes a chain `name.0`, `name.1` ... over links without inertia;
+a spherical joint three continuous joints about x, y, z (singular where the second is +-90 degrees).
+Prismatic joints get wide limits, which the format demands. Driven joints get a transmission.
+"""
+
+from __future__ import annotations
+
+from xml.etree.ElementTree import Element, SubElement
+
+import numpy as np
+
+from symscrew.description import Body, Mechanism
+from symscrew.errors import DescriptionError
+from symscrew.formats.open_chain import Array, Branch, Step, chains, numbers, steps
+from symscrew.formats.outline import fresh
+from symscrew.formats.xml import decimals, text_of
+from symscrew.reference import rotation_about
+
+WIDE = "1000000"
+TYPES = {"R": "continuous", "P": "prismatic"}
+
+
+def print_urdf(mechanism: Mechanism) -> str:
+    """The text of the URDF.
+
+    Raises:
+        DescriptionError: the mechanism has loops, or a joint that the format does not know.
+    """
+    tree = chains(mechanism)
+    if tree.cut:
+        names = ", ".join(joint.name for joint in tree.cut)
+        raise DescriptionError(f"{mechanism.name}: a URDF is a tree, but loops close at {names}; write MJCF (.xml)")
+    root = Element("robot", name=mechanism.name)
+    SubElement(root, "link", name=mechanism.ground)
+    origins = {mechanism.ground: np.zeros(3)}
+    used = list(mechanism.bodies)
+    driven: list[str] = []
+    for branch in tree.branches:
+        origins[branch.body] = numbers(mechanism, branch.joint.point)
+        driven += _add_joint(root, mechanism, branch, origins, used)
+        _add_link(root, mechanism, mechanism.bodies[branch.body], origins[branch.body])
+    if not driven:  # a file without both would say that every joint is driven
+        SubElement(root, "ros2_control", name="passive", type="system")
+    for name in driven:
+        transmission = SubElement(root, "transmission", name=f"drive_{name}")
+        SubElement(transmission, "type").text = "transmission_interface/SimpleTransmission"
+        SubElement(
+            SubElement(transmission, "joint", name=name), "hardwareInterface"
+        ).text = "hardware_interface/EffortJointInterface"
+        SubElement(SubElement(transmission, "actuator", name=f"motor_{name}"), "mechanicalReduction").text = "1"
+    head = [f"{mechanism.name}, {mechanism.description}", "Written by symscrew. Units m, kg, rad, s."]
+    return text_of(root, head)
+
+
+def _add_joint(
+    root: Element, mechanism: Mechanism, branch: Branch, origins: dict[str, Array], used: list[str]
+) -> list[str]:
+    """The joint or chain of joints that carries a body; the names of the driven ones."""
+    joint, driven = branch.joint, []
+    if joint.type == "H":
+        raise DescriptionError(f"joints.{joint.name}: a URDF has no helical joint; write MJCF (.xml)")
+    parts = _parts(mechanism, branch)
+    link, shift = branch.parent, origins[branch.body] - origins[branch.parent]
+    for k, step in enumerate(parts):
+        name = branch.body
+        if k + 1 < len(parts):
+            name = fresh(f"{branch.body}_{step.name.replace('.', '_')}", used)
+            used.append(name)
+        floating = step.kind == "free"
+        made = SubElement(root, "joint", name=step.name, type="floating" if floating else TYPES.get(step.kind, "fixed"))
+        place, turn = shift, np.zeros(3)
+        if step.kind == "P":
+            place = shift - step.reference * step.axis
+        elif step.kind == "R" and step.reference:
+            turn = _roll_pitch_yaw(rotation_about(-step.reference * step.axis))
+        SubElement(made, "origin", xyz=decimals(place), rpy=decimals(turn))
+        SubElement(made, "parent", link=link)
+        SubElement(made, "child", link=name)
+        if step.kind in TYPES:
+            SubElement(made, "axis", xyz=decimals(step.axis))
+        if step.kind == "P":
+            SubElement(made, "limit", lower=f"-{WIDE}", upper=WIDE, effort=WIDE, velocity=WIDE)
+        if k + 1 < len(parts):
+            SubElement(root, "link", name=name)
+        driven += [step.name] if step.driven else []
+        link, shift = name, np.zeros(3)
+    return driven
+
+
+def _parts(mechanism: Mechanism, branch: Branch) -> list[Step]:
+    """The URDF joints of a joint, each with one freedom, or floating or fixed."""
+    joint = branch.joint
+    if joint.type in ("fixed", "free"):
+        if joint.driven:
+            raise DescriptionError(f"joints.{joint.name}: a URDF cannot drive a floating joint; leave out 'driven'")
+        if joint.type == "free" and branch.inverted:
+            raise DescriptionError(
+                f"joints.{joint.name}: a floating joint must lead away from the ground; swap its ends"
+            )
+        return [Step(joint.name, joint.type, np.zeros(3), 0.0, 0.0, ())]
+    result = []
+    for step in steps(mechanism, joint, inverted=branch.inverted):
+        if step.kind == "S":
+            result += [
+                Step(f"{joint.name}.{'xyz'[i]}", "R", axis, 0.0, 0.0, (0,) if i in step.driven else ())
+                for i, axis in enumerate(np.eye(3))
+            ]
+        else:
+            result.append(step)
+    return result
+
+
+def _add_link(root: Element, mechanism: Mechanism, body: Body, origin: Array) -> None:
+    link = SubElement(root, "link", name=body.name)
+    if body.mass is None or body.com is None or body.inertia is None:
+        return
+    inertial = SubElement(link, "inertial")
+    SubElement(inertial, "origin", xyz=decimals(numbers(mechanism, body.com) - origin), rpy="0 0 0")
+    SubElement(inertial, "mass", value=decimals([float(mechanism.number(body.mass))]))
+    rows = [numbers(mechanism, row) for row in body.inertia]
+    entries = {f"i{'xyz'[i]}{'xyz'[j]}": decimals([rows[i][j]]) for i in range(3) for j in range(i, 3)}
+    SubElement(inertial, "inertia", entries)
+
+
+def _roll_pitch_yaw(rotation: Array) -> Array:
+    """Angles with rotation = Rz(yaw) Ry(pitch) Rx(roll); roll 0 where pitch is +-90 degrees."""
+    pitch = np.arctan2(-rotation[2, 0], np.hypot(rotation[0, 0], rotation[1, 0]))
+    if np.hypot(rotation[0, 0], rotation[1, 0]) < 1e-12:
+        return np.array([0.0, pitch, np.arctan2(-rotation[0, 1], rotation[1, 1])])
+    return np.array([np.arctan2(rotation[2, 1], rotation[2, 2]), pitch, np.arctan2(rotation[1, 0], rotation[0, 0])])

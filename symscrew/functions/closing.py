@@ -1,0 +1,207 @@
+"""Functions that solve the loops: assembly, rates and accelerations from the independent coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.algebra import Guard, Node, Vector, add, cross, dot, scale
+from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
+from symscrew.kinematics import System
+from symscrew.loops import Loops, any_rods, closed_limbs, hub_links, limb_coordinates
+from symscrew.program import Function, Iteration, Port, lower
+
+THRESHOLD = 1e-9  # a pivot below this, without units, is reported as near-singular
+NEWTON_THRESHOLD = 1e-12
+STEP_LIMIT = 0.5  # largest Newton step [rad, or characteristic lengths]
+
+
+def guarded(guards: Sequence[Guard], threshold: float = THRESHOLD) -> list[tuple[Node, float]]:
+    """Pivots with their run-time thresholds in the pivots' own units."""
+    return [(guard.pivot, threshold / guard.scale) for guard in guards]
+
+
+def closure_functions(system: System, loops: Loops) -> list[Function]:
+    """Closure residual, Jacobian and bias; rates and accelerations from the independent ones."""
+    q = (q_port(system), system.inputs.q)
+    v = (v_port(system), system.inputs.v)
+    rates = loops.rates_from(loops.inputs("ydot"))
+    functions = []
+    notes = _notes(system, loops)
+    if system.cuts:
+        functions += _residual_functions(system)
+    functions.append(
+        function(
+            system,
+            "velocity",
+            "Rates of the tree from the rates of the independent coordinates.",
+            [q, (y_port(loops, "y_dot", 1), loops.inputs("ydot"))],
+            [(v_port(system), system.tree_rates(rates))],
+            guarded(loops.guards),
+            notes,
+        )
+    )
+    functions.append(_null_space(system, loops, q))
+    gains = loops.accelerations_from(loops.inputs("yddot"), loops.bias(system))
+    functions.append(
+        function(
+            system,
+            "acceleration",
+            "Accelerations of the tree from the second rates of the independent coordinates.",
+            [q, v, (y_port(loops, "y_ddot", 2), loops.inputs("yddot"))],
+            [(a_port(system), system.tree_rates(gains))],
+            guarded(loops.guards),
+            notes,
+        )
+    )
+    return functions
+
+
+def _null_space(system: System, loops: Loops, q: tuple) -> Function:
+    tape, count, n = system.tape, len(loops.entries), len(system.tree.v)
+    values = []
+    for k in range(count):
+        unit = [tape.one if i == k else tape.zero for i in range(count)]
+        values += system.tree_rates(loops.rates_from(unit))
+    labels = tuple(f"{c.label}|{y}" for y in loops.labels for c in system.tree.v)
+    port = Port("null_space", (n, count), ("1",) * (n * count), labels, "columns: v for a unit rate of each y")
+    text = "Null space of the closure: v = null_space y_dot."
+    return function(system, "null_space", text, [q], [(port, values)], guarded(loops.guards), _notes(system, loops))
+
+
+def _notes(system: System, loops: Loops) -> tuple[str, ...]:
+    notes = [f"independent coordinates y: {', '.join(loops.labels) or 'none'}"]
+    if loops.redundant:
+        notes.append(f"redundant closure constraints (satisfied by the others): {', '.join(loops.redundant)}")
+    if loops.singular_reference:
+        notes.append(
+            "the reference configuration is singular: the closure loses rank there, and functions that solve it "
+            "return status 1 at and close to it"
+        )
+    return tuple(notes)
+
+
+def _residual_functions(system: System) -> list[Function]:
+    q = (q_port(system), system.inputs.q)
+    v = (v_port(system), system.inputs.v)
+    labels = tuple(row.label for cut in system.cuts for row in cut.rows)
+    units = tuple("m" if row.unit == "N" else "rad" for cut in system.cuts for row in cut.rows)
+    count, n = len(labels), len(system.tree.v)
+    columns = jacobian_in_v(system)
+    entries = [columns[k][i] for k in range(n) for i in range(count)]
+    jacobian = Port("jacobian", (count, n), ("1",) * (count * n), (), "rows: closure constraints, columns: v")
+    residual = Port("residual", (count,), units, labels, "how far each cut joint is open")
+    bias = system.bias(system.rates([system.tape.zero] * n))
+    bias_port = Port("bias", (count,), tuple(f"{u}/s^2" for u in units), labels, "(dJ/dt) v")
+    return [
+        function(system, "closure", "How far the loops are open, in the cut joints' tip axes.", [q],
+                 [(residual, system.residual)]),
+        function(system, "closure_jacobian",
+                 "Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0.", [q],
+                 [(jacobian, entries)]),
+        function(system, "closure_bias", "Closure of accelerations: J a + bias = 0.", [q, v], [(bias_port, bias)]),
+    ]  # fmt: skip
+
+
+def jacobian_in_v(system: System) -> list[list[Node]]:
+    """Columns of the closure Jacobian with respect to v (spherical rates in the child's axes)."""
+    tape = system.tape
+    columns = [[row.get(k, tape.zero) for row in system.jacobian] for k in range(len(system.tree.v))]
+    for link in system.tree.links[1:]:
+        if link.motion.kind != "S":
+            continue
+        turn = system.placed[link.index].turn
+        old = columns[link.v]
+        for j in range(3):
+            columns[link.v.start + j] = [
+                dot((old[0][i], old[1][i], old[2][i]), (turn[0][j], turn[1][j], turn[2][j]))
+                for i in range(len(system.jacobian))
+            ]
+    return columns
+
+
+def assembly(system: System, loops: Loops) -> Iteration:
+    """Assembly of the loops from y and a guess: Newton on the closure.
+
+    On the platform's coordinates alone where its limbs have closed forms, except those of rods: with these fewer
+    guesses whose loops are open lead to a solution, and a step takes more operations.
+    """
+    y = loops.inputs("y")
+    ports = (y_port(loops, "y", 0), q_port(system, "guess", "a configuration on the wanted branch"))
+    step = loops.newton_step(y)
+    scales = [1.0 / system.length if c.kind == "length" else 1.0 for c in system.tree.v]
+    tape = system.tape
+    size = _norm(tape, [s * tape.constant(f) for s, f in zip(step, scales, strict=True)])
+    limit = tape.constant(STEP_LIMIT)
+    small = tape.function("less", size, limit)
+    factor = tape.function("select", small, tape.one, limit / tape.function("select", small, tape.one, size))
+    moved = moved_by(system, [factor * s for s in step])
+    limbs, hub = closed_limbs(system), hub_links(system)
+    alone = limbs is not None and hub is not None and all(entry.link in hub for entry in loops.entries)
+    if limbs and hub and alone and not any_rods(limbs):
+        # Only the platform's coordinates are iterated; its limbs follow in closed form, on the guess's branch.
+        # Not where y are a limb's: the limb's closed form is singular where the platform turns back.
+        known = {k: moved[k] for link in hub for k in range(link.q.start, link.q.stop)}
+        moved = list(limb_coordinates(system, limbs, known, system.inputs.q).q)
+    residual = opening(system)
+    orientation = tape.one
+    for pivot in loops.pivots:
+        orientation = orientation * pivot
+    single = [Port(n, (1,), ("1",), (n,), t) for n, t in (
+        ("residual", "opening of the loops at q"), ("step", "size of the step"), ("orientation", "sign of the branch")
+    )]  # fmt: skip
+    newton = function(
+        system,
+        "assemble_step",
+        "One Newton step of the assembly.",
+        [(q_port(system), system.inputs.q), (ports[0], y)],
+        [
+            (q_port(system, "q_next"), moved),
+            *((p, [n]) for p, n in zip(single, (residual, size, orientation), strict=True)),
+        ],
+        guarded(loops.guards, NEWTON_THRESHOLD),
+    )
+    parameter_ports, _ = system.parameter_ports()
+    return Iteration(
+        "assemble",
+        "Configuration of the tree that closes all loops at the given independent coordinates, on the branch of "
+        "the guess.",
+        (*ports, *parameter_ports),
+        (q_port(system),),
+        lower(newton),
+        tuple(entry.q for entry in loops.entries),
+        notes=_notes(system, loops),
+    )
+
+
+def opening(system: System) -> Node:
+    """How far the loops are open: root of the sum of squares, lengths divided by the characteristic length."""
+    tape = system.tape
+    scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
+    return _norm(tape, [g * tape.constant(f) for g, f in zip(system.residual, scales, strict=True)])
+
+
+def _norm(tape: object, values: Sequence[Node]) -> Node:
+    total = tape.zero  # type: ignore[attr-defined]
+    for value in values:
+        total = total + value * value
+    return tape.sqrt(total)  # type: ignore[attr-defined]
+
+
+def moved_by(system: System, step: Sequence[Node]) -> list[Node]:
+    """q after a step in joint rates; quaternions are multiplied and normalised."""
+    q = list(system.inputs.q)
+    half = system.tape.reciprocal(system.tape.node(2))
+    for link in system.tree.links[1:]:
+        if link.motion.kind != "S":
+            for i, k in zip(range(link.q.start, link.q.stop), range(link.v.start, link.v.stop), strict=True):
+                q[i] = q[i] + step[k]
+            continue
+        w, x, y, z = system.inputs.q[link.q]
+        vector: Vector = (x, y, z)
+        a, b, c = step[link.v]
+        turn = scale(half, (a, b, c))
+        scalar = w - dot(turn, vector)
+        moved = add(add(vector, scale(w, turn)), cross(turn, vector))
+        inverse = 1 / _norm(system.tape, (scalar, *moved))
+        q[link.q] = [scalar * inverse, *scale(inverse, moved)]
+    return q

@@ -1,0 +1,335 @@
+"""Dynamic functions: mass matrix, bias, inverse dynamics with redundant drives, all joint reactions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from itertools import product
+
+from symscrew.algebra import ZERO, Guard, Node, Vector, cost
+from symscrew.dynamics import (
+    Balance,
+    DriveSolution,
+    Reactions,
+    Setting,
+    balance,
+    bars,
+    generalised_forces,
+    joint_wrenches,
+    mass_matrix,
+    numeric_multipliers,
+    solve_drives,
+    solve_reactions,
+    thin_rods,
+    with_end_masses,
+)
+from symscrew.effects import Acting, Effect
+from symscrew.functions.closing import guarded
+from symscrew.functions.ports import (
+    WRENCH_LABELS,
+    WRENCH_UNITS,
+    a_port,
+    columns_port,
+    drive_is_force,
+    drive_label,
+    function,
+    q_port,
+    u_port,
+    v_port,
+    y_port,
+)
+from symscrew.kinematics import Link, System
+from symscrew.loops import SMALL, Loops
+from symscrew.program import Function, Port
+
+Loads = Mapping[str, tuple[Vector, Vector]]
+NO_DRIVE = "carry no drive"  # of a note: some freedoms
+
+
+class Equations:
+    """Equilibrium of a system under effects, eliminated once for all dynamic functions."""
+
+    def __init__(
+        self,
+        system: System,
+        effects: Sequence[Effect],
+        loads: Loads | None = None,
+        *,
+        unloaded: bool = False,
+        cost: Callable[[Sequence[Node]], int] = cost,
+    ) -> None:
+        """Equations at the system's present nodes; `cost` of nodes is what is kept low.
+
+        `loads` are the joints' reactions for load-dependent effects; by default those that the same equations
+        have without these effects (`unloaded`).
+        """
+        self.system, self.cost = system, cost
+        self.forces = Acting(system, effects, loads)
+        if self.forces.needs_reactions and loads is None and not unloaded:
+            before = Equations(system, effects, unloaded=True)
+            for _ in range(self.forces.passes - 1):
+                before = Equations(system, effects, before.reactions(before.solution.u).wrenches)
+            self.forces = Acting(system, effects, before.reactions(before.solution.u).wrenches)
+        self.setting = Setting(
+            system.tape,
+            system.tree,
+            system.frames,
+            system.placed,
+            system.cuts,
+            system.drive_rows(),
+            system.cut_drives(),
+            system.length,
+            system.virtual_directions(),
+            self.forces.known_forces(system.inputs.a),
+        )
+        self.inertia = self.forces.lean_inertia()
+        self.rates = self.forces.link_rates(system.inputs.a)
+
+    @cached_property
+    def balance(self) -> Balance:
+        """Multipliers and the equations at the hub, in the order of elimination that takes fewer operations."""
+        return self._fewest(self.setting, self.lean_wrench)
+
+    @cached_property
+    def solution(self) -> DriveSolution:
+        """The drives of smallest sum of squares."""
+        return self.drives(self.balance)
+
+    @cached_property
+    def lean_balance(self) -> Balance:
+        """The equations at the hub for drives alone, with thin rods as masses at their ends where that is shorter."""
+        rods = thin_rods(self.system, self.forces)
+        if not rods:
+            return self.balance
+        inertia = with_end_masses(self.system, list(rods.values()))
+        setting = replace(self.setting, bars=bars(self.system, rods, self.rates))
+
+        def wrench(link: Link) -> tuple[Vector, Vector]:
+            return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
+
+        ways = [self.balance, self._fewest(setting, wrench)]
+        return min(ways, key=lambda way: self.cost(self._drives_and_pivots(way)))
+
+    @cached_property
+    def lean_solution(self) -> DriveSolution:
+        """The drives of smallest sum of squares, without what only reactions need."""
+        return self.drives(self.lean_balance)
+
+    def _fewest(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> Balance:
+        """The balance with the rows of the drives in their places or last, by operations."""
+        either = setting.drives and setting.cuts and len(setting.tree.v) <= SMALL
+        if not either:
+            return balance(setting, wrench, self.forces.loads)
+        orders = product((False, True), repeat=2)
+        ways = [balance(setting, wrench, self.forces.loads, drives_last=k, blocks=m) for k, m in orders]
+
+        def found(way: Balance) -> list[Node]:
+            multipliers = [entry for affine in way.multipliers.values() for entry in affine.values()]
+            return [*self._drives_and_pivots(way), *multipliers]
+
+        return min(ways, key=lambda way: self.cost(found(way)))
+
+    def _drives_and_pivots(self, way: Balance) -> list[Node]:
+        solution = self.drives(way)
+        return [*solution.u, *(guard.pivot for guard in (*way.guards, *solution.guards))]
+
+    def lean_wrench(self, link: Link) -> tuple[Vector, Vector]:
+        """Inertial wrench with regrouped inertias: right for drives and cut joints, not inside the tree."""
+        return self.forces.inertial_wrench(link.index, self.inertia[link.index], self.rates)
+
+    def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
+        """Inertial wrench of the bodies as given."""
+        return self.forces.inertial_wrench(link.index, self.system.inertia[link.index], self.rates)
+
+    def reactions(self, forces: Sequence[Node]) -> Reactions:
+        """Reactions of all joints for given forces and torques of the drives on their joints."""
+        multipliers = numeric_multipliers(self.balance, forces)
+        found = joint_wrenches(self.setting, self.system.pose, self.true_wrench, self.forces.loads, multipliers, forces)
+        return solve_reactions(self.setting, found, self.balance.free)
+
+    def command(self, solution: DriveSolution) -> tuple[Port, tuple[Node, ...]]:
+        """The output u: what the drives are given, on the motors' side of their transmissions."""
+        return self.forces.drive_port(u_port(self.system)), self.forces.drive_commands(solution.u)
+
+    @property
+    def lean_guards(self) -> tuple[Guard, ...]:
+        """Pivots of the drives alone."""
+        return (*self.lean_balance.guards, *self.lean_solution.guards)
+
+    @property
+    def drive_scales(self) -> dict[int, float]:
+        """Unit scale of every drive's column."""
+        return {
+            k: 1.0 if drive_is_force(self.system, k) else self.system.length for k in range(len(self.system.drives))
+        }
+
+    def drives(
+        self, way: Balance, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None
+    ) -> DriveSolution:
+        """Drives from the equations at the hub."""
+        return solve_drives(self.system.tape, way.finals, self.drive_scales, weights=weights, preload=preload)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a user of the drives must know."""
+        notes = []
+        if self.solution.redundancy:
+            notes.append(
+                f"{self.solution.redundancy} more drives than freedoms: the drives of smallest sum of squares; "
+                "inverse_dynamics_preload takes weights and an internal preload"
+            )
+        passive = len(self.balance.unbalanced) + self.solution.unreachable
+        if passive:
+            notes.append(f"{passive} freedoms {NO_DRIVE}: the motion must obey their own equations")
+        return tuple(notes)
+
+
+def dynamic_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
+    """Mass matrix, bias and, where there are drives, inverse dynamics and reactions."""
+    equations = Equations(system, effects, cost=loops.cost)
+    functions = [_mass_matrix(system, equations.forces.reflected_inertia), _bias(system, effects)]
+    if system.drives:
+        functions.append(_inverse_dynamics(equations))
+        functions.append(_from_independent(system, effects, loops))
+        if equations.solution.redundancy:
+            functions.append(_with_preload(equations))
+    functions.append(_joint_reactions(equations))
+    return functions
+
+
+def _inputs(equations: Equations) -> list[tuple[Port, Sequence[Node]]]:
+    system = equations.system
+    state = [
+        (q_port(system), system.inputs.q),
+        (v_port(system), system.inputs.v),
+        (a_port(system), system.inputs.a),
+    ]
+    return [*state, *equations.forces.inputs]
+
+
+def _inverse_dynamics(equations: Equations) -> Function:
+    system = equations.system
+    text = "Drives from a consistent state of the tree, by the rates of the momentum screws."
+    return function(
+        system,
+        "inverse_dynamics",
+        text,
+        _inputs(equations),
+        [equations.command(equations.lean_solution)],
+        guarded(equations.lean_guards),
+        equations.notes,
+    )
+
+
+def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
+    """Inverse dynamics with rates and accelerations of the tree solved from the independent coordinates'."""
+    y_dot, y_ddot = loops.inputs("ydot"), loops.inputs("yddot")
+    v = system.tree_rates(loops.rates_from(y_dot))
+    moving = system.at(system.inputs.q, {}, v)
+    a = system.tree_rates(loops.accelerations_from(y_ddot, loops.bias(moving), moving.joint_rates(v)))
+    equations = Equations(system.at(system.inputs.q, {}, v, a), effects, cost=loops.cost)
+    inputs = [
+        (q_port(system), system.inputs.q),
+        (y_port(loops, "y_dot", 1), y_dot),
+        (y_port(loops, "y_ddot", 2), y_ddot),
+        *equations.forces.inputs,
+    ]
+    guards = guarded((*loops.guards, *equations.lean_guards))
+    text = "Drives from the configuration and the rates and second rates of the independent coordinates."
+    output = [equations.command(equations.lean_solution)]
+    return function(system, "inverse_dynamics_independent", text, inputs, output, guards, equations.notes)
+
+
+def _with_preload(equations: Equations) -> Function:
+    system = equations.system
+    count = len(system.drives)
+    weights, preload = (
+        tuple(
+            system.tape.symbol(f"{name}_{drive_label(system, k).replace('.', '_')}", unit, f"{what} of drive {k + 1}")
+            for k in range(count)
+        )
+        for name, unit, what in (("weight", "1", "weight"), ("preload", "N", "preload"))
+    )
+    solution = equations.drives(equations.lean_balance, weights, preload)
+    labels = tuple(drive_label(system, k) for k in range(count))
+    units = u_port(system).units
+    inputs = [
+        *_inputs(equations),
+        (Port("weights", (count,), ("1",) * count, labels, "positive weights of the squares"), weights),
+        (
+            Port("preload", (count,), units, labels, "drives to stay close to: their internal part is kept"),
+            preload,
+        ),
+    ]
+    text = "Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives."
+    guards = guarded((*equations.lean_balance.guards, *solution.guards))
+    guards += [(weight, 0.0) for weight in weights]  # a weight of 0, NaN or infinity is an error, not a choice
+    return function(
+        system,
+        "inverse_dynamics_preload",
+        text,
+        inputs,
+        [equations.command(solution)],
+        guards,
+        equations.notes,
+    )
+
+
+def _joint_reactions(equations: Equations) -> Function:
+    system, u = equations.system, equations.solution.u
+    port, values, more, notes = all_reactions(equations, u)
+    outputs: list[tuple[Port, Sequence[object]]] = [(port, values)]
+    if system.drives:
+        outputs.insert(0, equations.command(equations.solution))
+    guards = guarded((*equations.balance.guards, *equations.solution.guards, *more))
+    text = "Drives and all joint reactions at once, at O in absolute axes."
+    every = (*equations.notes, *notes)
+    return function(system, "joint_reactions", text, _inputs(equations), outputs, guards, every)
+
+
+def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[object], tuple[Guard, ...], list[str]]:
+    """The reactions of all joints for given drives: port, values, guarded pivots, notes."""
+    system, reactions = equations.system, equations.reactions(u)
+    notes = []
+    if reactions.free:
+        notes.append(
+            f"overconstrained: {reactions.free} internal loads are undetermined and take the minimum-norm values "
+            f"(moments divided by the characteristic length {system.length!r} m); not unique: "
+            + ", ".join(reactions.not_unique)
+        )
+    return reactions_port(system), in_order(system, reactions.wrenches), reactions.guards, notes
+
+
+def reactions_port(system: System) -> Port:
+    """Wrenches of all joints, in the order of the description."""
+    text = "wrench (f ; m_O) from parent on child without the drive's share"
+    return columns_port("reactions", list(system.mechanism.joints), WRENCH_LABELS, WRENCH_UNITS, text)
+
+
+def in_order(system: System, wrenches: Mapping[str, tuple[Vector, Vector]]) -> list[object]:
+    """Six entries per joint of the description; zeros for joints without a wrench."""
+    pairs = [wrenches.get(name, (ZERO, ZERO)) for name in system.mechanism.joints]
+    return [entry for force, moment in pairs for entry in (*force, *moment)]
+
+
+def _bias(system: System, effects: Sequence[Effect]) -> Function:
+    acting = Acting(system, effects)
+    values = generalised_forces(system, acting, [system.tape.zero] * len(system.tree.v))
+    units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
+    port = Port("bias", (len(values),), units, tuple(c.label for c in system.tree.v), "generalised forces at a = 0")
+    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
+    text = "Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers."
+    return function(system, "bias", text, inputs, [(port, values)])
+
+
+def _mass_matrix(system: System, reflected: Mapping[int, Node]) -> Function:
+    matrix = mass_matrix(system, reflected)
+    n = len(matrix)
+    labels = tuple(f"{a.label}|{b.label}" for b in system.tree.v for a in system.tree.v)
+    kinds = [c.kind == "length" for c in system.tree.v]
+    units = tuple(("kg m^2", "kg m", "kg")[int(a) + int(b)] for b in kinds for a in kinds)
+    port = Port("mass_matrix", (n, n), units, labels, "symmetric; kinetic energy = v.M.v / 2")
+    text = "Mass matrix of the tree (cut joints open)."
+    values = [matrix[i][j] for j in range(n) for i in range(n)]
+    return function(system, "mass_matrix", text, [(q_port(system), system.inputs.q)], [(port, values)])

@@ -1,0 +1,107 @@
+"""Displacements of joints, in the tree or closing a loop, as nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.algebra import Node, Vector, cross, dot, product, subtract, transform, transpose
+from symscrew.description import JOINT_TYPES, Joint
+from symscrew.kinematics.cut_joints import Cut, carry, hub_angle, relative_rotation
+from symscrew.kinematics.system import System
+
+SMALL_ANGLE = 1e-8
+
+
+def tree_displacement(system: System, joint: Joint) -> list[Node]:
+    """Displacements of a joint of the tree: its coordinates, a spherical one as rotation vector."""
+    links = system.tree.links_of(joint.name)
+    values: list[Node] = []
+    for link in links[::-1] if links and links[0].inverted else links:
+        entries = list(system.inputs.q[link.q])
+        values += rotation_vector(system, *entries) if len(entries) == 4 else entries
+    return values
+
+
+def rotation_vector(system: System, w: Node, x: Node, y: Node, z: Node) -> list[Node]:
+    """Rotation vector [rad] of a unit quaternion, smooth through the identity; angle up to pi."""
+    tape = system.tape
+    half_sine = tape.sqrt(x * x + y * y + z * z)
+    small = tape.function("less", half_sine, tape.constant(SMALL_ANGLE))
+    safe = tape.function("select", small, tape.one, half_sine)
+    negative = tape.function("less", w, tape.zero)
+    sign = tape.function("select", negative, -tape.one, tape.one)
+    angle = 2 * tape.function("atan2", half_sine, sign * w)
+    factor = sign * tape.function("select", small, tape.node(2), angle / safe)
+    return [factor * x, factor * y, factor * z]
+
+
+def matrix_rotation_vector(system: System, m: Sequence[Vector]) -> list[Node]:
+    """Rotation vector [rad] of a rotation matrix by angle atan2(|axial|, trace - 1); not for angles near pi."""
+    tape = system.tape
+    half = tape.reciprocal(tape.node(2))
+    axial = [half * (m[2][1] - m[1][2]), half * (m[0][2] - m[2][0]), half * (m[1][0] - m[0][1])]
+    sine = tape.sqrt(axial[0] * axial[0] + axial[1] * axial[1] + axial[2] * axial[2])
+    cosine = half * (m[0][0] + m[1][1] + m[2][2] - 1)
+    small = tape.function("less", sine, tape.constant(SMALL_ANGLE))
+    safe = tape.function("select", small, tape.one, sine)
+    factor = tape.function("select", small, tape.one, tape.function("atan2", sine, cosine) / safe)
+    return [factor * c for c in axial]
+
+
+def cut_displacement(system: System, cut: Cut) -> list[Node]:
+    """Displacements of a cut joint from the relative pose of its bodies."""
+    tape, tree, placed = system.tape, system.tree, system.placed
+    motions = JOINT_TYPES[cut.joint.type].motions
+    kinds = [m.kind for m in motions]
+    references = cut.joint.reference or (0,) * len(motions)
+    offset = [system.geometry.scalar(r) if r != 0 else tape.zero for r in references]
+    if kinds == ["S"]:
+        relative = relative_rotation(cut, tree, placed)
+        reference_axes = system.frames[cut.tip].axes
+        in_body = product(product(reference_axes, relative), transpose(reference_axes))
+        return matrix_rotation_vector(system, in_body if cut.tip_is_parent else transpose(in_body))
+    gap = _gap_child_from_parent(system, cut)
+    sign = 1 if cut.tip_is_parent else -1
+    values: list[Node] = []
+    turns = iter(_universal_angles(system, cut) if kinds.count("R") == 2 else [])
+    axes = cut.tip_axes
+    for position, m in enumerate(motions):
+        if m.kind == "P":
+            value = dot(axes[m.axis or 0], gap)
+        elif kinds.count("R") == 2:
+            value = next(turns)
+        else:
+            value = sign * hub_angle(cut, tree, placed, system.geometry)
+        values.append(tape.node(value) + offset[position])
+    return values
+
+
+def _gap_child_from_parent(system: System, cut: Cut) -> Vector:
+    """From the parent's joint point to the child's, tip axes."""
+    back = transpose(system.pose[cut.tip].rotation)
+    tip, hub = system.pose[cut.tip].point(cut.tip_point), system.pose[cut.hub].point(cut.hub_point)
+    return transform(back, subtract(hub, tip) if cut.tip_is_parent else subtract(tip, hub))
+
+
+def _universal_angles(system: System, cut: Cut) -> list[Node]:
+    """Both angles of a cut universal joint, parent's axis first, each from how it turns the other's axis."""
+    tape = system.tape
+    first_reference, second_reference = cut.tip_axes
+    carried = [carry(system.tree, system.placed, cut.hub, cut.tip, axis) for axis in cut.hub_axes]
+    # seen from the tip, the hub's copies of the two axes; the own axis of the tip stays
+    if cut.tip_is_parent:
+        theta1 = _angle_about(tape, first_reference, second_reference, carried[1])
+        back = [carry(system.tree, system.placed, cut.tip, cut.hub, axis) for axis in cut.tip_axes]
+        theta2 = -1 * _angle_about(tape, cut.hub_axes[1], cut.hub_axes[0], back[0])
+    else:
+        back = [carry(system.tree, system.placed, cut.tip, cut.hub, axis) for axis in cut.tip_axes]
+        theta1 = _angle_about(tape, cut.hub_axes[0], cut.hub_axes[1], back[1])
+        theta2 = -1 * _angle_about(tape, second_reference, first_reference, carried[0])
+    return [theta1, theta2]
+
+
+def _angle_about(tape: object, axis: Vector, start: Vector, end: Vector) -> Node:
+    """Angle about `axis` that turns `start` into `end` (their components across the axis)."""
+    sine = dot(axis, cross(start, end))
+    cosine = dot(start, end) - dot(axis, start) * dot(axis, end)
+    return tape.function("atan2", sine, cosine)  # type: ignore[attr-defined]

@@ -1,0 +1,261 @@
+"""From the graph of a mechanism to a spanning tree, its coordinates and the joints that are cut.
+
+The tree is grown from the ground breadth first; where several joints reach a body at the same depth, a
+driven joint wins, then the one with fewest freedoms: spherical joints are cut. A platform that three or more
+limbs hold hangs on a virtual joint instead (free, or planar in a planar mechanism) and all its joints are
+cut: every limb is then a chain of its own, and only the platform's equations couple them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+
+from symscrew.description import JOINT_TYPES, Joint, Mechanism, Motion, Vector
+
+GROUND = 0
+FIXED = Motion("F")  # the single, immobile link of a fixed joint
+SIZES = {"S": (4, 3), "F": (0, 0)}  # entries in q and v of a motion, where they are not 1
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """One entry of q (`kind` "angle", "length" or "quaternion") or of v ("angle", "length", "rotation")."""
+
+    label: str
+    joint: str
+    kind: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Link:
+    """One elementary motion of the tree and what it carries.
+
+    `parent` is the index of the parent link (0 is the ground), `bodies` are its body (none
+    for the intermediate part of a universal joint), `q` and `v` are slices into the coordinates. `inverted`
+    says that the tree passes the joint from child to parent: its axis is then negated.
+    """
+
+    index: int
+    parent: int
+    joint: str
+    motion: Motion
+    inverted: bool
+    bodies: tuple[str, ...]
+    q: slice
+    v: slice
+
+
+@dataclass(frozen=True)
+class Tree:
+    """The spanning tree: links in topological order (ground first), coordinates, cut joints."""
+
+    links: tuple[Link, ...]
+    link_of_body: dict[str, int]
+    joints: dict[str, Joint]
+    cut: tuple[Joint, ...]
+    q: tuple[Coordinate, ...]
+    v: tuple[Coordinate, ...]
+    virtual: str | None
+
+    def path(self, link: int) -> tuple[int, ...]:
+        """Links from `link` down to, not including, the ground."""
+        chain = []
+        while link != GROUND:
+            chain.append(link)
+            link = self.links[link].parent
+        return tuple(chain)
+
+    def common(self, one: int, other: int) -> int:
+        """The outermost link that carries both, one of the two perhaps, or the ground."""
+        carrying = set(self.path(other))
+        return next((link for link in self.path(one) if link in carrying), GROUND)
+
+    def links_of(self, joint: str) -> tuple[Link, ...]:
+        """The links that make up a tree joint, from the ground outwards."""
+        return tuple(link for link in self.links if link.joint == joint)
+
+    def velocity_indices(self, joint: str) -> tuple[int, ...]:
+        """Indices into v of a tree joint, in the order of its freedoms (parent to child)."""
+        links = self.links_of(joint)
+        if links and links[0].inverted:
+            links = links[::-1]
+        return tuple(i for link in links for i in range(link.v.start, link.v.stop))
+
+
+def spanning_tree(mechanism: Mechanism) -> Tree:
+    """The tree of a mechanism; every mechanism, serial or parallel, goes through here."""
+    virtual = _virtual_joint(mechanism)
+    joints = dict(mechanism.joints)
+    if virtual is not None:
+        joints[virtual.name] = virtual
+    reached = _grow(mechanism, joints, virtual)
+    tree_joints = {name for name, _ in reached.values()}
+    order = [j for j in joints.values() if j.name in tree_joints]
+    coordinates = _coordinates(order)
+    links, link_of_body = _links(mechanism, joints, reached, coordinates)
+    return Tree(
+        links=tuple(links),
+        link_of_body=link_of_body,
+        joints={j.name: j for j in order},
+        cut=tuple(j for j in mechanism.joints.values() if j.name not in tree_joints),
+        q=tuple(c for joint in order for c in coordinates[joint.name][0]),
+        v=tuple(c for joint in order for c in coordinates[joint.name][1]),
+        virtual=virtual.name if virtual else None,
+    )
+
+
+def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None) -> dict[str, tuple[str, bool]]:
+    """Body -> (joint that reaches it, whether passed from child to parent), breadth first."""
+    reached: dict[str, tuple[str, bool]] = {}
+    depth = {mechanism.ground: 0}
+    if virtual is not None:
+        # The platform is reached by its virtual joint only; nothing grows through it towards the limbs
+        # before they have been grown from the ground.
+        reached[virtual.child] = (virtual.name, False)
+        depth[virtual.child] = 10**6
+    level = 0
+    while len(depth) < len(mechanism.bodies) + (mechanism.ground not in mechanism.bodies):
+        frontier = [body for body, d in depth.items() if d == level]
+        if not frontier:
+            if virtual is None or level > 10**6:
+                raise AssertionError("validation lets only connected mechanisms through")
+            level = 10**6
+            continue
+        candidates: dict[str, tuple[tuple, str, bool]] = {}
+        for joint in joints.values():
+            for near, far, inverted in (
+                (joint.parent, joint.child, False),
+                (joint.child, joint.parent, True),
+            ):
+                if near in frontier and far not in depth:
+                    key = (not joint.driven, JOINT_TYPES[joint.type].freedom)
+                    if far not in candidates or key < candidates[far][0]:
+                        candidates[far] = (key, joint.name, inverted)
+        for body, (_, name, inverted) in candidates.items():
+            reached[body] = (name, inverted)
+            depth[body] = level + 1
+        level += 1
+    return reached
+
+
+def _virtual_joint(mechanism: Mechanism) -> Joint | None:
+    """The joint on which a platform hangs that three or more limbs hold, or None.
+
+    Free where the shortest path to the platform has five freedoms or more, planar where all joints of the
+    mechanism are planar in one plane and the path has three: the limbs then are chains of their own.
+    """
+    platform = mechanism.platform
+    if platform is None or platform == mechanism.ground:
+        return None
+    meeting = [j for j in mechanism.joints.values() if platform in (j.parent, j.child)]
+    reached = _grow(mechanism, dict(mechanism.joints), None)
+    freedoms, length, body = 0, 0, platform
+    while body != mechanism.ground:
+        name, inverted = reached[body]
+        joint = mechanism.joints[name]
+        freedoms += JOINT_TYPES[joint.type].freedom
+        length += 1
+        body = joint.child if inverted else joint.parent
+    if len(meeting) < 3 or length < 2:
+        return None
+    # At the centre of mass the platform's equations are shortest; q then holds its absolute position.
+    point = mechanism.bodies[platform].com or meeting[0].point
+    name = f"{platform}_pose"
+    if freedoms >= 5:
+        return Joint(name, "free", mechanism.ground, platform, point, reference=point)
+    normal = _common_normal(mechanism)
+    if freedoms >= 3 and normal is not None:
+        return Joint(name, "E", mechanism.ground, platform, point, axes=(normal,))
+    return None
+
+
+def _common_normal(mechanism: Mechanism) -> Vector | None:
+    """The axis that all revolute joints share and all sliders cross at right angles, or None."""
+    turning = [j.axes[0] for j in mechanism.joints.values() if j.type == "R"]
+    if not turning or any(j.type not in "RP" for j in mechanism.joints.values()):
+        return None
+    normal = tuple(mechanism.number(c) for c in turning[0])
+
+    def equal(a: sympy.Expr, b: sympy.Expr) -> bool:
+        return bool(abs((mechanism.number(a) - mechanism.number(b)).evalf(30)) < 1e-25)
+
+    for axis in turning:
+        if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):
+            return None
+    for joint in mechanism.joints.values():
+        if joint.type == "P" and not equal(
+            sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero
+        ):
+            return None
+    return (normal[0], normal[1], normal[2])
+
+
+def _coordinates(joints: list[Joint]) -> dict[str, tuple[list[Coordinate], list[Coordinate]]]:
+    result: dict[str, tuple[list[Coordinate], list[Coordinate]]] = {}
+    for joint in joints:
+        motions = JOINT_TYPES[joint.type].motions
+        q: list[Coordinate] = []
+        v: list[Coordinate] = []
+        for position, motion in enumerate(motions):
+            if motion.kind == "S":
+                q += [Coordinate(f"{joint.name}.q{c}", joint.name, "quaternion", "1") for c in "wxyz"]
+                v += [Coordinate(f"{joint.name}.w{c}", joint.name, "rotation", "rad/s") for c in "xyz"]
+                continue
+            label = joint.name if len(motions) == 1 else f"{joint.name}.{position}"
+            kind, unit = ("length", "m") if motion.kind == "P" else ("angle", "rad")
+            q.append(Coordinate(label, joint.name, kind, unit))
+            v.append(Coordinate(label, joint.name, kind, f"{unit}/s"))
+        result[joint.name] = (q, v)
+    return result
+
+
+def _links(
+    mechanism: Mechanism,
+    joints: dict[str, Joint],
+    reached: dict[str, tuple[str, bool]],
+    coordinates: dict[str, tuple[list[Coordinate], list[Coordinate]]],
+) -> tuple[list[Link], dict[str, int]]:
+    """Expand the tree's joints into elementary links, in topological order."""
+    q_start, v_start, q_next, v_next = {}, {}, 0, 0
+    for name, (q, v) in coordinates.items():
+        q_start[name], v_start[name] = q_next, v_next
+        q_next, v_next = q_next + len(q), v_next + len(v)
+    links = [Link(GROUND, GROUND, "", FIXED, False, (mechanism.ground,), slice(0, 0), slice(0, 0))]
+    link_of_body = {mechanism.ground: GROUND}
+    waiting = dict(reached)
+    while waiting:
+        for body, (name, inverted) in list(waiting.items()):
+            joint = joints[name]
+            inner = joint.child if inverted else joint.parent
+            if inner not in link_of_body:
+                continue
+            del waiting[body]
+            current = link_of_body[inner]
+            motions = list(enumerate(JOINT_TYPES[joint.type].motions or (FIXED,)))
+            q_at, v_at = _offsets(joint, q_start[name], v_start[name])
+            for position, motion in reversed(motions) if inverted else motions:
+                q_size, v_size = SIZES.get(motion.kind, (1, 1))
+                in_q = slice(q_at[position], q_at[position] + q_size)
+                in_v = slice(v_at[position], v_at[position] + v_size)
+                links.append(Link(len(links), current, name, motion, inverted, (), in_q, in_v))
+                current = len(links) - 1
+            old = links[current]
+            links[current] = Link(
+                old.index, old.parent, old.joint, old.motion, old.inverted, (*old.bodies, body), old.q, old.v
+            )
+            link_of_body[body] = current
+    return links, link_of_body
+
+
+def _offsets(joint: Joint, q: int, v: int) -> tuple[list[int], list[int]]:
+    """Where each motion of a joint starts in q and v."""
+    q_at, v_at = [], []
+    for motion in JOINT_TYPES[joint.type].motions or (FIXED,):
+        q_at.append(q)
+        v_at.append(v)
+        q_size, v_size = SIZES.get(motion.kind, (1, 1))
+        q, v = q + q_size, v + v_size
+    return q_at, v_at

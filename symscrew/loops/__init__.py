@@ -1,0 +1,41 @@
+"""Closed loops: the rows that cut joints contribute, and the rates that depend on the independent ones.
+
+System --closure_rows, contact_rows, rod_rows--> rows of every cut joint --dependent_rates--> `Loops`
+       --modes--> what holds in one operation mode --limbs--> joint positions in closed form
+"""
+
+from symscrew.loops.dependent_rates import SMALL, Loops
+from symscrew.loops.limbs import (
+    CrankLimb,
+    LengthRow,
+    Turn,
+    any_rods,
+    closed_limbs,
+    hub_links,
+    length_rows,
+    limb_coordinates,
+    met_rows,
+    reference_nodes,
+    rod_limb,
+)
+from symscrew.loops.modes import Mode, operation_mode
+from symscrew.loops.rod_rows import has_rod_rows
+
+__all__ = [
+    "SMALL",
+    "CrankLimb",
+    "LengthRow",
+    "Loops",
+    "Mode",
+    "Turn",
+    "any_rods",
+    "closed_limbs",
+    "has_rod_rows",
+    "hub_links",
+    "length_rows",
+    "limb_coordinates",
+    "met_rows",
+    "operation_mode",
+    "reference_nodes",
+    "rod_limb",
+]

@@ -1,0 +1,337 @@
+"""Solving the loops: independent coordinates, rates and accelerations of all others, Newton steps.
+
+The closure J w = 0 is eliminated once, with the independent rates left over; the same elimination serves
+velocities, accelerations, the null space and the Newton step of the assembly. Independent coordinates are
+entries of q: a spherical joint contributes components of its quaternion's vector part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew.algebra import (
+    NEGLIGIBLE,
+    Affine,
+    Column,
+    Elimination,
+    Guard,
+    Node,
+    Vector,
+    add,
+    cost,
+    count_operations,
+    cross,
+    dot,
+    eliminate,
+    needed,
+    scale,
+    substitute,
+)
+from symscrew.errors import DescriptionError
+from symscrew.kinematics import Link, System
+from symscrew.loops.closure_rows import closure_rows, closure_rows_bias
+from symscrew.loops.modes import Mode
+
+ANGLE = 10  # operations that a sine and a cosine of one angle take in a vector of four
+SMALL = 60  # freedoms of a tree up to which equal ways are built and counted
+
+
+@dataclass(frozen=True)
+class Independent:
+    """One independent coordinate: its index in q, the joint rate (index into v) that goes with it, its link."""
+
+    q: int
+    v: int
+    link: Link
+    component: int | None  # of a quaternion's vector part
+
+
+class Loops:
+    """The closure of a system, solved for the rates that depend on the independent ones.
+
+    `general`: the same loops by the system's own rows, if these are others. `mode`: an operation mode; what follows
+    there are further rows.
+    """
+
+    def __init__(
+        self,
+        system: System,
+        independent: Sequence[str] | None = None,
+        *,
+        by_contacts: bool = False,
+        by_rods: bool = False,
+        general: Loops | None = None,
+        mode: Mode | None = None,
+    ) -> None:
+        self.system = system
+        self.general, self.mode = general or self, mode
+        tree = system.tree
+        n = len(tree.v)
+        unknowns: dict[Column, float] = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
+        self.closure = closure = closure_rows(system, by_contacts=by_contacts, by_rods=by_rods)
+        self.rows, scales = closure.rows, list(closure.scales)
+        unknowns |= dict.fromkeys(closure.defined.values(), 1.0)
+        defined = dict(closure.defined)
+        if self.mode:
+            self.rows = [self._substituted(row) for row in self.rows]
+            for column, row in self.mode.rows:
+                defined[len(self.rows)] = column
+                self.rows.append(row)
+                scales.append(1.0 / unknowns[column])
+
+        def eliminated(preferred: Sequence[int]) -> Elimination:
+            return eliminate(system.tape, self.rows, unknowns, scales, last=preferred, defined=defined)
+
+        preferred = self._named(independent) if independent else self._preferred()
+        self.elimination = eliminated(preferred)
+        if not independent and set(self.elimination.free) != set(preferred):
+            # The same pivots as if the choice had been named.
+            preferred = sorted(self.elimination.free)
+            self.elimination = eliminated(preferred)
+        free = sorted(self.elimination.free)
+        if independent and set(free) != set(preferred):
+            names = ", ".join(tree.q[i.q].label for i in self._entries(free))
+            raise DescriptionError(
+                f"independent coordinates: expected {len(free)} that determine all others, got "
+                f"{', '.join(independent)}; a possible choice is {names}"
+            )
+        order = {k: i for i, k in enumerate(preferred)}
+        self.free = sorted(free, key=lambda k: order.get(k, n + k)) if independent else free
+        self.entries = self._entries(self.free)
+        self.small = self._quaternion_elimination()
+
+    # -- choice ------------------------------------------------------------------------------------------
+
+    def _entries(self, free: Sequence[int]) -> list[Independent]:
+        entries = []
+        for k in free:
+            link = next(link for link in self.system.tree.links[1:] if link.v.start <= k < link.v.stop)
+            spherical = link.motion.kind == "S"
+            component = k - link.v.start if spherical else None
+            q = link.q.start + (1 + component if component is not None else 0)
+            entries.append(Independent(q, k, link, component))
+        return entries
+
+    def _named(self, labels: Sequence[str]) -> list[int]:
+        known = {entry_label: k for k, entry_label in enumerate(self._labels())}
+        chosen = []
+        for label in labels:
+            if label not in known:
+                raise DescriptionError(
+                    f"independent coordinates: expected labels of q among {', '.join(known)}, got {label!r}"
+                )
+            chosen.append(known[label])
+        return chosen
+
+    def _labels(self) -> list[str]:
+        """Label of the entry of q that goes with each entry of v."""
+        return [self.system.tree.q[entry.q].label for entry in self._entries(range(len(self.system.tree.v)))]
+
+    def _preferred(self) -> list[int]:
+        """The platform's own coordinates where it hangs on one joint with rotations, else the drives."""
+        tree, platform = self.system.tree, self.system.mechanism.platform
+        if platform is not None and platform in tree.link_of_body:
+            path = tree.path(tree.link_of_body[platform])
+            joints = {tree.links[i].joint for i in path}
+            if len(joints) == 1 and any(tree.links[i].motion.kind == "S" for i in path if tree.links[i].motion):
+                return [k for i in sorted(path) for k in range(tree.links[i].v.start, tree.links[i].v.stop)]
+        return list(self.system.drive_rows())
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of the independent coordinates y."""
+        return tuple(self.system.tree.q[entry.q].label for entry in self.entries)
+
+    def inputs(self, prefix: str) -> tuple[Node, ...]:
+        """Input nodes of the independent coordinates: prefix "y", "ydot" or "yddot"."""
+        what = {"y": "coordinate", "ydot": "rate of coordinate", "yddot": "second rate of coordinate"}[prefix]
+        suffix = {"y": "", "ydot": "/s", "yddot": "/s^2"}[prefix]
+        q = self.system.tree.q
+        return tuple(
+            self.system.tape.symbol(
+                f"{prefix}_{q[e.q].label.replace('.', '_')}", q[e.q].unit + suffix, f"{what} {q[e.q].label}"
+            )
+            for e in self.entries
+        )
+
+    # -- operation modes ---------------------------------------------------------------------------------
+
+    def _substituted(self, row: Mapping[Column, Node]) -> Affine:
+        """A row in the operation mode."""
+        assert self.mode is not None
+        entries = substitute(self.system.tape, list(row.values()), self.mode.nodes)
+        return {k: entry for k, entry in zip(row, entries, strict=True) if entry is not self.system.tape.zero}
+
+    def operations(self, nodes: Sequence[Node]) -> int:
+        """How many operations it takes to compute nodes, in the operation mode if there is one."""
+        return count_operations(self._in_mode(nodes))
+
+    def cost(self, nodes: Sequence[Node]) -> int:
+        """The same, and what divisions take that wait for each other."""
+        return cost(self._in_mode(nodes))
+
+    def time(self, nodes: Sequence[Node]) -> int:
+        """The operations, and what the angles take whose sines or cosines are among them."""
+        found = needed(self._in_mode(nodes))
+        return len(found) + ANGLE * len({node.args[0] for node in found if node.op in ("sin", "cos")})
+
+    def _in_mode(self, nodes: Sequence[Node]) -> Sequence[Node]:
+        return substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes
+
+    # -- linear solutions --------------------------------------------------------------------------------
+
+    def dependent(self, right: Sequence[Node], free: Sequence[Node]) -> list[Node]:
+        """All joint rates w with J w = right and the given free ones.
+
+        The free ones as part of the right side or by their own columns, whichever takes fewer operations.
+        """
+        zero = self.system.tape.zero
+        known = dict(zip(self.free, free, strict=True))
+        values = [*right, *[zero] * (len(self.rows) - len(right))]
+        moved = list(values)
+        for i, row in enumerate(self.rows):
+            for k, value in known.items():
+                if k in row:
+                    moved[i] = moved[i] - row[k] * value
+        ways = [{**self.elimination.solve(moved), **known}]
+        if len(self.system.tree.v) <= SMALL:
+            ways.append(self.elimination.solve(values, known))
+        found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
+        return min(found, key=self.operations)
+
+    def with_rates(self, particular: Sequence[Node], wanted: Sequence[Node]) -> list[Node]:
+        """w = particular + N f, with f such that the independent coordinates change at the wanted rates.
+
+        `particular` solves J w = right with the free rates zero.
+        """
+        tape = self.system.tape
+        zero_right = [tape.zero] * len(self.system.jacobian)
+        free = list(wanted)
+        if self.small.steps:
+            right = [
+                rate - self.quaternion_rate(entry, particular) if entry.component is not None else rate
+                for rate, entry in zip(wanted, self.entries, strict=True)
+            ]
+            solution = self.small.solve(right)
+            free = [solution.get(j, tape.zero) for j in range(len(self.free))]
+        if all(p is tape.zero for p in particular):
+            return self.dependent(zero_right, free)
+        moved = self.dependent(zero_right, free)
+        return [p + m for p, m in zip(particular, moved, strict=True)]
+
+    def _quaternion_elimination(self) -> Elimination:
+        """From rates of the independent coordinates to free joint rates, where some are quaternion components."""
+        tape, count = self.system.tape, len(self.free)
+        if all(entry.component is None for entry in self.entries):
+            return Elimination()
+        zero_right = [tape.zero] * len(self.system.jacobian)
+        unit = [[tape.one if i == j else tape.zero for j in range(count)] for i in range(count)]
+        columns = [self.dependent(zero_right, unit[j]) for j in range(count)]
+        rows = []
+        for i, entry in enumerate(self.entries):
+            rates = unit[i] if entry.component is None else [self.quaternion_rate(entry, c) for c in columns]
+            rows.append({j: rate for j, rate in enumerate(rates) if rate is not tape.zero})
+        return eliminate(tape, rows, dict.fromkeys(range(count), 1.0), [1.0] * count)
+
+    def quaternion(self, link: Link) -> tuple[Node, Vector]:
+        """Scalar and vector part of a spherical link's quaternion."""
+        w, x, y, z = self.system.inputs.q[link.q]
+        return w, (x, y, z)
+
+    def quaternion_rate(self, entry: Independent, w: Sequence[Node]) -> Node:
+        """Rate of a component of the vector part: half of (q_w w + w x q_v)."""
+        scalar, vector = self.quaternion(entry.link)
+        x, y, z = w[entry.link.v]
+        rate = add(scale(scalar, (x, y, z)), cross((x, y, z), vector))
+        half = self.system.tape.reciprocal(self.system.tape.node(2))
+        assert entry.component is not None
+        return half * rate[entry.component]
+
+    # -- solutions for the functions of the model --------------------------------------------------------------
+
+    def rates_from(self, y_dot: Sequence[Node]) -> list[Node]:
+        """w from the rates of the independent coordinates."""
+        return self.with_rates([self.system.tape.zero] * len(self.system.tree.v), y_dot)
+
+    def accelerations_from(
+        self, y_ddot: Sequence[Node], bias: Sequence[Node], w: Sequence[Node] | None = None
+    ) -> list[Node]:
+        """dw/dt from the second rates of the independent coordinates; `bias` is (dJ/dt) w per row.
+
+        `w` are the present joint rates (default: those of the input v).
+        """
+        system = self.system
+        zeros = [system.tape.zero] * len(self.free)
+        if not self.small.steps:
+            return self.dependent([-b for b in bias], y_ddot)
+        particular = self.dependent([-b for b in bias], zeros)
+        w = system.joint_rates(system.inputs.v) if w is None else w
+        wanted = [
+            second - self._quaternion_bias(entry, w) if entry.component is not None else second
+            for entry, second in zip(self.entries, y_ddot, strict=True)
+        ]
+        return self.with_rates(particular, wanted)
+
+    def second_rates(self, free: Sequence[Node], w_dot: Sequence[Node], w: Sequence[Node]) -> list[Node]:
+        """Second rates of y from the free joint accelerations; w, w_dot: rates and accelerations of all joints."""
+        return [
+            self.quaternion_rate(entry, w_dot) + self._quaternion_bias(entry, w) if entry.component is not None else z
+            for entry, z in zip(self.entries, free, strict=True)
+        ]
+
+    def _quaternion_bias(self, entry: Independent, w: Sequence[Node]) -> Node:
+        """Second rate of a quaternion component at dw/dt = 0."""
+        half = self.system.tape.reciprocal(self.system.tape.node(2))
+        scalar, vector = self.quaternion(entry.link)
+        x, y, z = w[entry.link.v]
+        turn = (x, y, z)
+        scalar_rate = -half * dot(turn, vector)
+        vector_rate = scale(half, add(scale(scalar, turn), cross(turn, vector)))
+        assert entry.component is not None
+        return half * add(scale(scalar_rate, turn), cross(turn, vector_rate))[entry.component]
+
+    def newton_step(self, y: Sequence[Node]) -> list[Node]:
+        """The step in joint rates that closes the loops to first order and moves y to the wanted values."""
+        system = self.system
+        particular = self.dependent([-g for g in system.residual], [system.tape.zero] * len(self.free))
+        missing = [wanted - system.inputs.q[entry.q] for wanted, entry in zip(y, self.entries, strict=True)]
+        return self.with_rates(particular, missing)
+
+    def bias(self, moving: System) -> list[Node]:
+        """(dJ/dt) v per row, for the system with rates that keep the loops closed."""
+        return closure_rows_bias(self.closure, moving)
+
+    @property
+    def rank(self) -> int:
+        """How many constraint rows are independent."""
+        return len(self.system.tree.v) - len(self.free)
+
+    @property
+    def pivots(self) -> tuple[Node, ...]:
+        """All pivots: their product is, up to sign, the determinant of the dependent part."""
+        return tuple(pivot for _, _, pivot, _ in (*self.elimination.steps, *self.small.steps))
+
+    @property
+    def guards(self) -> tuple[Guard, ...]:
+        """Pivots to watch."""
+        return (*self.elimination.guards, *self.small.guards)
+
+    @property
+    def singular_reference(self) -> bool:
+        """Whether the closure has a smaller rank in the reference configuration than near it."""
+        system = self.system
+        if not system.cuts:
+            return False
+        matrix = system.numeric(system.dense_jacobian(), (system.inputs.q, system.reference[None, :]))
+        scales = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        values = np.linalg.svd(matrix.reshape(-1, len(scales)) * scales, compute_uv=False)
+        return int((values > NEGLIGIBLE * values[0]).sum()) < self.rank
+
+    @property
+    def redundant(self) -> tuple[str, ...]:
+        """Labels of the constraint rows that depend on the others on the closure manifold."""
+        labels = [row.label for cut in self.system.cuts for row in cut.rows]
+        return tuple(labels[i] for i in self.general.elimination.redundant)

@@ -1,0 +1,28 @@
+"""Limbs whose joint coordinates follow from the platform's pose in closed form: one file for each class."""
+
+from symscrew.loops.limbs.closed_forms import (
+    any_rods,
+    closed_limbs,
+    hub_links,
+    limb_coordinates,
+    met_rows,
+    reference_nodes,
+)
+from symscrew.loops.limbs.crank_limbs import CrankLimb, RodLimb, rod_limb
+from symscrew.loops.limbs.crank_rates import LengthRow, length_rows
+from symscrew.loops.limbs.planar_limbs import Turn
+
+__all__ = [
+    "CrankLimb",
+    "LengthRow",
+    "RodLimb",
+    "Turn",
+    "any_rods",
+    "closed_limbs",
+    "hub_links",
+    "length_rows",
+    "limb_coordinates",
+    "met_rows",
+    "reference_nodes",
+    "rod_limb",
+]

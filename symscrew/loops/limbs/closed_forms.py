@@ -1,0 +1,130 @@
+"""Closed forms for limbs: joint coordinates from where the platform holds the limb's tip.
+
+Each kind of limb gives cosine and sine of its angles without trigonometry, and its slides. Square roots have
+two signs: those of a guess, so that the limb stays on the guess's branch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+from dataclasses import dataclass
+
+from symscrew.algebra import ZERO, Node, Vector
+from symscrew.kinematics import GROUND, Cut, Link, Placement, System, carry_point, placements, seen_before
+from symscrew.loops.limbs.crank_limbs import CrankLimb, RodLimb, crank_limb, rod_limb
+from symscrew.loops.limbs.planar_limbs import PlanarLimb, Turn, planar_limb
+from symscrew.loops.limbs.spoke_limbs import SpokeLimb, spoke_limb
+
+Limb = SpokeLimb | PlanarLimb | CrankLimb | RodLimb
+
+
+@dataclass(frozen=True)
+class LimbCoordinates:
+    """q with the limbs' entries put in, and cosine and sine of the limbs' angles by link."""
+
+    q: tuple[Node, ...]
+    turns: dict[int, Turn]
+
+
+def hub_links(system: System) -> tuple[Link, ...] | None:
+    """The links of the platform's own joint, if it hangs on a single joint from the ground; else None."""
+    platform = system.mechanism.platform
+    if platform is None or platform not in system.tree.link_of_body or not system.cuts:
+        return None
+    links = tuple(system.tree.links[i] for i in reversed(system.tree.path(system.tree.link_of_body[platform])))
+    return links if links and len({link.joint for link in links}) == 1 else None
+
+
+def closed_limbs(system: System) -> tuple[Limb, ...] | None:
+    """All limbs, if the platform hangs on one joint and every other link belongs to a limb with a closed form.
+
+    A limb comes after those that carry it: the further rods of a crank after the first, which turns the crank.
+    """
+    hub = hub_links(system)
+    if hub is None:
+        return None
+    limbs: list[Limb] = []
+    covered = {GROUND}
+    for cut in system.cuts:
+        limb = _limb(system, cut, covered)
+        forces = sum(row.unit == "N" and row.couple is ZERO for row in cut.rows)
+        if limb is None or cut.hub != hub[-1].index or forces != 3:
+            return None
+        limbs.append(limb)
+        covered |= {link.index for link in limb.links}
+    free = set(range(len(system.tree.links))) - covered
+    return tuple(limbs) if free == {link.index for link in hub} else None
+
+
+def met_rows(limbs: Sequence[Limb]) -> frozenset[str]:
+    """Labels of the rows of the closure that the closed forms meet whatever the platform's coordinates are."""
+    forces = ((limb.left_open, [row for row in limb.cut.rows if row.unit == "N"]) for limb in limbs)
+    return frozenset(row.label for left, rows in forces for k, row in enumerate(rows) if k not in left)
+
+
+def any_rods(limbs: Sequence[Limb]) -> bool:
+    """Whether there are rods among the limbs, with or without a crank."""
+    return any(isinstance(limb, CrankLimb | RodLimb) for limb in limbs)
+
+
+def _limb(system: System, cut: Cut, covered: Set[int]) -> Limb | None:
+    """The cut joint's limb, all links of which are new and hang on one that is covered, if it has a closed form."""
+    ways = (way(system, cut) for way in (spoke_limb, planar_limb, crank_limb, rod_limb))
+    for limb in ways:
+        if limb and limb.links[0].parent in covered and not covered & {link.index for link in limb.links}:
+            return limb
+    return None
+
+
+def limb_coordinates(
+    system: System, limbs: Sequence[Limb], hub_q: dict[int, Node], guess: Sequence[Node] | None = None
+) -> LimbCoordinates:
+    """q for given coordinates of the platform's joint (index into q -> node); limbs in closed form.
+
+    Angles are those nearest to the `guess` (nodes of q; default: the reference configuration), on its branch.
+    """
+    tape, zero = system.tape, system.tape.zero
+    near = tuple(guess) if guess is not None else reference_nodes(system)
+    q = [hub_q.get(k, zero) for k in range(len(system.tree.q))]
+    turning = [link.index for link in system.tree.links[1:] if link.motion.kind in "RH"]
+    own = {link.index for limb in limbs for link in limb.links}
+    turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
+    for limb in limbs:
+        placed = placements(tape, system.tree, system.frames, q, turns)
+        found, slides = limb.solve(system, _target(system, placed, limb), near)
+        turns |= found
+        for k, value in slides.items():
+            q[k] = value
+        for index, turn in found.items():
+            link = system.tree.links[index]
+            q[link.q.start] = _angle(system, link, turn, near)
+    return LimbCoordinates(tuple(q), turns)
+
+
+def _target(system: System, placed: Sequence[Placement], limb: Limb) -> Vector:
+    """Where the platform holds the limb's tip, in the coordinates of the link that carries the limb; a crank's as it
+    sees it."""
+    tree, cut, first = system.tree, limb.cut, limb.links[0]
+    if isinstance(limb, CrankLimb):
+        return seen_before(tree, placed, cut.hub, first.index, cut.hub_point)
+    return carry_point(tree, placed, cut.hub, first.parent, cut.hub_point)
+
+
+def reference_nodes(system: System) -> tuple[Node, ...]:
+    """q of the reference configuration as constants."""
+    result = [system.tape.zero] * len(system.tree.q)
+    for link, frame in zip(system.tree.links[1:], system.frames[1:], strict=True):
+        if link.motion.kind == "S":
+            result[link.q.start] = system.tape.one
+        elif link.q.stop > link.q.start:
+            result[link.q.start] = system.tape.node(frame.reference)
+    return tuple(result)
+
+
+def _angle(system: System, link: Link, turn: Turn, guess: Sequence[Node]) -> Node:
+    """The joint's coordinate nearest to the guess from cosine and sine of coordinate + phase."""
+    tape, near = system.tape, guess[link.q.start]
+    angle = near + system.frames[link.index].phase
+    c, s = tape.function("cos", angle), tape.function("sin", angle)
+    cosine, sine = turn
+    return near + tape.function("atan2", sine * c - cosine * s, cosine * c + sine * s)

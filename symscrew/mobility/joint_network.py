@@ -1,0 +1,250 @@
+"""The graph of a mechanism with the screw of every freedom, in 60 digits and in units of its own size.
+
+Everything that mobility needs to know of a mechanism: bodies, joints, a spanning tree and its chords, and for
+each freedom its screw (omega ; v) at O in the reference configuration. Lengths are divided by a characteristic
+length of the mechanism, so that no decision depends on the unit; results are multiplied back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from symscrew.algebra import (
+    CONTEXT,
+    IDENTITY,
+    Twist,
+    Vector,
+    cross,
+    dot,
+    helical,
+    high_precision,
+    prismatic,
+    revolute,
+    scale,
+    subtract,
+)
+from symscrew.description import JOINT_TYPES, Joint, Mechanism
+
+Screw = tuple
+Row = list
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A joint: its bodies, its elementary motions as (kind, first column) and where its columns end.
+
+    `point` is scaled; `screws` has one scaled screw per freedom, three for a spherical motion.
+    """
+
+    name: str
+    type: str
+    parent: str
+    child: str
+    point: Vector
+    motions: tuple[tuple[str, int], ...]
+    screws: tuple[Screw, ...]
+    start: int
+
+    @property
+    def columns(self) -> range:
+        """Columns of the joint's freedoms among those of the mechanism."""
+        return range(self.start, self.start + len(self.screws))
+
+
+@dataclass(frozen=True)
+class Network:
+    """A mechanism as a graph. `tree`: (joint, +1 from parent to child or -1) in order from the ground.
+
+    `chords`: the joints that close loops. `length`: the characteristic length [m] that lengths are divided by.
+    `driven`: columns of the driven freedoms.
+    """
+
+    ground: str
+    bodies: tuple[str, ...]
+    edges: Mapping[str, Edge]
+    tree: tuple[tuple[str, int], ...]
+    chords: tuple[str, ...]
+    length: Any
+    driven: tuple[int, ...]
+
+    @property
+    def freedoms(self) -> int:
+        """Sum of the freedoms of all joints."""
+        return sum(len(edge.screws) for edge in self.edges.values())
+
+    @property
+    def screws(self) -> tuple[Screw, ...]:
+        """The scaled screws of all freedoms, in the order of the columns."""
+        return tuple(screw for edge in self.edges.values() for screw in edge.screws)
+
+    @property
+    def kutzbach(self) -> int:
+        """Kutzbach-Gruebler: sum of the joint freedoms - 6 times the number of independent loops."""
+        return self.freedoms - 6 * len(self.chords)
+
+    def path(self, body: str) -> tuple[tuple[str, int], ...]:
+        """The tree's joints from the ground to `body`, with the sense in which each is passed."""
+        reached = {self._end(name, sign)[1]: (name, sign) for name, sign in self.tree}
+        steps: list[tuple[str, int]] = []
+        while body != self.ground:
+            name, sign = reached[body]
+            steps.append((name, sign))
+            body = self._end(name, sign)[0]
+        return tuple(reversed(steps))
+
+    def _end(self, name: str, sign: int) -> tuple[str, str]:
+        edge = self.edges[name]
+        return (edge.parent, edge.child) if sign > 0 else (edge.child, edge.parent)
+
+    def loops(self) -> tuple[tuple[tuple[str, int], ...], ...]:
+        """One independent loop per chord: ground to parent, the chord, child to ground; common parts cancel."""
+        result = []
+        for name in self.chords:
+            edge = self.edges[name]
+            out, back = self.path(edge.parent), self.path(edge.child)
+            common = 0
+            while common < min(len(out), len(back)) and out[common] == back[common]:
+                common += 1
+            result.append((*out[common:], (name, 1), *((n, -s) for n, s in reversed(back[common:]))))
+        return tuple(result)
+
+    def twist_rows(self, body: str) -> list[Row]:
+        """The 6 x n matrix that maps the joint rates to the twist of `body`, along the tree."""
+        return self._rows(self.path(body))
+
+    def loop_rows(self) -> list[Row]:
+        """Six rows per independent loop: the signed screws of its joints add up to zero."""
+        return [row for loop in self.loops() for row in self._rows(loop)]
+
+    def _rows(self, steps: Sequence[tuple[str, int]]) -> list[Row]:
+        block: list[Row] = [[CONTEXT.zero] * self.freedoms for _ in range(6)]
+        for name, sign in steps:
+            edge = self.edges[name]
+            for column, screw in zip(edge.columns, edge.screws, strict=True):
+                for i in range(6):
+                    block[i][column] = sign * screw[i]
+        return block
+
+
+def network_of(mechanism: Mechanism) -> Network:
+    """The graph of the mechanism with scaled screws in 60 digits, in the reference configuration."""
+    length = _characteristic_length(mechanism)
+    edges: dict[str, Edge] = {}
+    start = 0
+    for joint in mechanism.joints.values():
+        edge = _edge(mechanism, joint, length, start)
+        edges[joint.name] = edge
+        start += len(edge.screws)
+    bodies = tuple(dict.fromkeys((mechanism.ground, *mechanism.bodies)))
+    tree = spanning_tree(mechanism.ground, edges)
+    used = {name for name, _ in tree}
+    driven = tuple(edges[joint.name].start + index for joint in mechanism.joints.values() for index in joint.driven)
+    chords = tuple(name for name in edges if name not in used)
+    return Network(mechanism.ground, bodies, edges, tree, chords, length, driven)
+
+
+def joint_screws(mechanism: Mechanism, joint: Joint) -> list[Screw]:
+    """Unit screws (omega ; v) of a joint's freedoms at O in the reference configuration [1, m], 60 digits."""
+    return _screws(mechanism, joint, CONTEXT.one)[2]
+
+
+def screw_axes(joint: Joint, given: Sequence[Vector], root: Callable[[Any], Any], size: Callable[[Any], Any]) -> tuple:
+    """The joint's axes; those of a planar joint are completed to a triad, a free one has the absolute axes.
+
+    `root` is the square root of the scalars in use, `size` a number to compare them by.
+    """
+    if joint.type == "free":
+        return IDENTITY
+    if joint.type != "E":
+        return tuple(given)
+    normal = given[0]
+    sizes = [abs(size(c)) for c in normal]
+    nearest = IDENTITY[sizes.index(min(sizes))]
+    across = subtract(nearest, scale(dot(nearest, normal), normal))
+    first = scale(1 / root(dot(across, across)), across)
+    return (first, cross(normal, first), normal)
+
+
+def motion_screws(joint: Joint, point: Vector, axes: Sequence[Vector], pitch: Any) -> list[tuple[str, list[Twist]]]:
+    """(kind, screws) of the joint's elementary motions from parent to child, over any scalars."""
+    result = []
+    for motion in JOINT_TYPES[joint.type].motions:
+        if motion.kind == "S":
+            result.append(("S", [revolute(axis, point) for axis in IDENTITY]))
+            continue
+        axis = axes[motion.axis or 0]
+        if motion.kind == "P":
+            result.append(("P", [prismatic(axis)]))
+        elif motion.kind == "H":
+            result.append(("H", [helical(axis, point, pitch)]))
+        else:
+            result.append(("R", [revolute(axis, point)]))
+    return result
+
+
+def _edge(mechanism: Mechanism, joint: Joint, length: Any, start: int) -> Edge:
+    point, motions, screws = _screws(mechanism, joint, length)
+    columns, column = [], start
+    for kind, count in motions:
+        columns.append((kind, column))
+        column += count
+    return Edge(joint.name, joint.type, joint.parent, joint.child, point, tuple(columns), tuple(screws), start)
+
+
+def _screws(mechanism: Mechanism, joint: Joint, length: Any) -> tuple[Vector, list[tuple[str, int]], list[Screw]]:
+    point = scale(1 / length, _vector(mechanism, joint.point))
+    given = [_unit(_vector(mechanism, axis)) for axis in joint.axes]
+    axes = screw_axes(joint, given, CONTEXT.sqrt, lambda c: c)
+    pitch = _number(mechanism, joint.pitch) / length if joint.pitch is not None else None
+    made = motion_screws(joint, point, axes, pitch)
+    screws = [tuple(CONTEXT.mpf(c) for c in twist.components) for _, twists in made for twist in twists]
+    return point, [(kind, len(twists)) for kind, twists in made], screws
+
+
+def _number(mechanism: Mechanism, value: object) -> Any:
+    return high_precision(mechanism.number(value))  # type: ignore[arg-type]
+
+
+def _vector(mechanism: Mechanism, values: Sequence) -> Vector:
+    x, y, z = (_number(mechanism, v) for v in values)
+    return (x, y, z)
+
+
+def _unit(axis: Vector) -> Vector:
+    """Descriptions give unit vectors to 14 digits or more; here they get the unit length they mean."""
+    size = CONTEXT.sqrt(dot(axis, axis))
+    return axis if abs(size - 1) < CONTEXT.mpf(10) ** -55 else scale(1 / size, axis)
+
+
+def _characteristic_length(mechanism: Mechanism) -> Any:
+    """Root mean square distance of the joint points from their centre [m]; 1 if they all coincide.
+
+    Invariant under rigid motions, and proportional to the unit.
+    """
+    points = [_vector(mechanism, joint.point) for joint in mechanism.joints.values()]
+    centre = tuple(sum(p[k] for p in points) / len(points) for k in range(3))
+    square = sum((p[k] - centre[k]) ** 2 for p in points for k in range(3)) / len(points)
+    largest = max(abs(p[k]) for p in points for k in range(3))
+    if square <= (largest * CONTEXT.mpf(10) ** -25) ** 2:
+        pitches = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
+        return max((p for p in (*pitches, largest) if p > 0), default=CONTEXT.one)
+    return CONTEXT.sqrt(square)
+
+
+def spanning_tree(ground: str, edges: Mapping[str, Edge]) -> tuple[tuple[str, int], ...]:
+    """(joint, sense), breadth first from the ground; fewest freedoms first, so that S joints close the loops."""
+    reached = {ground}
+    front = [ground]
+    tree: list[tuple[str, int]] = []
+    order = sorted(edges.values(), key=lambda edge: len(edge.screws))
+    while front:
+        body = front.pop(0)
+        for edge in order:
+            for near, far, sign in ((edge.parent, edge.child, 1), (edge.child, edge.parent, -1)):
+                if near == body and far not in reached:
+                    reached.add(far)
+                    tree.append((edge.name, sign))
+                    front.append(far)
+    return tuple(tree)

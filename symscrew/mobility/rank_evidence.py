@@ -1,0 +1,191 @@
+"""How the ranks of a mobility result were decided: in an exact field, or certified numerically.
+
+The numeric ranks come with 60 digits. They are exact where a field is found in which zero is decidable and
+elimination over it gives the same ranks. Descriptions with rounded decimals can differ there: then the numeric
+decision stands, which takes numbers below 1e-27 for rounding, and the text says so.
+
+The numeric certificate of a rank r: the r-th singular value s_r, and with the null vectors N found a bound for the
+next, s_(r+1) <= |J N| / smallest singular value of N (Courant-Fischer).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+from symscrew.algebra import CONTEXT, cross, dot
+from symscrew.description import Mechanism
+from symscrew.mobility.exact import ExactSystem, Row, exact_rank, exact_system, loop_rows, null_vectors
+from symscrew.mobility.exact_field import NotDecidableError
+from symscrew.mobility.instantaneous import BodyFreedoms, Instantaneous, LimbMobility
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.screw_systems import ScrewSystem, swapped
+
+NEARLY_PARALLEL = 1e-6
+SAME_DIRECTION = CONTEXT.mpf(10) ** -27
+MOST_PAIRS = 12
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A rank: whose, its value, the value over the exact field (None where none was found)."""
+
+    claim: str
+    numeric: int
+    exact: int | None
+
+
+@dataclass(frozen=True)
+class Decisions:
+    """All ranks of a result. `field`: in words, None without one; `reason`: why not exact, or empty.
+
+    `singular_values`: (smallest kept, bound for the largest neglected) of the closure, in the units of the network;
+    the first is infinite where there is no closure.
+    """
+
+    field: str | None
+    ranks: tuple[Decision, ...]
+    reason: str
+    singular_values: tuple[float, float]
+
+    @property
+    def exact(self) -> bool:
+        """Every rank was decided in the field, and none differently from the numbers."""
+        return not self.reason and all(d.exact == d.numeric for d in self.ranks)
+
+    @property
+    def method(self) -> str:
+        """`exact: ...` or `certified numeric: ...`, with the evidence."""
+        kept, neglected = self.singular_values
+        gap = ""  # without loops there is no closure whose rank could be in doubt
+        if np.isfinite(kept):
+            gap = f"; closure singular values {kept:.2e} kept, at most {neglected:.0e} neglected"
+        if self.exact:
+            digits = " with 60 digits" if gap else ""
+            return f"exact: {len(self.ranks)} ranks decided over the field {self.field}{gap}{digits}"
+        return f"certified numeric: ranks decided with 60 digits{gap}; {self.why}"
+
+    @property
+    def why(self) -> str:
+        """Why the result is not exact; empty where it is."""
+        different = [d for d in self.ranks if d.exact not in (None, d.numeric)]
+        if different:
+            worst = different[0]
+            return (
+                f"not exact, because over {self.field} the decimals of the description, taken as exact, give "
+                f"{worst.claim} {worst.exact} instead of {worst.numeric}: "
+                "differences below 1e-27 are taken for rounding"
+            )
+        return f"not exact, because {self.reason}" if self.reason else ""
+
+
+def decide(
+    mechanism: Mechanism,
+    network: Network,
+    first_order: Instantaneous,
+    platform: BodyFreedoms,
+    limbs: Sequence[LimbMobility],
+    constraints: ScrewSystem | None,
+    *,
+    displaced: bool,
+) -> Decisions:
+    """The ranks of the result again over an exact field; `displaced` configurations have no exact coordinates."""
+    values = singular_values(first_order)
+    if displaced:
+        if network.chords:
+            reason = "the displaced configuration solves the closure equations in 60 digits"
+        else:
+            reason = "the joint coordinates were set in 60 digits"
+        return Decisions(None, (), reason, values)
+    try:
+        system = exact_system(mechanism)
+    except NotDecidableError as error:
+        return Decisions(None, (), str(error), values)
+    found: list[Decision] = []
+    reasons: list[str] = []
+    for claim, numeric, work in _claims(network, system, first_order, platform, limbs, constraints):
+        try:
+            found.append(Decision(claim, numeric, work()))
+        except NotDecidableError as error:
+            found.append(Decision(claim, numeric, None))
+            reasons.append(f"{error} ({claim})")
+    return Decisions(str(system.field), tuple(found), "; ".join(dict.fromkeys(reasons)), values)
+
+
+def _claims(  # type: ignore[no-untyped-def]
+    network: Network,
+    system: ExactSystem,
+    first_order: Instantaneous,
+    platform: BodyFreedoms,
+    limbs: Sequence[LimbMobility],
+    constraints: ScrewSystem | None,
+):
+    """(what, numeric rank, function that finds the exact one)."""
+    field = system.field
+    closure = [row for loop in network.loops() for row in loop_rows(network, system, loop)]
+    body = loop_rows(network, system, network.path(platform.body))
+    yield "rank of the closure", first_order.closure.rank, lambda: exact_rank(closure, field)
+    rank = network.freedoms - first_order.dof
+    above = rank + platform.dof
+    yield f"rank of closure and {platform.body}", above, lambda: exact_rank([*closure, *body], field)
+    turning = rank + platform.rotations
+    yield f"rank of closure and turning of {platform.body}", turning, lambda: exact_rank([*closure, *body[:3]], field)
+    if first_order.dof_drives_locked is not None:
+        drives: list[Row] = [[Fraction(int(j == c)) for j in range(network.freedoms)] for c in network.driven]
+        locked = network.freedoms - first_order.dof_drives_locked
+        yield "rank of closure and drives", locked, lambda: exact_rank([*closure, *drives], field)
+    chains = [[s for joint in limb.joints for s in system.screws[joint]] for limb in limbs]
+    for limb, chain in zip(limbs, chains, strict=True):
+        rows: list[Row] = [list(screw) for screw in chain]
+        yield f"rank of {limb.name}", 6 - len(limb.constraints.basis), lambda rows=rows: exact_rank(rows, field)
+    if constraints is not None:
+        yield "rank of the limbs' constraints", constraints.rank, lambda: _union(chains, system)
+
+
+def _union(chains: Sequence[Sequence[Sequence]], system: ExactSystem) -> int:
+    wrenches: list[Row] = []
+    for chain in chains:
+        wrenches += [list(w) for w in null_vectors([swapped(s) for s in chain], 6, system.field)]
+    return exact_rank(wrenches, system.field)
+
+
+def singular_values(first_order: Instantaneous) -> tuple[float, float]:
+    """(smallest singular value that counts, bound for the largest that does not) of the closure."""
+    rank = first_order.closure.rank
+    rows = np.array([[float(c) for c in row] for row in first_order.rows])
+    kept = float(np.linalg.svd(rows, compute_uv=False)[rank - 1]) if rank else float("inf")
+    if not first_order.motions or not len(rows):
+        return kept, 0.0
+    square = sum(
+        sum(a * b for a, b in zip(row, motion, strict=True) if a and b) ** 2
+        for row in first_order.rows
+        for motion in first_order.motions
+    )
+    basis = np.array([[float(c) for c in motion] for motion in first_order.motions])
+    return kept, float(CONTEXT.sqrt(square)) / float(np.linalg.svd(basis, compute_uv=False)[-1])
+
+
+def nearly_parallel(network: Network) -> tuple[str, ...]:
+    """Pairs of joints whose axes are almost parallel, in words: they count as not parallel."""
+    axes: list[tuple[str, tuple]] = []
+    for edge in network.edges.values():
+        for kind, column in edge.motions:
+            if kind != "S":
+                screw = edge.screws[column - edge.start]
+                axes.append((edge.name, screw[3:] if kind == "P" else screw[:3]))
+    rough = np.array([[float(c) for c in axis] for _, axis in axes]).reshape(-1, 3)
+    texts = {}
+    for i in range(len(axes)):
+        sines = np.linalg.norm(np.cross(rough[i], rough[i + 1 :]), axis=1)
+        for j in np.flatnonzero(sines < NEARLY_PARALLEL) + i + 1:
+            (a, first), (b, second) = axes[i], axes[int(j)]
+            across = cross(first, second)  # type: ignore[arg-type]
+            sine = CONTEXT.sqrt(dot(across, across))
+            if a != b and sine > SAME_DIRECTION:
+                texts[a, b] = f"axes of joints {a} and {b} are {float(sine):.1e} rad apart: not parallel"
+    found = tuple(texts.values())
+    more = len(found) - MOST_PAIRS
+    return found if more <= 0 else (*found[:MOST_PAIRS], f"and {more} more pairs")

@@ -1,0 +1,65 @@
+"""Screws in words: a force along a line, a couple, a rotation about a line, with a point of the axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from symscrew.algebra import CONTEXT, cross, dot, scale
+from symscrew.mobility.screw_systems import ZERO_BELOW
+
+
+def describe_wrench(wrench: Sequence) -> str:
+    """A wrench in words: a force along a line, a couple, or a wrench with pitch."""
+    return f"{_words(wrench, 'force', 'couple', 'wrench')}: ({text(wrench[:3])}; {text(wrench[3:])})"
+
+
+def describe_twist(twist: Sequence) -> str:
+    """A twist in words: a rotation about a line, a translation, or a screw motion."""
+    return f"{_words(twist, 'rotation', 'translation', 'screw motion')}: ({text(twist[:3])}; {text(twist[3:])})"
+
+
+def describe_type(dimension: int, rotations: int) -> str:
+    """The type of a system of freedoms, rotations first: `2R`, `3T`, `1R3T`, `0`.
+
+    `rotations` is the dimension of the angular-velocity projection; it does not imply zero pitch.
+
+    >>> describe_type(4, 1), describe_type(0, 0)
+    ('1R3T', '0')
+    """
+    translations = dimension - rotations
+    parts = (f"{rotations}R" if rotations else "", f"{translations}T" if translations else "")
+    return "".join(parts) or "0"
+
+
+def axis_of(screw: Sequence) -> tuple[tuple, tuple, Any] | None:
+    """(direction, point of the axis nearest to O, pitch) of a screw; None for a couple or translation."""
+    direction, moment = tuple(screw[:3]), tuple(screw[3:])
+    square = dot(direction, direction)
+    if square < ZERO_BELOW * max(1, dot(moment, moment)):
+        return None
+    return direction, scale(1 / square, cross(direction, moment)), dot(direction, moment) / square  # type: ignore[arg-type]
+
+
+def _words(screw: Sequence, line: str, free: str, general: str) -> str:
+    found = axis_of(screw)
+    if found is None:
+        return f"{free} {'along' if free == 'translation' else 'about'} {_direction(screw[3:])}"
+    direction, point, pitch = found
+    size = max(CONTEXT.one, *(abs(c) for c in screw))
+    place = "O" if all(abs(c) < ZERO_BELOW * size for c in point) else f"({text(point)})"
+    where = f"{'parallel to' if line == 'force' else 'about'} {_direction(direction)} through {place}"
+    if abs(pitch) < ZERO_BELOW * size:
+        return f"{line} {where}"
+    return f"{general} {where}, pitch {float(pitch):.6g} m"
+
+
+def _direction(vector: Sequence) -> str:
+    size = max(abs(c) for c in vector)
+    large = [i for i, c in enumerate(vector) if abs(c) > ZERO_BELOW * size]
+    return "xyz"[large[0]] if len(large) == 1 else f"({text(vector)})"
+
+
+def text(vector: Sequence) -> str:
+    """The components with six digits."""
+    return ", ".join(f"{float(c):.6g}" for c in vector)

@@ -1,0 +1,183 @@
+"""Configurations from independent coordinates, and configurations that meet conditions, by Newton's method."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+import numpy as np
+
+from symscrew.optimisation.casadi_graph import numeric
+from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.rows import Row
+
+CLOSED = 1e-12
+MOST_STEPS = 40
+MOST_COMMON_STEPS = 8
+LARGEST_STEP = 0.5
+
+
+@dataclass(frozen=True)
+class Placement:
+    """A configuration that meets conditions as well as possible: q, the largest miss, and where it is."""
+
+    q: np.ndarray
+    error: float
+    worst: str
+
+    @property
+    def reached(self) -> bool:
+        """Whether the conditions are met."""
+        return self.error < 1e-9
+
+
+class Kinematics:
+    """Numeric kinematics of a problem at given parameters p of the mechanism."""
+
+    def __init__(self, model: PointModel, parameters: np.ndarray) -> None:
+        self.model, self.parameters = model, parameters
+        self.system = model.system
+        self.layout = model.equations.layout
+
+    @cached_property
+    def _step(self) -> ca.Function:
+        return numeric(self.model.equations.step)
+
+    @cached_property
+    def _move(self) -> ca.Function:
+        return numeric(self.model.equations.move)
+
+    @cached_property
+    def _pivots(self) -> ca.Function:
+        return numeric(self.model.equations.pivots)
+
+    def _with_parameters(self, *arguments: np.ndarray) -> list[np.ndarray]:
+        return [*arguments, self.parameters] if len(self.parameters) else list(arguments)
+
+    def assemble(self, y: np.ndarray, guess: np.ndarray) -> np.ndarray | None:
+        """q (nq,) with independent coordinates y near the guess; None where Newton's method finds none."""
+        q = np.array(guess, dtype=float)
+        if not self.system.cuts:
+            q[list(self.layout.y)] = y
+            if not self.layout.z:
+                return q
+        for _ in range(MOST_STEPS):
+            moved = np.array(self._move(*self._with_parameters(q, y))).ravel()
+            size = float(np.abs(moved - q).max(initial=0.0))
+            if not np.isfinite(size):
+                return None
+            if size > LARGEST_STEP:
+                step = np.array(self._step(*self._with_parameters(q, y))).ravel()
+                moved = self.system.advance(q, step * (LARGEST_STEP / np.abs(step).max()))
+            q = moved
+            if size < CLOSED:
+                return q
+        return None
+
+    def assemble_all(self, y: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """q (n, nq) with independent coordinates y (n, d), each near its guess (n, nq), and where there is one (n,).
+
+        Elsewhere q is the guess. All are moved at once; what does not converge fast is assembled with damped steps.
+        """
+        q, n = np.array(guesses, dtype=float), len(y)
+        fine = np.ones(n, dtype=bool)
+        if n == 0 or not (self.system.cuts or self.layout.z):
+            q[:, list(self.layout.y)] = y
+            return q, fine
+        parameters = np.repeat(self.parameters[:, None], n, 1)
+        function = self._move.map(n)
+        for _ in range(MOST_COMMON_STEPS):
+            moved = np.array(function(q.T, y.T, *([parameters] if len(parameters) else []))).T
+            size = np.abs(moved - q).max(axis=1, initial=0.0)
+            fine &= size <= LARGEST_STEP  # also false where it is not a number
+            q = np.where(fine[:, None], moved, q)
+            if (size[fine] < CLOSED).all():
+                break
+        for k in np.flatnonzero(~fine | ~(size < CLOSED)):
+            found = self.assemble(y[k], guesses[k])
+            fine[k] = found is not None
+            q[k] = guesses[k] if found is None else found
+        return q, fine
+
+    def follow(self, y: np.ndarray, start: np.ndarray) -> np.ndarray:
+        """q (n, nq) along y (n, d) from a configuration near the first; where none is found the last one with y."""
+        q = np.repeat(start[None], len(y), 0)
+        near = start
+        for k, target in enumerate(y):
+            here = self.assemble(target, near)
+            if here is None:
+                here = np.array(near)
+                here[list(self.layout.y)] = target
+            else:
+                near = here
+            q[k] = here
+        return q
+
+    def pivots(self, q: np.ndarray) -> np.ndarray:
+        """Smallest pivot of the closure without units at q (n, nq): near 0 the coordinates y are singular."""
+        q = np.atleast_2d(q)
+        parameters = [np.repeat(self.parameters[:, None], len(q), 1)] if len(self.parameters) else []
+        found = np.array(self._pivots.map(len(q))(q.T, *parameters))
+        return np.abs(found).min(axis=0, initial=1.0)
+
+    def place(self, conditions: Conditions, where: str, near: np.ndarray) -> Placement:
+        """A configuration near another that meets conditions (rates left aside), by damped least squares."""
+        blocks = self.model.blocks(moving=False)
+        at = self.model.state(blocks)
+        labels = self.model.equations.labels
+        rows = [*at.closure_rows(), *at.condition_rows(_still(conditions), where)]
+        rows += [
+            Row(f"{label} at {where}", blocks["y"][k], conditions.coordinates[label], conditions.coordinates[label])
+            for k, label in enumerate(labels)
+            if label in conditions.coordinates
+        ]
+        target = np.array([(row.lower + row.upper) / 2 / row.scale for row in rows])
+        unknown = ca.vertcat(blocks["y"], blocks["z"])
+        others = ca.vertcat(blocks["y_1"], blocks["T"], blocks["tau"])
+        parameters = blocks["p"]
+        values = ca.vertcat(ca.SX(0, 1), *[row.value / row.scale for row in rows])
+        function = ca.Function("place", [unknown, others, parameters], [values, ca.jacobian(values, unknown)])
+        fixed = np.ones(others.numel())
+        p = np.array([self.parameters[self.model.parameter_names.index(n)] for n in self.model.design])
+        order = [*self.layout.y, *self.layout.z]
+        x = near[order]
+        damping = 1e-3
+        value, slope = (np.array(m) for m in function(x, fixed, p))
+        error = value.ravel() - target
+        for _ in range(200):
+            if np.abs(error).max(initial=0.0) < CLOSED or not np.isfinite(error).all():
+                break
+            normal = slope.T @ slope + damping * np.eye(len(x))
+            step = -np.linalg.solve(normal, slope.T @ error)
+            step *= min(1.0, 0.5 / max(np.abs(step).max(), 1e-300))
+            value, new_slope = (np.array(m) for m in function(x + step, fixed, p))
+            new = value.ravel() - target
+            if np.isfinite(new).all() and new @ new < error @ error:
+                x, error, slope, damping = x + step, new, new_slope, max(damping / 10, 1e-14)
+            else:
+                damping *= 10
+                if damping > 1e8:
+                    break
+        q = np.array(near)
+        q[order] = x
+        worst = int(np.argmax(np.abs(error))) if len(error) else -1
+        if self.layout.closed:
+            q = self.assemble(q[list(self.layout.y)], q) if self._limbs(q) else q  # type: ignore[assignment]
+        return Placement(q, float(np.abs(error).max(initial=0.0)), rows[worst].label if rows else "")
+
+    def _limbs(self, q: np.ndarray) -> bool:
+        """Put the limbs' coordinates by the closed forms into q; whether they are real."""
+        function = numeric(self.model.equations.closure)
+        found = np.array(function(*self._with_parameters(q[list(self.layout.y)], q[list(self.layout.z)]))[0]).ravel()
+        if not np.isfinite(found).all():
+            return False
+        q[:] = found
+        return self.assemble(q[list(self.layout.y)], q) is not None
+
+
+def _still(conditions: Conditions) -> Conditions:
+    from dataclasses import replace
+
+    return replace(conditions, rates={}, at_rest=False)

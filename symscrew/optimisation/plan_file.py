@@ -1,0 +1,116 @@
+"""A trajectory in files: .npz with everything, .csv as a table for a controller, a figure."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from symscrew.description import JOINT_TYPES, to_toml
+from symscrew.display import TIME, Curve, draw_curves, figure, save_figure
+from symscrew.optimisation.result import Trajectory
+from symscrew.whole_files import replaced
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from symscrew.optimisation.followed_motion import Replay
+
+FINE = 501
+
+
+def write_plan(trajectory: Trajectory, path: Path, *, rate: float | None = None) -> Path:
+    """Write a trajectory to .npz or .csv; the file appears whole or not at all.
+
+    `rate`: samples per second of the table; default 501 samples.
+    """
+    make = _table if path.suffix == ".csv" else _archive
+    return replaced(path, lambda temporary: make(trajectory, temporary, rate))
+
+
+def _times(trajectory: Trajectory, rate: float | None) -> np.ndarray:
+    count = FINE if rate is None else max(2, round(trajectory.duration * rate) + 1)
+    return np.linspace(0.0, trajectory.duration, count)
+
+
+def _archive(trajectory: Trajectory, path: Path, rate: float | None) -> None:
+    samples = trajectory.sample(_times(trajectory, rate))
+    model = trajectory.model
+    arrays = {
+        name: getattr(samples, name) for name in ("t", "y", "y_dot", "y_ddot", "q", "v", "a", "u", "x", "assembled")
+    }
+    arrays["joints"] = trajectory.of_tree("joint_displacements", samples)
+    arrays["joint_rates"] = trajectory.of_tree("joint_rates", samples)
+    arrays["reactions"] = trajectory.reactions(samples)
+    arrays |= {
+        "mesh": trajectory.mesh,
+        "points": trajectory.points,
+        "u_at_points": trajectory.drives_at_points,
+        "multipliers": trajectory.multipliers,
+        "bound_multipliers": trajectory.bound_multipliers,
+        "y_labels": np.array(trajectory.labels),
+        "u_labels": np.array(trajectory.drive_labels),
+        "q_labels": np.array([c.label for c in model.system.tree.q]),
+        "v_labels": np.array([c.label for c in model.system.tree.v]),
+        "joint_labels": np.array(model.joint_labels),
+        "joint_names": np.array(list(model.system.mechanism.joints)),
+        "cost": np.array(trajectory.cost),
+        "ok": np.array(trajectory.ok),
+        "status": np.array(trajectory.status),
+        "mechanism": np.array(to_toml(trajectory.problem.mechanism)),
+        "problem": np.array(trajectory.problem.text),
+    }
+    arrays |= {f"parameter_{name}": np.array(value) for name, value in trajectory.parameters.items()}
+    np.savez_compressed(path, **arrays)
+
+
+def _table(trajectory: Trajectory, path: Path, rate: float | None) -> None:
+    samples = trajectory.sample(_times(trajectory, rate))
+    model = trajectory.model
+    joints = trajectory.of_tree("joint_displacements", samples)
+    rates = trajectory.of_tree("joint_rates", samples)
+    header = ["t", *(f"u_{label}" for label in trajectory.drive_labels)]
+    header += [f"s_{label}" for label in model.joint_labels] + [f"s_dot_{label}" for label in model.joint_labels]
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(header)
+        for row in np.column_stack([samples.t, samples.u, joints, rates]):
+            writer.writerow([repr(float(value)) for value in row])
+
+
+def _saved(made: Figure, path: Path) -> None:
+    save_figure(made, path, tight=True)
+
+
+def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> Path:
+    """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one."""
+    samples = trajectory.sample(count=401)
+    made, axes = figure(3, 1, width=7.0, height=2.2)
+    tree = {c.label: c.unit for c in trajectory.model.system.tree.q}
+    labels = trajectory.labels
+    units = sorted({tree[label] for label in labels})
+    unit = ", ".join(units)
+    curves = [Curve(label, samples.y[:, k], unit) for k, label in enumerate(labels)]
+    draw_curves(
+        axes[0],
+        samples.t,
+        curves,
+        title="Independent coordinates" + (" (dots: replayed by forward simulation)" if replayed is not None else ""),
+        label=f"y [{unit}]",
+    )
+    if replayed is not None:
+        axes[0].plot(replayed.t, replayed.y, ".", color="0.3", markersize=2.5)
+    curves = [Curve(label, samples.y_dot[:, k], unit) for k, label in enumerate(labels)]
+    draw_curves(axes[1], samples.t, curves, title="Their rates", label=f"y_dot [{unit}/s]")
+    system = trajectory.model.system
+    slides = {JOINT_TYPES[system.mechanism.joints[j].type].freedoms[k].kind == "P" for j, k in system.drives}
+    unit = ", ".join("N" if slide else "N m" for slide in sorted(slides, reverse=True))
+    curves = [Curve(label, samples.u[:, k], unit) for k, label in enumerate(trajectory.drive_labels)]
+    draw_curves(axes[2], samples.t, curves, title="Drives and their bounds", label=f"u  [{unit}]", columns=4)
+    axes[2].set_xlabel(TIME)
+    bounds = {b for label in trajectory.drive_labels for b in trajectory.model.drive_range(label) if np.isfinite(b)}
+    for bound in sorted(bounds):
+        axes[2].axhline(bound, color="0.6", linewidth=0.8, linestyle="--")
+    return replaced(path, lambda temporary: _saved(made, temporary))

@@ -1,0 +1,344 @@
+"""A trajectory problem from a TOML file.
+
+    [problem]          mechanism (a catalogue name, or a file beside the problem's) or scene (a scene's file: its
+                       mechanism, effects, inputs and parameters), name, description, duration (a number, or
+                       [lower, upper]), periodic, independent = [labels of q], drive_rule,
+                       accuracy = [dynamic, kinematic] until which the mesh is refined ([inf, inf]: never)
+    [[effects]]        type and the effect's own keys, as in scenes; no gravity acts unless named
+    [start], [end], [[via]]   coordinates, rates = {LABEL = value}, points = {NAME = [x, y, z]} with "free" for a
+                       coordinate that is free, platform_normal, platform_position, platform_rotation, at_rest;
+                       [[via]] also time (part of the duration)
+    [bounds]           drives, drive_rates, joints, speeds, margins = {LABEL = [lower, upper] or a number for +-,
+                       "*" for all drives}, points = {NAME = {x = [lower, upper]}},
+                       reactions = {JOINT = {force = largest, moment = largest}}, distances = [{between, range}],
+                       expressions = {"TEXT" = range} (texts as in objectives)
+    [[objectives]]     type, weight, weights = {LABEL = value}, preload, expression; default: effort
+    [preload], [design], [parameters], [inputs], [guess]   tables of numbers, ranges, lists
+    [transcription]    method, degree, intervals, second_order, formulation, mesh
+    [solver]           name, tolerance, iterations, options
+
+Numbers may be expressions in the mechanism's parameters. Keys are fixed: an unknown one is an error.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from symscrew import catalogue, scene
+from symscrew.description import (
+    Mechanism,
+    check_keys,
+    check_name,
+    check_sections,
+    exact,
+    from_file,
+    numeric,
+    read_tables,
+)
+from symscrew.effects import Effect, check_effects, effect_from_table
+from symscrew.errors import DescriptionError, shorten
+from symscrew.functions import u_port
+from symscrew.kinematics import System
+from symscrew.optimisation.problem import (
+    ACCURACY,
+    Bounds,
+    Conditions,
+    Distance,
+    Objective,
+    Range,
+    Solver,
+    TrajectoryProblem,
+    Transcription,
+)
+
+CONDITIONS = ("coordinates", "rates", "points", "platform_normal", "platform_position", "platform_rotation", "at_rest")
+KEYS: dict[str, tuple[str, ...]] = {
+    "problem": ("mechanism", "scene", "name", "description", "duration", "periodic", "independent", "drive_rule",
+                "accuracy"),
+    "start": CONDITIONS,
+    "end": CONDITIONS,
+    "via": (*CONDITIONS, "time"),
+    "bounds": ("drives", "drive_rates", "joints", "speeds", "margins", "points", "reactions", "distances",
+               "expressions"),
+    "objectives": ("type", "weight", "weights", "preload", "expression"),
+    "transcription": ("method", "degree", "intervals", "second_order", "formulation", "mesh"),
+    "solver": ("name", "tolerance", "iterations", "options"),
+}  # fmt: skip
+LISTS = ("effects", "via", "objectives")
+SECTIONS = (*KEYS, "effects", "preload", "design", "parameters", "inputs", "guess")
+
+
+def load_problem(path: str | Path) -> TrajectoryProblem:
+    """The problem that the TOML file at `path` describes.
+
+    Raises:
+        DescriptionError: the file cannot be read, or says where and what is wrong in it, and the cure.
+    """
+    return from_file(path, parse_problem)
+
+
+def parse_problem(text: str, *, folder: Path | None = None, name: str = "trajectory") -> TrajectoryProblem:
+    """The problem that a TOML text describes; files it names are looked for in `folder`."""
+    tables = read_tables(text)
+    check_sections(tables, SECTIONS, KEYS, LISTS)
+    if "problem" not in tables:
+        raise DescriptionError("the section [problem] is missing; expected at least mechanism or scene, and duration")
+    head = tables["problem"]
+    base = _base(head, folder)
+    read = _Reader(base.mechanism)
+    effects = (*base.effects, *(effect_from_table(t, f"effects[{k}]") for k, t in enumerate(tables.get("effects", ()))))
+    check_effects(base.mechanism, effects)
+    if "duration" not in head:
+        raise DescriptionError("problem: the key 'duration' is missing")
+    given = head["duration"]
+    duration = (
+        read.range(given, "problem.duration") if isinstance(given, list) else read.number(given, "problem.duration")
+    )
+    objectives = tables.get("objectives", [{"type": "effort"}])
+    return TrajectoryProblem(
+        base.mechanism,
+        effects,
+        duration=duration,
+        start=read.conditions(tables.get("start", {}), "start"),
+        end=read.conditions(tables.get("end", {}), "end"),
+        via=tuple(read.conditions(t, f"via[{k}]") for k, t in enumerate(tables.get("via", ()))),
+        periodic=_flag(head, "periodic", "problem"),
+        bounds=read.bounds(tables.get("bounds", {})),
+        objectives=tuple(read.objective(t, f"objectives[{k}]") for k, t in enumerate(objectives)),
+        design=read.ranges(tables.get("design", {}), "design"),
+        parameters={**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")},
+        independent=_labels(head["independent"]) if "independent" in head else None,
+        drive_rule=_text(head.get("drive_rule", "free"), "problem.drive_rule"),
+        preload=read.numbers(tables.get("preload", {}), "preload"),
+        inputs={**base.inputs, **read.lists(tables.get("inputs", {}), "inputs")},
+        guess=read.lists(tables.get("guess", {}), "guess"),
+        transcription=_transcription(tables.get("transcription", {}), read),
+        solver=_solver(tables.get("solver", {}), read),
+        accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else ACCURACY,
+        name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
+        text=text,
+    )
+
+
+class _Base:
+    """Mechanism and effects, of a scene or bare."""
+
+    def __init__(self, mechanism: Mechanism, effects: Sequence[Effect] = ()) -> None:
+        self.mechanism, self.effects = mechanism, tuple(effects)
+        self.parameters: dict[str, float] = {}
+        self.inputs: dict[str, tuple[float, ...]] = {}
+
+
+def _base(head: Mapping[str, Any], folder: Path | None) -> _Base:
+    if ("mechanism" in head) == ("scene" in head):
+        raise DescriptionError("problem: expected either 'mechanism' or 'scene'")
+    key = "mechanism" if "mechanism" in head else "scene"
+    name = _text(head[key], f"problem.{key}")
+    path = Path(name) if folder is None else folder / name
+    if key == "mechanism":
+        if name in catalogue.names():
+            return _Base(catalogue.load(name))
+        return _Base(catalogue.find(path if Path(name).suffix and "\0" not in name else name))
+    found = scene.load_scene(path)
+    base = _Base(found.mechanism, found.effects)
+    base.parameters = dict(found.parameters)
+    names = {p.name: p.value for p in found.mechanism.parameters.values()}
+    for port, texts in found.inputs.items():
+        where = f"the scene's inputs.{port}"
+        base.inputs[port] = tuple(float(numeric(exact(t, names, where=where), where=where)) for t in texts)
+    return base
+
+
+class _Reader:
+    """Numbers, ranges and groups of them, as expressions in the mechanism's parameters."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.mechanism = mechanism
+        self.names = {p.name: p.value for p in mechanism.parameters.values()}
+
+    def number(self, value: Any, where: str) -> float:
+        if isinstance(value, float | Decimal) and math.isinf(value):
+            return float(value)
+        if isinstance(value, bool) or not isinstance(value, int | float | str | Decimal):
+            raise DescriptionError(f"{where}: expected a number, got {shorten(value)}")
+        number = float(numeric(exact(value, self.names, where=where), where=where))
+        if not math.isfinite(number):
+            raise DescriptionError(f"{where}: expected a finite number, got {shorten(value)}")
+        return number
+
+    def pair(self, value: Any, where: str) -> tuple[float, float]:
+        if not isinstance(value, list) or len(value) != 2:
+            raise DescriptionError(f"{where}: expected two numbers, got {shorten(value)}")
+        return self.number(value[0], where), self.number(value[1], where)
+
+    def range(self, value: Any, where: str) -> Range:
+        if isinstance(value, list):
+            return self.pair(value, where)
+        size = self.number(value, where)
+        return -size, size
+
+    def flat(self, table: Any, where: str) -> dict[str, Any]:
+        """Entries by label; a dotted label may come as nested tables."""
+        if not isinstance(table, dict):
+            raise DescriptionError(f"{where}: expected a table, got {shorten(table)}")
+        result: dict[str, Any] = {}
+        for name, value in table.items():
+            if isinstance(value, dict):
+                result |= {f"{name}.{k}": v for k, v in self.flat(value, f"{where}.{name}").items()}
+            else:
+                result[name] = value
+        return result
+
+    def numbers(self, table: Any, where: str) -> dict[str, float]:
+        return {k: self.number(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
+
+    def ranges(self, table: Any, where: str) -> dict[str, Range]:
+        return {k: self.range(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
+
+    def lists(self, table: Any, where: str) -> dict[str, tuple[float, ...]]:
+        result = {}
+        for name, value in self.flat(table, where).items():
+            values = value if isinstance(value, list) else [value]
+            result[name] = tuple(self.number(v, f"{where}.{name}[{k}]") for k, v in enumerate(values))
+        return result
+
+    def vector(self, table: Mapping[str, Any], key: str, where: str) -> tuple[float, float, float] | None:
+        if key not in table:
+            return None
+        value = table[key]
+        if not isinstance(value, list) or len(value) != 3:
+            raise DescriptionError(f"{where}.{key}: expected three numbers, got {shorten(value)}")
+        x, y, z = (self.number(v, f"{where}.{key}") for v in value)
+        return x, y, z
+
+    def conditions(self, table: Mapping[str, Any], where: str) -> Conditions:
+        points: dict[str, tuple[float | None, float | None, float | None]] = {}
+        for name, place in self.flat(table.get("points", {}), f"{where}.points").items():
+            if not isinstance(place, list) or len(place) != 3:
+                raise DescriptionError(f"{where}.points.{name}: expected three numbers, got {shorten(place)}")
+            x, y, z = (None if v == "free" else self.number(v, f"{where}.points.{name}") for v in place)
+            points[name] = (x, y, z)
+        return Conditions(
+            coordinates=self.numbers(table.get("coordinates", {}), f"{where}.coordinates"),
+            rates=self.numbers(table.get("rates", {}), f"{where}.rates"),
+            points=points,
+            platform_normal=self.vector(table, "platform_normal", where),
+            platform_position=self.vector(table, "platform_position", where),
+            platform_rotation=self.vector(table, "platform_rotation", where),
+            at_rest=_flag(table, "at_rest", where),
+            time=self.number(table["time"], f"{where}.time") if "time" in table else None,
+        )
+
+    def bounds(self, table: Mapping[str, Any]) -> Bounds:
+        def drives(key: str) -> dict[str, Range]:
+            found = self.ranges(table.get(key, {}), f"bounds.{key}")
+            if "*" not in found:
+                return found
+            usual = found.pop("*")
+            return {**dict.fromkeys(u_port(System(self.mechanism)).labels, usual), **found}
+
+        points: dict[tuple[str, int], Range] = {}
+        for label, value in self.flat(table.get("points", {}), "bounds.points").items():
+            name, _, axis = label.rpartition(".")
+            if axis not in ("x", "y", "z"):
+                raise DescriptionError(f"bounds.points.{label}: expected a table with x, y or z")
+            points[name, "xyz".index(axis)] = self.range(value, f"bounds.points.{label}")
+        return Bounds(
+            drives=drives("drives"),
+            drive_rates=drives("drive_rates"),
+            joints=self.ranges(table.get("joints", {}), "bounds.joints"),
+            speeds=self.ranges(table.get("speeds", {}), "bounds.speeds"),
+            margins=self.ranges(table.get("margins", {}), "bounds.margins"),
+            points=points,
+            reactions=self._reactions(table.get("reactions", {})),
+            distances=tuple(self._distance(d, k) for k, d in enumerate(table.get("distances", ()))),
+            expressions=self.ranges(table.get("expressions", {}), "bounds.expressions"),
+        )
+
+    def _reactions(self, table: Any) -> dict[str, tuple[float | None, float | None]]:
+        result: dict[str, tuple[float | None, float | None]] = {}
+        for label, value in self.flat(table, "bounds.reactions").items():
+            joint, _, what = label.rpartition(".")
+            if what not in ("force", "moment"):
+                raise DescriptionError(f"bounds.reactions.{label}: expected a table with force and moment")
+            size = self.number(value, f"bounds.reactions.{label}")
+            if not size > 0:
+                raise DescriptionError(f"bounds.reactions.{label}: expected a positive number, got {size:g}")
+            force, moment = result.get(joint, (None, None))
+            result[joint] = (size, moment) if what == "force" else (force, size)
+        return result
+
+    def _distance(self, table: Any, k: int) -> Distance:
+        where = f"bounds.distances[{k}]"
+        check_keys(where, table, ("between", "range"))
+        names = table.get("between")
+        if not isinstance(names, list) or len(names) != 2 or not all(isinstance(n, str) for n in names):
+            raise DescriptionError(f"{where}.between: expected the names of two points, got {shorten(names)}")
+        return Distance(names[0], names[1], self.pair(table.get("range"), f"{where}.range"))
+
+    def objective(self, table: Mapping[str, Any], where: str) -> Objective:
+        if "type" not in table:
+            raise DescriptionError(f"{where}: the key 'type' is missing")
+        return Objective(
+            _text(table["type"], f"{where}.type"),
+            self.number(table.get("weight", 1), f"{where}.weight"),
+            self.numbers(table.get("weights", {}), f"{where}.weights"),
+            self.numbers(table.get("preload", {}), f"{where}.preload"),
+            _text(table.get("expression", ""), f"{where}.expression"),
+        )
+
+
+def _transcription(table: Mapping[str, Any], read: _Reader) -> Transcription:
+    usual = Transcription()
+    mesh = read.lists({"mesh": table["mesh"]}, "transcription")["mesh"] if "mesh" in table else ()
+    return Transcription(
+        _text(table.get("method", usual.method), "transcription.method"),
+        _whole(table.get("degree", usual.degree), "transcription.degree"),
+        len(mesh) or _whole(table.get("intervals", usual.intervals), "transcription.intervals"),
+        _flag(table, "second_order", "transcription", usual=True),
+        _text(table.get("formulation", usual.formulation), "transcription.formulation"),
+        mesh,
+    )
+
+
+def _solver(table: Mapping[str, Any], read: _Reader) -> Solver:
+    usual = Solver()
+    options = table.get("options", {})
+    if not isinstance(options, dict):
+        raise DescriptionError(f"solver.options: expected a table, got {shorten(options)}")
+    plain = {k: float(v) if isinstance(v, Decimal) else v for k, v in options.items()}
+    return Solver(
+        _text(table.get("name", usual.name), "solver.name"),
+        read.number(table.get("tolerance", "1e-8"), "solver.tolerance"),
+        _whole(table.get("iterations", usual.iterations), "solver.iterations"),
+        plain,
+    )
+
+
+def _text(value: Any, where: str) -> str:
+    if not isinstance(value, str):
+        raise DescriptionError(f"{where}: expected a text, got {shorten(value)}")
+    return value
+
+
+def _flag(table: Mapping[str, Any], key: str, where: str, *, usual: bool = False) -> bool:
+    value = table.get(key, usual)
+    if not isinstance(value, bool):
+        raise DescriptionError(f"{where}.{key}: expected true or false, got {shorten(value)}")
+    return value
+
+
+def _whole(value: Any, where: str) -> int:
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise DescriptionError(f"{where}: expected a whole number, got {shorten(value)}")
+    return value
+
+
+def _labels(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
+        raise DescriptionError(f"problem.independent: expected a list of labels, got {shorten(value)}")
+    return tuple(value)

@@ -1,0 +1,270 @@
+"""From a problem to a trajectory: model, guess, transcription, solver, refinement.
+
+problem --PointEquations--> programs --first_guess--> scales --Collocation--> families --assemble--> NLP --> Trajectory
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
+from symscrew.optimisation.guess import Guess, first_guess, unit_scales
+from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.problem import TrajectoryProblem
+from symscrew.optimisation.refinement import refined
+from symscrew.optimisation.result import Statistics, Trajectory
+from symscrew.optimisation.shooting import Shooting
+from symscrew.optimisation.sparse import Program, assemble, cost_of
+from symscrew.optimisation.transcription import Collocation, Transcribed
+from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
+
+Progress = Callable[[str], None]
+MOST_REFINEMENTS = 6
+# IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh
+WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
+REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} | dict.fromkeys(
+    ("warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
+     "warm_start_mult_bound_push"), 1e-7
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A problem with its derived equations: what several transcriptions of it share."""
+
+    problem: TrajectoryProblem
+    model: PointModel
+    guess: Guess
+
+
+def prepare(problem: TrajectoryProblem) -> Prepared:
+    """Derive the equations and make the first guess.
+
+    Raises:
+        DescriptionError: the problem names what does not exist, or contradicts itself.
+    """
+    mechanism = problem.mechanism
+    chosen = {*problem.design, *problem.parameters}
+    for name in chosen:
+        if name not in mechanism.parameters:
+            raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
+    parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
+    equations = PointEquations(replace(mechanism, parameters=parameters), problem.effects, problem.independent)
+    sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
+    model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
+    if not equations.labels:
+        raise DescriptionError(f"{mechanism.name} has no freedom that could move")
+    guess = first_guess(model)
+    model = PointModel(problem, equations, guess.scales)
+    return Prepared(problem, model, guess)
+
+
+def solve(
+    problem: TrajectoryProblem,
+    *,
+    warm: Trajectory | None = None,
+    prepared: Prepared | None = None,
+    progress: Progress | None = None,
+) -> Trajectory:
+    """The optimal trajectory of a problem; look at `ok` and `status`.
+
+    Args:
+        problem: what to optimise.
+        warm: an earlier trajectory to start from, of the same mechanism.
+        prepared: equations derived earlier for the same mechanism, effects and coordinates.
+        progress: called with a line of text per stage.
+
+    Raises:
+        DescriptionError: the problem cannot be used as it is given.
+    """
+    began = _clock()
+    say = progress or (lambda text: None)
+    found = prepared or prepare(problem)
+    model = PointModel(problem, found.model.equations, found.guess.scales)
+    say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
+    trajectory = _once(model, found.guess, warm, say, began)
+    count = 0
+    while problem.accuracy and trajectory.ok and count < MOST_REFINEMENTS:
+        mesh = refined(trajectory, problem.accuracy)
+        if mesh is None:
+            break
+        count += 1
+        say(f"refinement {count}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
+        finer = replace(
+            model.problem, transcription=replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
+        )
+        model = PointModel(finer, model.equations, model.scales)
+        again = _once(model, found.guess, trajectory, say, _clock(), REFINING)
+        spent = _sum(trajectory.statistics, again.statistics)
+        if not again.ok:  # the coarser motion is an optimum still
+            say(f"the finer mesh is given up: {again.status}")
+            trajectory = replace(trajectory, statistics=spent)
+            break
+        trajectory = replace(again, refinements=count, statistics=spent)
+    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+
+
+def _sum(before: Statistics, after: Statistics) -> Statistics:
+    times, processor = (
+        {name: old.get(name, 0.0) + seconds for name, seconds in new.items()}
+        for old, new in ((before.times, after.times), (before.processor, after.processor))
+    )
+    return Statistics(before.iterations + after.iterations, times, processor)
+
+
+def _whole(parts: Statistics, spent: np.ndarray) -> Statistics:
+    """With what errors and meshes took, and the total."""
+    times, processor = (
+        {**each, "errors and meshes": total - sum(each.values()), "total": total}
+        for each, total in zip((parts.times, parts.processor), spent.tolist(), strict=True)
+    )
+    return Statistics(parts.iterations, times, processor)
+
+
+def _clock() -> np.ndarray:
+    """Wall and processor time [s]."""
+    return np.array([time.perf_counter(), time.process_time()])
+
+
+def transcribe(model: PointModel) -> Transcribed:
+    """The transcription that the problem asks for."""
+    if model.problem.transcription.method == "shooting":
+        return Shooting(model).transcribed()
+    return Collocation(model).transcribed()
+
+
+def _once(
+    model: PointModel,
+    guess: Guess,
+    warm: Trajectory | None,
+    say: Progress,
+    began: np.ndarray,
+    start_options: Mapping[str, Any] = WARM,
+) -> Trajectory:
+    ready = _clock()
+    transcribed = transcribe(model)
+    unknowns = transcribed.unknowns
+    _check_bounds(transcribed)
+    arrays = (
+        carried_unknowns(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
+    )
+    arrays["u"] = _control_points(transcribed, arrays["u"])
+    start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
+    if guess.trouble and warm is None:
+        return _not_started(transcribed, start, guess.trouble)
+    scale = _cost_scale(transcribed, start)
+    program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
+    say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
+    solver = _solver(model.problem, program, start_options if warm else {})
+    made = _clock()
+    extra = {}
+    if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
+        extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
+    answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
+    stats = solver.stats()
+    done = _clock()
+    x = np.array(answer["x"]).ravel()
+    ok = bool(stats["success"])
+    word = stats.get("return_status", "")
+    g = np.array(answer["g"]).ravel()
+    pressure = np.array(answer["lam_x"]).ravel()
+    reasons = () if ok else (*broken_rows(program, unknowns, x, g), *pressing_bounds(unknowns, x, pressure))
+    status = STATUS.get(word, f"the solver ended with {word}")
+    say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
+    return Trajectory(
+        model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
+        pressure, float(answer["f"]) * scale, scale, ok, status,
+        _statistics(stats, ready - began, made - ready, done - made), reasons,
+    )  # fmt: skip
+
+
+def _control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
+    """Coefficients of the drives' polynomials from their values at the points (points, drives)."""
+    if transcribed.scheme is None:
+        return u
+    n, k = transcribed.point_tau.shape
+    inverse = np.linalg.inv(transcribed.scheme.control)
+    return np.einsum("ij,njm->nim", inverse, u.reshape(n, k, -1)).reshape(n * k, -1)
+
+
+def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> Trajectory:
+    """The guess as it is, where no solver can help."""
+    zeros = np.zeros(sum(f.count * len(f.function.rows) for f in transcribed.families) + len(transcribed.linear.labels))
+    return Trajectory(
+        transcribed.model.problem, transcribed, transcribed.unknowns.unpack(start), start, zeros, np.zeros(len(start)),
+        float("nan"), 1.0, False, f"not started: {trouble}", Statistics(0, {}, {}), (trouble,),
+    )  # fmt: skip
+
+
+def _cost_scale(transcribed: Transcribed, start: np.ndarray) -> float:
+    """A power of ten near the cost at the guess."""
+    value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
+    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > 1e-6 else 1.0
+
+
+def _check_bounds(transcribed: Transcribed) -> None:
+    unknowns = transcribed.unknowns
+    bad = np.flatnonzero(unknowns.lower > unknowns.upper)
+    if len(bad):
+        k = int(bad[0])
+        raise DescriptionError(
+            f"the bounds of {unknowns.labels[k]} at {unknowns.tau[k]:.3g} of the duration contradict each other: "
+            f"lower {unknowns.lower[k] * unknowns.scale[k]:g}, upper {unknowns.upper[k] * unknowns.scale[k]:g}"
+        )
+
+
+def _solver(problem: TrajectoryProblem, program: Program, start: Mapping[str, Any]) -> ca.Function:
+    given = problem.solver
+    if not ca.has_nlpsol(given.name):
+        raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
+    nlp = {"x": program.x, "f": program.f, "g": program.g}
+    options: dict[str, Any] = {"print_time": False, "error_on_fail": False}
+    if given.name == "ipopt":
+        own: dict[str, Any] = {
+            "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
+            "constr_viol_tol": min(1e-8, given.tolerance), "nlp_scaling_method": "none",
+        }  # fmt: skip
+        own |= start
+        derivatives = {"grad_f": program.gradient, "jac_g": program.jacobian, "hess_lag": program.hessian}
+        options |= {**derivatives, "ipopt": own | dict(given.options)}
+    else:
+        options |= dict(given.options)
+        if given.name == "sqpmethod":
+            options |= {"hess_lag": _symmetric(program.hessian), "max_iter": given.iterations}
+            options |= {"print_header": False, "print_iteration": False, "print_status": False}
+    try:
+        return ca.nlpsol("trajectory", given.name, nlp, options)
+    except RuntimeError as error:
+        reason = str(error).splitlines()[-1]
+        raise DescriptionError(f"solver: {given.name} does not take these options: {reason}") from error
+
+
+def _symmetric(hessian: ca.Function) -> ca.Function:
+    """The whole Hessian from its upper part."""
+    inputs = hessian.mx_in()
+    whole = ca.triu2symm(hessian(*inputs))
+    return ca.Function(hessian.name(), inputs, [whole], hessian.name_in(), ["hess_gamma_x_x"])
+
+
+def _statistics(
+    stats: Mapping[str, Any], model: np.ndarray, transcription: np.ndarray, solver: np.ndarray
+) -> Statistics:
+    parts = []
+    for k, kind in enumerate(("t_wall_nlp_", "t_proc_nlp_")):
+        functions = sum(float(v) for name, v in stats.items() if name.startswith(kind))
+        parts.append({
+            "model and guess": float(model[k]), "transcription": float(transcription[k]), "functions": functions,
+            "solver": float(solver[k]) - functions,
+        })  # fmt: skip
+    return Statistics(int(stats.get("iter_count", 0)), *parts)
+
+
+__all__ = ["Prepared", "prepare", "solve", "transcribe"]

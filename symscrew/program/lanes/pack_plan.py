@@ -1,0 +1,290 @@
+"""Which rows of corresponding instructions are done at once: a cost model in operations of a vector unit.
+
+It says what packs save, and what it costs to gather their operands and to take results out. Packs that do not pay are
+undone.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Set
+from dataclasses import dataclass, field, replace
+
+from symscrew.program.lanes.correspondence import SLOW, Operand, Operation, Row
+
+WIDTHS = (2, 4)  # of vectors; more lanes than that take several
+GATHERED = 1.5  # an entry that is put into a vector
+TAKEN_OUT = 1.0  # an entry that is taken out of a vector
+PASSES = 2
+
+Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane
+
+
+@dataclass(frozen=True)
+class Code:
+    """Operations by slot; the slots of them that are `wanted` one by one, or there in any case; unused slots.
+
+    `arrays` says which slots that are no operations are entries of the same array.
+    """
+
+    operations: Mapping[int, Operation]
+    wanted: Set[int]
+    checked: Set[int] = frozenset()
+    unused: int = 0
+    arrays: Mapping[int, str] = field(default_factory=dict)
+
+
+class Plan:
+    """Which rows are packed, and what that costs.
+
+    `copies` are operations that are nothing but another slot or number where they are not packed. Of slots that are
+    copied in packs some may not be read any more (`shared`); these cost nothing then.
+    """
+
+    def __init__(
+        self,
+        code: Code,
+        found: tuple[Row, ...],
+        *,
+        copies: Mapping[int, int | float] | None = None,
+        plain: tuple[Row, ...] | None = None,
+    ) -> None:
+        self.code, self.plain, self.copies = code, plain or found, copies or {}
+        self.operations = operations = code.operations
+        parts = -(-len(found[0]) // WIDTHS[-1])
+        lanes = -(-len(found[0]) // parts)
+        self.width = next(width for width in WIDTHS if width >= lanes)
+        cut = [row[start : start + lanes] for row in found for start in range(0, len(row), lanes)]
+        self.rows = rows = [
+            (*row, *(None,) * (self.width - len(row))) for row in cut if sum(slot is not None for slot in row) > 1
+        ]
+        self.place = {slot: (i, k) for i, row in enumerate(rows) for k, slot in enumerate(row) if slot is not None}
+        self.on = [True] * len(rows)
+        self.columns = [self._columns(row) for row in rows]
+        self.shared = {a for a in self.copies.values() if isinstance(a, int) and a in operations}
+        self.shared -= {*self.place, *code.wanted, *code.checked}
+        self.users: dict[int, list[int]] = {}
+        for slot, operation in operations.items():
+            for arg, _ in operation.args:
+                for read in (arg, self.copies.get(arg) if isinstance(arg, int) else None):
+                    if isinstance(read, int):
+                        self.users.setdefault(read, []).append(slot)
+        self.needs: Counter[tuple] = Counter()
+        self.cost = 0.0
+        self._wanted: dict[tuple[bool, int], tuple[tuple, ...]] = {}
+        self.order()
+        for key in (key for slot in code.wanted for key in self._read(slot)):
+            self._need(key, 1)
+        for item in self._items():
+            self._account(item, 1)
+
+    # -- how operands of a row stand ------------------------------------------------------------------
+
+    def _columns(self, row: Row) -> tuple[Column, ...]:
+        """The operands of a row, terms and factors in the order that fits those of the first lane best."""
+        filled = {k: self.operations[slot].args for k, slot in enumerate(row) if slot is not None}
+        first = next(iter(filled.values()))
+        op = next(self.operations[slot].op for slot in row if slot is not None)
+        if op in ("add", "mul"):
+            for k, args in filled.items():
+                straight, crossed = (
+                    self._fit(first[0][0], args[i][0]) + self._fit(first[1][0], args[1 - i][0]) for i in (0, 1)
+                )
+                filled[k] = args[::-1] if crossed > straight else args
+        lanes = range(self.width)
+        return tuple(tuple(filled[k][i] if k in filled else None for k in lanes) for i in range(len(first)))
+
+    def _fit(self, a: int | float, b: int | float) -> int:
+        if isinstance(a, float) or isinstance(b, float):
+            return 3 * (isinstance(a, float) and isinstance(b, float))
+        if a == b:
+            return 4
+        one, other = self.place.get(a), self.place.get(b)
+        if one and other:
+            return 5 * (one[0] == other[0])
+        if one or other:
+            return 0
+        return 1 + (a in self.code.arrays and self.code.arrays[a] == self.code.arrays.get(b))
+
+    def at(self, slot: int | float) -> tuple[int, int] | None:
+        """Row and lane of a slot that is packed."""
+        found = self.place.get(slot) if isinstance(slot, int) else None
+        return found if found and self.on[found[0]] else None
+
+    def source(self, column: Column) -> int | None:
+        """The row whose pack holds a column as it is."""
+        rows = set()
+        for k, entry in enumerate(column):
+            if entry is not None:
+                found = self.at(self._plain(entry[0]))
+                if found is None or found[1] != k:
+                    return None
+                rows.add(found[0])
+        return rows.pop() if len(rows) == 1 else None
+
+    def _plain(self, operand: int | float) -> int | float:
+        """What an operand is a copy of, if it is one and not packed."""
+        if isinstance(operand, int) and operand in self.copies and self.at(operand) is None:
+            return self.copies[operand]
+        return operand
+
+    # -- cost -----------------------------------------------------------------------------------------
+
+    def _items(self) -> Iterator[tuple[bool, int]]:
+        """(True, row) of packs and (False, slot) of single instructions."""
+        seen = set()
+        for slot in self.operations:
+            found = self.at(slot)
+            item = (False, slot) if found is None else (True, found[0])
+            if item not in seen:
+                seen.add(item)
+                yield item
+
+    def _price(self, key: tuple) -> float:
+        if key[0] == "out":
+            if key[1] in self.shared:
+                return SLOW.get(self.operations[key[1]].op, 1.0)
+            return TAKEN_OUT if self.at(key[1]) is not None else 0.0
+        different = len(set(key[1]))
+        return GATHERED if different == 1 else GATHERED * different
+
+    def _wants(self, item: tuple[bool, int]) -> tuple[tuple, ...]:
+        """What an item needs beside vectors that are there: slots taken out, vectors gathered; remembered."""
+        if item not in self._wanted:
+            self._wanted[item] = tuple(self._looked_up(item))
+        return self._wanted[item]
+
+    def _looked_up(self, item: tuple[bool, int]) -> Iterator[tuple]:
+        packs, number = item
+        if not packs:
+            if number not in self.copies and number not in self.shared:
+                for a, _ in self.operations[number].args:
+                    yield from self._read(self._plain(a))
+            return
+        for column in self.columns[number]:
+            entries = tuple(self._plain(entry[0]) for entry in column if entry is not None)
+            if self.source(column) is None and not all(isinstance(a, float) for a in entries):
+                yield ("in", entries)
+                for a in dict.fromkeys(entries):
+                    yield from self._read(a)
+
+    def _read(self, operand: int | float) -> Iterator[tuple]:
+        """What is needed to have an operand on its own."""
+        if isinstance(operand, int):
+            yield ("out", operand)
+            if operand in self.shared:
+                yield from (("out", a) for a, _ in self.operations[operand].args if isinstance(a, int))
+
+    def _own(self, item: tuple[bool, int]) -> float:
+        packs, number = item
+        if not packs:
+            free = number in self.copies or number in self.shared
+            return 0.0 if free else SLOW.get(self.operations[number].op, 1.0)
+        op = next(self.operations[slot].op for slot in self.rows[number] if slot is not None)
+        return SLOW[op] * self.width / 2 if op in SLOW else 1.0
+
+    def _account(self, item: tuple[bool, int], sign: int) -> None:
+        self.cost += sign * self._own(item)
+        for key in self._wants(item):
+            self._need(key, sign)
+
+    def _need(self, key: tuple, sign: int) -> None:
+        before = self.needs[key]
+        self.needs[key] += sign
+        if min(before, before + sign) == 0:
+            self.cost += sign * self._price(key)
+
+    def _toggle(self, row: int, known: Mapping[tuple[bool, int], tuple[tuple, ...]] | None = None) -> Mapping:
+        """Pack a row, or undo it, and account for it and for all that reads it; `known` takes a toggle back.
+
+        What all of these wanted before is returned.
+        """
+        members = [slot for slot in self.rows[row] if slot is not None]
+        around = {self._item(u) for slot in members for u in self.users.get(slot, ())}
+        packed, single = {(True, row)}, {(False, slot) for slot in members}
+        concerned = around | (packed if self.on[row] else single)
+        for item in concerned:
+            self._account(item, -1)
+        kept = [slot for slot in members if self.needs["out", slot]]
+        self.cost -= sum(self._price(("out", slot)) for slot in kept)
+        before = {item: self._wanted.pop(item) for item in concerned}
+        self._wanted |= known or {}
+        self.on[row] = not self.on[row]
+        self.cost += sum(self._price(("out", slot)) for slot in kept)
+        for item in around | (packed if self.on[row] else single):
+            self._account(item, 1)
+        return before
+
+    def _item(self, slot: int) -> tuple[bool, int]:
+        found = self.at(slot)
+        return (False, slot) if found is None else (True, found[0])
+
+    def improve(self) -> None:
+        """Undo packs as long as that costs less."""
+        for _ in range(PASSES):
+            changed = False
+            for row in range(len(self.rows)):
+                if self.on[row]:
+                    before = self.cost
+                    wanted = self._toggle(row)
+                    if self.cost < before:
+                        changed = True
+                    else:
+                        self._toggle(row, wanted)
+            if not changed:
+                return
+
+    # -- order ----------------------------------------------------------------------------------------
+
+    def _before(self, item: tuple[bool, int]) -> Iterator[tuple[bool, int]]:
+        packs, number = item
+        for slot in self.rows[number] if packs else (number,):
+            if slot is not None:
+                read = self.operations[slot].args
+                for arg in [self.copies[slot]] if not packs and slot in self.copies else [a for a, _ in read]:
+                    if isinstance(arg, int) and arg in self.operations:
+                        yield self._item(arg)
+
+    def order(self) -> list[tuple[bool, int]]:
+        """Items in an order of evaluation; rows that wait for each other are packed no longer, one in each cycle."""
+        order: list[tuple[bool, int]] = []
+        done: dict[tuple[bool, int], bool] = {}
+        for slot in self.operations:
+            while not done.get(start := self._item(slot)):
+                stack = [(start, self._before(start))]
+                while stack:
+                    item, rest = stack[-1]
+                    done[item] = False
+                    following = next((x for x in rest if not done.get(x)), None)
+                    if following is None:
+                        done[item] = True
+                        order.append(item)
+                        stack.pop()
+                    elif following in done:
+                        self._undo(stack, done)
+                    else:
+                        stack.append((following, self._before(following)))
+        return order
+
+    def _undo(self, stack: list[tuple[tuple[bool, int], Iterator]], done: dict[tuple[bool, int], bool]) -> None:
+        """Pack the last row on the way no longer, and go back to what asked for it."""
+        packs = False
+        while not packs:
+            (packs, number), _ = stack.pop()
+            del done[packs, number]
+        self.on[number] = False
+        if stack:
+            item, _ = stack.pop()
+            stack.append((item, self._before(item)))
+
+    def settled(self) -> Plan:
+        """The same packs without copies that are in none, and without operations that nobody reads any more."""
+        gone = {slot for slot in self.copies if self.at(slot) is None}
+        gone |= {slot for slot in self.shared if not self.needs["out", slot]}
+        operations = {
+            slot: Operation(o.op, tuple((self._plain(a), sign) for a, sign in o.args))
+            for slot, o in self.operations.items()
+            if slot not in gone
+        }
+        rows = tuple(row for row, on in zip(self.rows, self.on, strict=True) if on)
+        return Plan(replace(self.code, operations=operations), rows)

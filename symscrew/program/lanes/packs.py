@@ -1,0 +1,193 @@
+"""Packed programs: rows of corresponding instructions done at once, where this costs less than one by one.
+
+A pack computes `sign * value` in every lane, so that sums and differences go together; signs are exact, and
+results are those of the instructions one by one, bit for bit but for the signs of zeros. A program that does not gain
+enough by the best plan (see `symscrew.program.lanes.pack_plan`) stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass, replace
+
+from symscrew.program.lanes.correspondence import SLOW, Operand, Operation, Row, corresponding, joined, signed
+from symscrew.program.lanes.lane_padding import padded
+from symscrew.program.lanes.lane_signs import Part, fewest_flips
+from symscrew.program.lanes.pack_plan import Code, Column, Plan
+from symscrew.program.straight_line import Instruction
+
+ENOUGH = 0.9  # the part of the cost that is worth packing at most
+HOPELESS = 1.1  # and of what is tried to be improved
+TRIED = 12  # ways that are tried to be improved, the best ones first
+MOST_JOINED = 6  # lanes of ways that are joined
+OTHERS = 5  # ways that are joined with the best one
+
+
+@dataclass(frozen=True)
+class Vector:
+    """An operand of a pack: pack number `source`, or else `entries` (slots or constants), times `flips` if given."""
+
+    source: int | None
+    entries: tuple[int | float, ...]
+    flips: tuple[int, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Pack:
+    """`signs[k] * targets[k]` = op of operands in every lane k; lanes with target None are idle."""
+
+    number: int
+    op: str
+    targets: Row
+    signs: tuple[int, ...]
+    operands: tuple[Vector, ...]
+
+
+@dataclass(frozen=True)
+class Packing:
+    """A program as `items` in order of evaluation: slots of `operations`, and packs.
+
+    `place[slot]` is (pack, lane) of packed slots; `negatives` are slots that are another one's negative or copy.
+    """
+
+    operations: Mapping[int, Operation]
+    negatives: Mapping[int, Operand]
+    items: tuple[int | Pack, ...]
+    place: Mapping[int, tuple[Pack, int]]
+    width: int
+    cost: float
+
+
+def packed(
+    instructions: Sequence[Instruction],
+    results: Iterable[int],
+    checked: Iterable[int] = (),
+    arrays: Mapping[int, str] | None = None,
+) -> Packing | None:
+    """The packed program, or None where there is nothing to gain.
+
+    `results` are slots that are needed one by one; those of them and of `checked` are there in any case.
+    `arrays` names the array of slots that are there from the start: entries of one array correspond to each other.
+    """
+    operations, negatives = signed(instructions)
+    kept, there = (
+        {slot for slot in (negatives.get(slot, (slot, 1))[0] for slot in slots) if isinstance(slot, int)}
+        for slots in (results, checked)
+    )
+    scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
+    code = Code(operations, kept, there, 1 + max(i.target for i in instructions), arrays or {})
+    plans = [plan for rows in corresponding(operations, code.arrays) for plan in _plans(code, rows)]
+    plans = sorted((plan for plan in plans if plan.cost < HOPELESS * scalar), key=lambda p: p.cost)[:TRIED]
+    for plan in plans:
+        plan.improve()
+    if not plans:
+        return None
+    plan = _joined(sorted(plans, key=lambda p: p.cost), code)
+    if plan.cost > ENOUGH * scalar:
+        return None
+    plan = plan.settled()
+    order = plan.order()
+    items = tuple(_signed_packs(plan, order, fewest_flips([_part(plan, k) for packs, k in order if packs])))
+    place = {t: (p, k) for p in items if isinstance(p, Pack) for k, t in enumerate(p.targets) if t is not None}
+    return Packing(plan.code.operations, negatives, items, place, plan.width, plan.cost)
+
+
+def _plans(code: Code, rows: tuple[Row, ...]) -> Iterator[Plan]:
+    """Rows as they are, and with lanes made alike."""
+    yield Plan(code, rows)
+    more = padded(code.operations, rows, code.unused)
+    if more.copies:
+        yield Plan(replace(code, operations=more.operations), more.rows, copies=more.copies, plain=rows)
+
+
+def _joined(plans: Sequence[Plan], code: Code) -> Plan:
+    """The best of several plans, with rows of other ones where they cost less still."""
+    best, *others = plans
+    for rows in list(dict.fromkeys(plan.plain for plan in others))[:OTHERS]:
+        if len(rows[0]) == len(best.plain[0]) <= MOST_JOINED and rows != best.plain:
+            for both in _plans(code, joined(best.plain, rows)):
+                both.improve()
+                best = min(best, both, key=lambda p: p.cost)
+    return best
+
+
+def _part(plan: Plan, number: int) -> Part:
+    """What the signs of a row's lanes are made of."""
+    row = plan.rows[number]
+    busy = sum(1 << k for k, slot in enumerate(row) if slot is not None)
+    op = next(plan.operations[slot].op for slot in row if slot is not None)
+    operands = []
+    for column in plan.columns[number]:
+        constant = all(entry is None or isinstance(entry[0], float) for entry in column)
+        own = 0 if constant else sum(1 << k for k, entry in enumerate(column) if entry is not None and entry[1] < 0)
+        operands.append((plan.source(column), constant, own))
+    return Part(number, op, busy, tuple(operands))
+
+
+def _signed_packs(plan: Plan, order: Sequence[tuple[bool, int]], other: Set[int]) -> Iterator[int | Pack]:
+    """The items with the sign of every lane, as their operands give it; packs in `other` take the other way."""
+    made: dict[int, tuple[int, ...]] = {}
+    for packs, number in order:
+        if not packs:
+            yield number
+            continue
+        row = plan.rows[number]
+        op = next(plan.operations[slot].op for slot in row if slot is not None)
+        vectors, signs = zip(*(_vector(plan, made, c) for c in plan.columns[number]), strict=True)
+        busy = [k for k, slot in enumerate(row) if slot is not None]
+        op, operands, result = _combined(op, vectors, signs, busy, other=number in other)
+        made[number] = result
+        yield Pack(number, op, row, result, operands)
+
+
+def _vector(plan: Plan, made: Mapping[int, tuple[int, ...]], column: Column) -> tuple[Vector, tuple[int, ...]]:
+    """Where an operand comes from, and by which signs it must be multiplied to be that operand."""
+    some = next(entry for entry in column if entry is not None)
+    source = plan.source(column)
+    if source is not None:
+        inner = made[source]
+        signs = tuple(inner[k] * (1 if entry is None else entry[1]) for k, entry in enumerate(column))
+        return Vector(source, ()), signs
+    filled = [entry or some for entry in column]
+    entries, signs = tuple(entry[0] for entry in filled), tuple(entry[1] for entry in filled)
+    if all(isinstance(a, float) for a in entries):
+        return Vector(None, tuple(s * a for s, a in zip(signs, entries, strict=True))), (1,) * len(entries)
+    return Vector(None, entries), signs
+
+
+def _combined(
+    op: str, vectors: Sequence[Vector], signs: Sequence[tuple[int, ...]], busy: Sequence[int], *, other: bool
+) -> tuple[str, tuple[Vector, ...], tuple[int, ...]]:
+    """Operation, operands and signs of a pack."""
+    plus = (1,) * len(signs[0])
+    if op in ("mul", "div"):
+        result = tuple(a * b for a, b in zip(*signs, strict=True))
+        constant = next((k for k, vector in enumerate(vectors) if _constant(vector)), None)
+        if not other or constant is None:
+            return op, tuple(vectors), result
+        return op, tuple(_flipped(v, result) if k == constant else v for k, v in enumerate(vectors)), plus
+    if op == "sqrt":
+        flip = any(signs[0][k] < 0 for k in busy)
+        return op, (_flipped(vectors[0], signs[0]) if flip else vectors[0],), plus
+    if op == "reciprocal":
+        if other:
+            return "div", (Vector(None, tuple(map(float, signs[0]))), vectors[0]), plus
+        return op, tuple(vectors), signs[0]
+    (first, second), (one, another) = vectors, signs
+    if _constant(first) or (other and not _constant(second)):
+        first, second, one, another = second, first, another, one
+    ratio = tuple(a * b for a, b in zip(one, another, strict=True))
+    among = {ratio[k] for k in busy}
+    if len(among) == 1:
+        return "add" if among == {1} else "sub", (first, second), one
+    return "add", (first, _flipped(second, ratio)), one
+
+
+def _constant(vector: Vector) -> bool:
+    return vector.source is None and all(isinstance(a, float) for a in vector.entries)
+
+
+def _flipped(vector: Vector, flips: tuple[int, ...]) -> Vector:
+    if _constant(vector):
+        return Vector(None, tuple(f * a for f, a in zip(flips, vector.entries, strict=True)))
+    return Vector(vector.source, vector.entries, flips)

@@ -1,0 +1,279 @@
+"""A scene from a TOML file.
+
+    [scene]        name, mechanism (a catalogue name, or a file beside the scene's), description, duration [s],
+                   rate (outputs per second), reactions (whether to record them)
+    [initial]      coordinates = {LABEL = value, ...}, rates = {LABEL = value, ...}, hold = [LABELS]: the given values
+                   that are kept while the others are put onto the loops (all are kept without it)
+    [[effects]]    type and the effect's own keys (`symscrew.effects`)
+    [parameters]   NAME = value of a run-time parameter
+    [tables.NAME]  times, values, interpolation ("linear" or "cubic")
+    [signals]      NAME = expression, for use in later ones
+    [states.NAME]  rate = expression, initial: a state of the controller
+    [drives]       LABEL of u = expression; drives that are not named are 0
+    [inputs]       PORT = [expressions]: inputs of effects, such as load_<point>
+    [integrator]   method, tolerance, step, longest_step, most_steps
+
+Expressions are read by the package's own grammar; they know t, q_LABEL and v_LABEL (dots of a label become _),
+the parameters, and the scene's tables, signals and states. Numbers may be such texts in the parameters alone.
+Keys are fixed: an unknown one is an error. No gravity acts unless a scene says so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from symscrew import catalogue
+from symscrew.description import (
+    CONSTANTS,
+    FUNCTIONS,
+    Mechanism,
+    check_keys,
+    check_name,
+    check_sections,
+    check_text,
+    exact,
+    from_file,
+    numeric,
+    read_tables,
+)
+from symscrew.effects import check_effects, effect_from_table
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.scene.contents import FIXED_STEP, INTERPOLATIONS, METHODS, Initial, Integrator, Scene, Table
+
+KEYS: dict[str, tuple[str, ...]] = {
+    "scene": ("name", "mechanism", "description", "duration", "rate", "reactions"),
+    "initial": ("coordinates", "rates", "hold"),
+    "integrator": ("method", "tolerance", "step", "longest_step", "most_steps"),
+}
+SECTIONS = (*KEYS, "effects", "parameters", "tables", "signals", "states", "drives", "inputs")
+MOST_OUTPUTS = 2_000_000
+LONGEST_TABLE = 100_000
+RESERVED = ("t", "x", "u", "s", "p", "work")
+
+
+def load_scene(path: str | Path) -> Scene:
+    """The scene that the TOML file at `path` describes.
+
+    Raises:
+        DescriptionError: the file cannot be read, or says where and what is wrong in it, and the cure.
+    """
+    return from_file(path, parse_scene)
+
+
+def parse_scene(text: str, *, folder: Path | None = None, name: str = "scene") -> Scene:
+    """The scene that a TOML text describes; files it names are looked for in `folder`."""
+    tables = read_tables(text)
+    check_sections(tables, SECTIONS, KEYS, ("effects",))
+    if "scene" not in tables:
+        raise DescriptionError("the section [scene] is missing; expected at least mechanism and duration")
+    head = tables["scene"]
+    mechanism = _mechanism(head, folder)
+    read = _Reader(mechanism)
+    effects = tuple(effect_from_table(t, f"effects[{k}]") for k, t in enumerate(tables.get("effects", ())))
+    check_effects(mechanism, effects)
+    duration = read.number(_needed(head, "duration", "scene"), "scene.duration", above=0)
+    rate = read.number(head.get("rate", 100), "scene.rate", above=0)
+    if duration * rate > MOST_OUTPUTS:
+        raise DescriptionError(f"scene.rate: {duration * rate:.3g} outputs; at most {MOST_OUTPUTS} are written")
+    reactions = head.get("reactions", False)
+    if not isinstance(reactions, bool):
+        raise DescriptionError(f"scene.reactions: expected true or false, got {shorten(reactions)}")
+    signals = _texts(tables.get("signals", {}), "signals")
+    time_tables = {n: _table(n, t, read) for n, t in tables.get("tables", {}).items()}
+    states = {n: _state(n, t, read) for n, t in tables.get("states", {}).items()}
+    _check_names(mechanism, signals, time_tables, states)
+    return Scene(
+        name=check_name(head.get("name", name if name.isidentifier() else "scene"), "scene.name"),
+        mechanism=mechanism,
+        effects=effects,
+        duration=duration,
+        rate=rate,
+        initial=_initial(tables.get("initial", {}), read),
+        drives=_texts(tables.get("drives", {}), "drives", labels=True),
+        signals=signals,
+        tables=time_tables,
+        states=states,
+        inputs={n: _several(v, f"inputs.{n}") for n, v in tables.get("inputs", {}).items()},
+        parameters=_parameters(tables.get("parameters", {}), mechanism, read),
+        integrator=_integrator(tables.get("integrator", {}), read),
+        reactions=reactions,
+        description=check_text(head.get("description", ""), "scene.description"),
+        text=text,
+    )
+
+
+def _mechanism(head: Mapping[str, Any], folder: Path | None) -> Mechanism:
+    name = _needed(head, "mechanism", "scene")
+    if not isinstance(name, str):
+        raise DescriptionError(f"scene.mechanism: expected a name or a file, got {shorten(name)}")
+    if name in catalogue.names():
+        return catalogue.load(name)
+    if "\0" in name or (Path(name).suffix == "" and folder is None):
+        return catalogue.find(name)
+    path = Path(name) if folder is None else folder / name
+    return catalogue.find(path if path.suffix else name)
+
+
+class _Reader:
+    """Numbers of a scene, as expressions in the mechanism's parameters at their values."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.names = {p.name: p.value for p in mechanism.parameters.values()}
+
+    def number(self, value: Any, where: str, *, above: float | None = None, least: float | None = None) -> float:
+        number = float(numeric(exact(value, self.names, where=where), where=where))
+        if not math.isfinite(number):
+            raise DescriptionError(f"{where}: expected a finite number, got {shorten(value)}")
+        if above is not None and not number > above:
+            raise DescriptionError(f"{where}: expected a number above {above:g}, got {shorten(value)}")
+        if least is not None and not number >= least:
+            raise DescriptionError(f"{where}: expected at least {least:g}, got {shorten(value)}")
+        return number
+
+
+def _needed(table: Mapping[str, Any], key: str, where: str) -> Any:
+    if key not in table:
+        raise DescriptionError(f"{where}: the key {key!r} is missing")
+    return table[key]
+
+
+def _texts(table: Mapping[str, Any], where: str, *, labels: bool = False) -> dict[str, str]:
+    """Expressions by name; a dotted label may come as nested tables (`leg_U.0 = ...`)."""
+    result: dict[str, str] = {}
+    for name, value in table.items():
+        if isinstance(value, dict) and labels:
+            result |= {f"{name}.{k}": v for k, v in _texts(value, f"{where}.{name}", labels=True).items()}
+            continue
+        if not labels:
+            check_name(name, where)
+        result[name] = _text(value, f"{where}.{name}")
+    return result
+
+
+def _text(value: Any, where: str) -> str:
+    if isinstance(value, bool) or not isinstance(value, str | int | float | Decimal):
+        raise DescriptionError(f"{where}: expected an expression or a number, got {shorten(value)}")
+    if not isinstance(value, str) and not math.isfinite(value):
+        raise DescriptionError(f"{where}: expected a finite number, got {shorten(value)}")
+    return str(value)
+
+
+def _several(value: Any, where: str) -> tuple[str, ...]:
+    if isinstance(value, dict):
+        raise DescriptionError(f"{where}: expected an expression or a list of expressions, got a table")
+    values = value if isinstance(value, list) else [value]
+    return tuple(_text(v, f"{where}[{k}]") for k, v in enumerate(values))
+
+
+def _numbers(value: Any, where: str, read: _Reader) -> tuple[float, ...]:
+    if not isinstance(value, list):
+        raise DescriptionError(f"{where}: expected a list of numbers, got {shorten(value)}")
+    if len(value) > LONGEST_TABLE:
+        raise DescriptionError(f"{where}: expected at most {LONGEST_TABLE} numbers, got {len(value)}")
+    return tuple(read.number(v, f"{where}[{k}]") for k, v in enumerate(value))
+
+
+def _table(name: str, table: Any, read: _Reader) -> Table:
+    where = f"tables.{check_name(name, 'tables')}"
+    check_keys(where, table, ("times", "values", "interpolation"))
+    times, values = (_numbers(_needed(table, key, where), f"{where}.{key}", read) for key in ("times", "values"))
+    if len(times) != len(values) or len(times) < 2:
+        raise DescriptionError(
+            f"{where}: expected as many values as times, at least 2, got {len(values)}, {len(times)}"
+        )
+    for k in range(1, len(times)):
+        if not times[k] > times[k - 1]:
+            raise DescriptionError(f"{where}.times: expected ascending times, got {times[k]:g} after {times[k - 1]:g}")
+    kind = table.get("interpolation", "linear")
+    if kind not in INTERPOLATIONS:
+        raise DescriptionError(f"{where}.interpolation: expected 'linear' or 'cubic', got {shorten(kind)}")
+    return Table(name, times, values, kind)
+
+
+def _state(name: str, table: Any, read: _Reader) -> tuple[str, float]:
+    where = f"states.{check_name(name, 'states')}"
+    check_keys(where, table, ("rate", "initial"))
+    rate = _text(_needed(table, "rate", where), f"{where}.rate")
+    return rate, read.number(table.get("initial", 0), f"{where}.initial")
+
+
+def _check_names(mechanism: Mechanism, *groups: Mapping[str, Any]) -> None:
+    taken = {*mechanism.parameters, *FUNCTIONS, *CONSTANTS, *RESERVED}
+    for name in (name for group in groups for name in group):
+        if name in taken or name.startswith(("q_", "v_")):
+            raise DescriptionError(
+                f"the name {name!r} is taken (a parameter, function, coordinate, or another signal, table or state); "
+                "use another one"
+            )
+        taken.add(name)
+
+
+def _initial(table: Mapping[str, Any], read: _Reader) -> Initial:
+    def values(key: str) -> dict[str, float]:
+        content = table.get(key, {})
+        if not isinstance(content, dict):
+            raise DescriptionError(f"initial.{key}: expected a table of labels and numbers, got {shorten(content)}")
+        flat: dict[str, float] = {}
+
+        def visit(prefix: str, part: Mapping[str, Any]) -> None:
+            for name, value in part.items():
+                label = f"{prefix}{name}"
+                if isinstance(value, dict):
+                    visit(f"{label}.", value)
+                else:
+                    flat[label] = read.number(value, f"initial.{key}.{label}")
+
+        visit("", content)
+        return flat
+
+    coordinates, rates, hold = values("coordinates"), values("rates"), table.get("hold")
+    if hold is None:
+        return Initial(coordinates, rates)
+    if not isinstance(hold, list) or not all(isinstance(label, str) for label in hold):
+        raise DescriptionError(f"initial.hold: expected a list of labels, got {shorten(hold)}")
+    for label in hold:
+        if label not in coordinates and label not in rates:
+            raise DescriptionError(
+                f"initial.hold: {shorten(label)} has no value to keep in initial.coordinates or initial.rates; "
+                f"{did_you_mean(label, [*coordinates, *rates])}"
+            )
+    return Initial(coordinates, rates, tuple(hold))
+
+
+def _parameters(table: Mapping[str, Any], mechanism: Mechanism, read: _Reader) -> dict[str, float]:
+    known = [p.name for p in mechanism.parameters.values() if p.run_time]
+    for name in table:
+        if name not in known:
+            raise DescriptionError(
+                f"parameters: {shorten(name)} is no run-time parameter of {mechanism.name}; {did_you_mean(name, known)}"
+            )
+    return {name: read.number(value, f"parameters.{name}") for name, value in table.items()}
+
+
+def _integrator(table: Mapping[str, Any], read: _Reader) -> Integrator:
+    method = table.get("method", "dop853")
+    if method not in METHODS:
+        near = did_you_mean(str(method)[:20], METHODS)
+        raise DescriptionError(f"integrator.method: unknown method {shorten(method)}; {near}")
+    step = None
+    if method in FIXED_STEP:
+        if "step" not in table:
+            raise DescriptionError(f"integrator: the method {method} needs the key 'step' [s]")
+        if "tolerance" in table:
+            raise DescriptionError(f"integrator.tolerance: {method} has a fixed step and no tolerance; leave it out")
+        step = read.number(table["step"], "integrator.step", above=0)
+    elif "step" in table:
+        raise DescriptionError(f"integrator.step: {method} chooses its steps; expected 'tolerance' or 'longest_step'")
+    tolerance = read.number(table.get("tolerance", "1e-8"), "integrator.tolerance", above=0)
+    if not 1e-13 <= tolerance <= 0.1:
+        raise DescriptionError(f"integrator.tolerance: expected 1e-13 to 0.1, got {tolerance:g}")
+    longest = table.get("longest_step")
+    longest = None if longest is None else read.number(longest, "integrator.longest_step", above=0)
+    most = table.get("most_steps", 10_000_000)
+    if isinstance(most, bool) or not isinstance(most, int) or most < 1:
+        raise DescriptionError(f"integrator.most_steps: expected a whole number of steps, got {shorten(most)}")
+    return Integrator(method, tolerance, step, longest, most)

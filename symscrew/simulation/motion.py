@@ -1,0 +1,178 @@
+"""A run of a scene: integrate it, look at it at every output, say what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from symscrew.errors import DescriptionError
+from symscrew.model import Model, derive
+from symscrew.program import Program
+from symscrew.scene import Scene, parameter_values
+from symscrew.scene import controller as controller_of
+from symscrew.simulation.initial import initial_state, initial_states, moves
+from symscrew.simulation.recording import History
+from symscrew.simulation.stability import with_longest_stable_step
+from symscrew.simulation.state_programs import Plant, commands, plant
+
+Progress = Callable[[float], None]
+Callback = Callable[[float, np.ndarray, np.ndarray], object]
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a run gave: arrays over its n outputs, what it met, and how it ended.
+
+    t (n,), q (n, nq), v (n, nv), u (n, drives), x (n, states; the last is the work of drives and effects where there
+    are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
+    energy_balance (n,) energy - energy at the start - work [J], reactions (n, 6 joints) or None.
+    """
+
+    scene: Scene
+    model: Model
+    t: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    u: np.ndarray
+    x: np.ndarray
+    energy: np.ndarray
+    closure_error: np.ndarray
+    energy_balance: np.ndarray
+    reactions: np.ndarray | None
+    crossings: tuple[Crossing, ...]
+    events: tuple[str, ...]
+    ok: bool
+    status: str
+    counters: Mapping[str, float] = field(default_factory=dict)
+    x_labels: tuple[str, ...] = ()
+    backend: str = "c"
+    inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
+
+    @property
+    def energy_error(self) -> float:
+        """Largest energy balance by the largest kinetic energy."""
+        largest = float(self.energy[:, 0].max(initial=0.0))
+        return float(np.abs(self.energy_balance).max(initial=0.0)) / (largest or 1.0)
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """A singular configuration that the motion passed: time [s], q, freedoms that open there, the closure's rows."""
+
+    t: float
+    q: np.ndarray
+    pivot: float
+    lost: int
+    rows: tuple[str, ...]
+
+
+def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
+    """The model of a scene and its programs."""
+    model = derive(scene.mechanism, scene.effects)
+    if "forward_dynamics" not in model.programs:
+        raise DescriptionError(
+            f"{scene.name}: these effects leave nothing to simulate, since drives then do not determine accelerations "
+            "(quasi_static, or freedoms that move massless bodies only); inverse dynamics is there all the same"
+        )
+    contacts = [c for e in scene.effects for c in e.contacts()]
+    for contact in contacts:
+        if contact.port in scene.inputs:
+            raise DescriptionError(f"inputs.{contact.port}: this force follows from its law of contact; leave it out")
+    values = np.array(list(parameter_values(scene, model).values()), dtype=float)
+    outside = [contact.port for contact in contacts]
+    made = controller_of(scene, model, held=held)
+    return model, plant(model, made, held=held, parameters=values, outside=outside)
+
+
+def simulate(
+    scene: Scene,
+    *,
+    controller: Callback | None = None,
+    backend: str | None = None,
+    progress: Progress | None = None,
+    prepared: tuple[Model, Plant] | None = None,
+) -> Run:
+    """The run of a scene.
+
+    Args:
+        scene: what to simulate.
+        controller: a callable (t, q, v) -> u in place of the scene's drives, called at every evaluation.
+        backend: "c" (compiled) or "numpy"; default: "c" where there is a C compiler and the method is one of ours.
+        progress: called with the part done, 0 to 1.
+        prepared: model and programs of an earlier `prepare(scene)`, to save time.
+
+    Returns:
+        The run; `ok` is False where it ended early, with what was computed so far.
+
+    Raises:
+        DescriptionError: the scene's start or controller cannot work.
+    """
+    model, programs = prepared or prepare(scene, held=controller is not None)
+    q, v = initial_state(scene, model, programs.parameters)
+    x = initial_states(scene, model)
+    x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
+    contacts = [c for e in scene.effects for c in e.contacts()]
+    history = _integrated(scene, programs, (q, v, x), contacts, controller, backend, progress)
+    if controller is None:
+        history = with_longest_stable_step(scene, programs, history, (q, v, x))
+    history = replace(history, events=(*moves(scene, model, q, v), *history.events))
+    return _observed(scene, model, programs, history)
+
+
+def _integrated(scene, programs, start, contacts, controller, backend, progress) -> History:  # type: ignore[no-untyped-def]
+    from symscrew.runtime import find_compiler
+    from symscrew.simulation import native
+
+    own = scene.integrator.method in native.NATIVE_METHODS and not contacts and controller is None
+    chosen = backend or ("c" if find_compiler() else "numpy")
+    if chosen not in ("c", "numpy"):
+        raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
+    if chosen == "c" and own:
+        return native.integrate_natively(scene, programs, start, progress)
+    from symscrew.simulation.portable import integrate
+
+    return integrate(
+        scene, programs, start, contacts=contacts, controller=controller, compiled=chosen == "c", progress=progress
+    )
+
+
+def evaluated(model: Model, name: str, known: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Outputs of a function of the model at arrays (n, size) of its inputs, by name."""
+    program = model.programs[name]
+    assert isinstance(program, Program)
+    results, _ = model(name, *[known[port.name] for port in program.inputs])
+    return {port.name: result for port, result in zip(program.outputs, results, strict=True)}
+
+
+def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> Run:
+    n = len(history.t)
+    effect_states = sum(p.size for p in programs.forward.inputs if p.name == "x")
+    known = {
+        "t": history.t[:, None], "q": history.q, "v": history.v, "x": history.x[:, :effect_states],
+        "p": np.repeat(programs.parameters[None], n, 0),
+    }  # fmt: skip
+    tables = np.stack([table(history.t) for table in scene.tables.values()], 1) if scene.tables else np.zeros((n, 0))
+    held = history.u if history.u is not None else np.zeros((n, 0))
+    tables = np.concatenate([tables, history.forces], 1)
+    found = commands(programs, {**known, "x": history.x, "u": held, "s": tables})
+    known |= found
+    u = found.get("u", np.zeros((n, 0)))
+    energy = evaluated(model, "energy", known)["energy"]
+    work = history.x[:, -1] if programs.works else np.zeros(n)
+    balance = energy.sum(axis=1) - energy[:1].sum(axis=1) - work
+    closure = np.zeros(n)
+    if programs.closure is not None:
+        closure = np.abs(evaluated(model, "closure", known)["residual"] * programs.rows).max(axis=1, initial=0.0)
+    reactions = evaluated(model, "forward_dynamics_reactions", known)["reactions"] if scene.reactions else None
+    labels = [row.label for cut in model.system.cuts for row in cut.rows]
+    crossings = tuple(
+        Crossing(c.t, c.q, c.pivot / programs.pivot, c.lost, tuple(labels[k] for k in c.rows))
+        for c in history.crossings
+    )
+    return Run(
+        scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
+        history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
+        {name: array for name, array in found.items() if name != "u"},
+    )  # fmt: skip

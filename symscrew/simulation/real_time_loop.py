@@ -1,0 +1,116 @@
+"""The real-time loop of a scene: one step of fixed size as standalone C99.
+
+    int <scene>_step(double dt, double t, double *q, double *v, double *x, const double *u)
+
+It advances a state by dt and puts it back onto the closure of the loops. Nothing is allocated, no state is kept, the
+work is bounded. Where the scene commands the drives, u is not read and may be NULL.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from symscrew.errors import DescriptionError
+from symscrew.export import banner, packed, plain
+from symscrew.model import derive
+from symscrew.scene import Scene, controller, parameter_values
+from symscrew.simulation.initial import initial_state, initial_states
+from symscrew.simulation.native import (
+    NATIVE_METHODS,
+    NO_TABLES,
+    adapters,
+    constants,
+    generated,
+    kernel_text,
+    table_code,
+)
+from symscrew.simulation.state_programs import Plant, plant
+
+REAL_TIME = ("euler", "semi_implicit_euler", "rk4", "rk8")
+
+
+def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
+    """The programs of the loop: drives from outside unless the scene commands them, and `outside` inputs of effects."""
+    if scene.integrator.method not in REAL_TIME:
+        raise DescriptionError(
+            f"integrator.method: a loop for real time needs a fixed step, got {scene.integrator.method}; expected one "
+            f"of {', '.join(REAL_TIME)}"
+        )
+    if any(effect.contacts() for effect in scene.effects):
+        raise DescriptionError("effects: contacts with events have no loop for real time; use their smooth modes")
+    model = derive(scene.mechanism, scene.effects)
+    held = bool(model.system.drives) and not scene.drives
+    values = list(parameter_values(scene, model).values())
+    made = controller(scene, model, held=held)
+    return plant(model, made, held=held, parameters=values, work=False, outside=outside)  # type: ignore[arg-type]
+
+
+def print_loop(scene: Scene) -> dict[str, str]:
+    """File name to text: `<scene>_loop.h`, `<scene>_loop.c`."""
+    made = loop_plant(scene)
+    start = initial_state(scene, made.model, made.parameters)
+    return {f"{scene.name}_loop.h": _header(scene, made, start), f"{scene.name}_loop.c": loop_source(scene, made)}
+
+
+def emit(scene: Scene, folder: Path) -> list[Path]:
+    """Write the loop into a folder, which is made if it is not there."""
+    from symscrew.whole_files import replaced
+
+    files = print_loop(scene)
+    folder.mkdir(parents=True, exist_ok=True)
+    written = []
+    for name, text in files.items():
+
+        def make(path: Path, content: str = text) -> None:
+            path.write_text(content, encoding="utf-8")
+
+        written.append(replaced(folder / name, make))
+    return written
+
+
+def _labels(name: str, labels: tuple[str, ...]) -> list[str]:
+    entries = packed([plain(f"{k} {label}") for k, label in enumerate(labels)])
+    return [f" * {name}[{len(labels)}]:", *(f" * {line}" for line in entries)]
+
+
+def _header(scene: Scene, made: Plant, start: tuple) -> str:  # type: ignore[type-arg]
+    name, upper = scene.name, scene.name.upper()
+    ports = {port.name: port for port in made.slopes.inputs}
+    q, v = start
+    states = initial_states(scene, made.model)
+
+    def initial(key: str, values: object) -> str:
+        numbers = ", ".join(repr(float(value)) for value in values) or "0.0"  # type: ignore[attr-defined]
+        return f"#define {upper}_{key}_START {{{numbers}}}"
+
+    lines = ["/*", *(f" * {line}".rstrip() for line in banner(made.model)), " *"]
+    lines += [f" * One step of {scene.integrator.method} of the scene {name}, projected onto the loops' closure."]
+    lines += [" *"]
+    for key in ("q", "v", "x", "u"):
+        lines += _labels(key, ports[key].labels)
+    lines += [
+        " *", " * Returns 0: done. 1: the state cannot be continued (loops open, not finite); q, v, x are unchanged.",
+        " * 2: at rest in a singular configuration, where several motions begin; unchanged.", " */",
+        f"#ifndef {upper}_LOOP_H", f"#define {upper}_LOOP_H", "",
+        *(f"#define {upper}_{key.upper()}_SIZE {ports[key].size}" for key in ("q", "v", "x", "u")),
+        initial("Q", q), initial("V", v), initial("X", states), "",
+        "#ifdef __cplusplus", 'extern "C" {', "#endif", "",
+        f"int {name}_step(double dt, double t, double *q, double *v, double *x, const double *u);", "",
+        "#ifdef __cplusplus", "}", "#endif", "", f"#endif /* {upper}_LOOP_H */", "",
+    ]  # fmt: skip
+    return "\n".join(lines)
+
+
+def loop_source(scene: Scene, made: Plant, *, standalone: bool = False) -> str:
+    """The loop's C; `standalone` is a part of a larger file, without the loop's own header."""
+    files, name = generated(made), made.model.name
+    code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
+    method = NATIVE_METHODS[scene.integrator.method]
+    head = [
+        "" if standalone else f'#include "{scene.name}_loop.h"',
+        "#include <math.h>", "#include <stddef.h>", "#include <string.h>", code,
+        constants(made), f"#define METHOD {method}", f"#define LOOP_STEP {scene.name}_step", "#define NEEDS_CARE 1004",
+        "#define COUNT_EVALUATION (void)0", table_code(list(scene.tables.values())) or NO_TABLES, adapters(made),
+    ]  # fmt: skip
+    parts = ("rows.c", "manifold.c", "chart.c", "branch.c", "anchor.c", "steps.c", "loop.c")
+    return "\n".join([*head, *(kernel_text(part) for part in parts)])

@@ -1,0 +1,99 @@
+"""A run as files: NumPy archive, table of comma-separated values; and in a few lines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from symscrew.description import to_toml
+from symscrew.errors import DescriptionError
+from symscrew.simulation.motion import Run
+from symscrew.whole_files import replaced
+
+FORMATS = (".npz", ".csv")
+
+
+def write_run(run: Run, path: Path) -> Path:
+    """Write a run into a .npz or .csv file; a file that is not finished never has its name."""
+    if path.suffix not in FORMATS:
+        raise DescriptionError(f"expected a file name that ends in .npz or .csv, got {path.name!r}")
+    return replaced(path, lambda target: _archive(run, target) if path.suffix == ".npz" else _table(run, target))
+
+
+def labels(run: Run) -> dict[str, list[str]]:
+    """Labels of the columns of q, v and u."""
+    tree = run.model.system.tree
+    u = next((p.labels for p in run.model.programs["forward_dynamics"].inputs if p.name == "u"), ())
+    return {
+        "q": [c.label for c in tree.q],
+        "v": [c.label for c in tree.v],
+        "u": list(u) if run.u.shape[1] else [],
+    }
+
+
+def arrays(run: Run) -> dict[str, np.ndarray]:
+    """Everything that the archive holds, by name."""
+    names = labels(run)
+    text = {
+        "mechanism": to_toml(run.scene.mechanism),
+        "scene": run.scene.text,
+        "status": run.status,
+        "backend": run.backend,
+    }
+    result = {
+        "t": run.t, "q": run.q, "v": run.v, "u": run.u, "x": run.x, "energy": run.energy,
+        "closure_error": run.closure_error, "energy_balance": run.energy_balance, "ok": np.array(run.ok),
+        "crossing_times": np.array([c.t for c in run.crossings]),
+        "crossing_configurations": np.array([c.q for c in run.crossings]).reshape(len(run.crossings), run.q.shape[1]),
+        "crossing_rows": np.array([" ".join(c.rows) for c in run.crossings], dtype=str),
+        "events": np.array(list(run.events), dtype=str),
+        **{f"{key}_labels": np.array(value, dtype=str) for key, value in names.items()},
+        "x_labels": np.array(list(run.x_labels), dtype=str),
+        "joint_names": np.array(list(run.model.mechanism.joints), dtype=str),
+        **{key: np.array(value) for key, value in text.items()},
+    }  # fmt: skip
+    if run.reactions is not None:
+        result["reactions"] = run.reactions
+    return result
+
+
+def _archive(run: Run, path: Path) -> None:
+    np.savez_compressed(path, **arrays(run))  # type: ignore[arg-type]
+
+
+def _table(run: Run, path: Path) -> None:
+    names = labels(run)
+    columns = [("t", run.t)]
+    for key in ("q", "v", "u"):
+        columns += [(f"{key}.{label}", run.__dict__[key][:, k]) for k, label in enumerate(names[key])]
+    columns += [(f"x.{label}", run.x[:, k]) for k, label in enumerate(run.x_labels)]
+    columns += [("energy.kinetic", run.energy[:, 0]), ("energy.potential", run.energy[:, 1])]
+    columns += [("closure_error", run.closure_error), ("energy_balance", run.energy_balance)]
+    header = ",".join(name for name, _ in columns)
+    np.savetxt(path, np.stack([c for _, c in columns], 1), delimiter=",", header=header, comments="", fmt="%.17g")
+
+
+def run_summary(run: Run) -> list[str]:
+    """What a person wants to know about a run, line by line."""
+    kinetic = float(run.energy[:, 0].max(initial=0.0))
+    lines = [
+        f"{run.scene.name}: {run.status}",
+        f"{len(run.t)} outputs to t = {run.t[-1]:.9g} s; " + ", ".join(
+            f"{int(n)} {key} steps" if key == "careful" else f"{int(n)} {key}"
+            for key, n in run.counters.items()
+            if key in ("steps", "rejected", "careful", "evaluations") and (n or key == "steps")
+        ),
+        f"loops open by at most {run.closure_error.max(initial=0.0):.2e} (lengths by the characteristic length)",
+        f"energy balance: at most {np.abs(run.energy_balance).max(initial=0.0):.2e} J, largest kinetic energy "
+        f"{kinetic:.4g} J",
+    ]  # fmt: skip
+    names = labels(run)["q"]
+    for c in run.crossings:
+        place = ", ".join(f"{n} = {value:.6g}" for n, value in list(zip(names, c.q, strict=True))[:8])
+        lines.append(
+            f"singular configuration passed at t = {c.t:.9g} s: {c.lost} row{'s' * (c.lost != 1)} of the closure lost, "
+            f"among {', '.join(c.rows)}; at {place}{', ...' if len(names) > 8 else ''}"
+        )
+    lines += list(run.events[:40]) + ([f"... {len(run.events)} events"] if len(run.events) > 40 else [])
+    return lines

@@ -1,0 +1,54 @@
+"""Maps over independent coordinates and parameters: workspace, design studies, tolerances.
+
+Plan --engine (chunks in parallel)--> evaluation --> store --> map_summary, maps
+"""
+
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.studies.workspace.configurations import (
+        Call,
+        calls_of,
+        independent_labels,
+        reference_coordinates,
+        start_margins,
+        walk,
+        watched_margins,
+    )
+    from symscrew.studies.workspace.engine import run_locally, run_on_dask
+    from symscrew.studies.workspace.evaluation import prepare
+    from symscrew.studies.workspace.map_summary import summary, summary_text
+    from symscrew.studies.workspace.maps import draw_maps
+    from symscrew.studies.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
+    from symscrew.studies.workspace.store import Results, Store, save_csv, save_npz
+
+__all__ = [
+    "AZIMUTH",
+    "MOST_CASES",
+    "TILT",
+    "Call",
+    "Plan",
+    "Results",
+    "Store",
+    "calls_of",
+    "draw_maps",
+    "independent_labels",
+    "prepare",
+    "read_axis",
+    "read_limit",
+    "read_number",
+    "reference_coordinates",
+    "run_locally",
+    "run_on_dask",
+    "save_csv",
+    "save_npz",
+    "start_margins",
+    "summary",
+    "summary_text",
+    "walk",
+    "watched_margins",
+]
+
+__getattr__ = doors(__name__)

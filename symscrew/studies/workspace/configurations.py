@@ -1,0 +1,113 @@
+"""Configurations of many cases at once: each walks alone from the reference configuration to where it is wanted.
+
+A case's result depends on its own coordinates and parameters only, not on its neighbours, so that a sweep gives the
+same numbers however it is cut and wherever its pieces run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from symscrew.model import Model
+from symscrew.runtime import CompiledModel
+
+Array = np.ndarray
+Call = Callable[..., tuple[Sequence[Array], Array]]
+"""(function, arrays (cases, size)) -> results and status (cases), 0 where it worked."""
+
+
+def calls_of(compiled: CompiledModel) -> Call:
+    """A compiled model's functions as a `Call`."""
+
+    def call(name: str, *arrays: Array) -> tuple[Sequence[Array], Array]:
+        found: tuple[Array, ...] = compiled[name](*arrays, check=False)  # type: ignore[assignment]
+        *results, status = found
+        flat = [r.reshape(len(r), -1) if r.ndim < 3 else np.moveaxis(r, 2, 1).reshape(len(r), -1) for r in results]
+        return flat, status
+
+    return call
+
+
+STEPS = 16
+SINGULAR = 1e-9
+
+
+def independent_labels(model: Model) -> tuple[str, ...]:
+    """Labels of the independent coordinates y; of all coordinates for an open chain."""
+    if "assemble" in model.programs:
+        return tuple(model.programs["assemble"].inputs[0].labels)
+    return tuple(c.label for c in model.system.tree.q)
+
+
+def reference_coordinates(model: Model) -> Array:
+    """y in the reference configuration."""
+    labels = [c.label for c in model.system.tree.q]
+    return model.system.reference[[labels.index(label) for label in independent_labels(model)]]
+
+
+def walk(
+    model: Model, call: Call, y: Array, parameters: Array | None = None, *, steps: int = STEPS, watch: bool = True
+) -> tuple[Array, Array, dict[str, Array]]:
+    """Configurations q (cases, nq) at independent coordinates y (cases, ny), by equal steps from the reference.
+
+    Args:
+        model: the model.
+        call: its functions, interpreted or compiled.
+        y: wanted coordinates.
+        parameters: run-time parameters (cases, np), walked to from their values in the description; None if none.
+        steps: of the walk.
+        watch: whether to look at the margins on the way.
+
+    Returns:
+        q, NaN where the loops cannot be closed; status of the last assembly; and per watched margin
+        ("constraint platform" ...) its least value along the walk relative to the reference: at or below 0 a
+        singularity was passed.
+    """
+    count = len(y)
+    start = np.repeat(reference_coordinates(model)[None, :], count, 0)
+    p0 = np.repeat(model.system.parameter_values[None, :], count, 0)
+    p1 = p0 if parameters is None else parameters
+    q, status = np.repeat(model.system.reference[None, :], count, 0), np.zeros(count, dtype=int)
+    extra = (p0,) if p0.shape[1] else ()
+    first = start_margins(model, call) if watch else {}
+    least = {name: np.ones(count) for name in first}
+    for k in range(1, steps + 1):
+        part = k / steps
+        extra = ((1 - part) * p0 + part * p1,) if p0.shape[1] else ()
+        target = (1 - part) * start + part * y if k < steps else y
+        if "assemble" in model.programs:
+            results, new = call("assemble", target, q, *extra)
+            q = np.where((new == 0)[:, None] & (status == 0)[:, None], results[0], np.nan)
+            status = np.where(status == 0, new, status)
+        else:
+            q = target.copy()
+        now = watched_margins(model, call, q, extra) if watch else {}
+        for name, value in first.items():
+            least[name] = np.fmin(least[name], now[name] / value)
+    return q, status, least
+
+
+def watched_margins(model: Model, call: Call, q: Array, extra: Sequence[Array]) -> dict[str, Array]:
+    """Margins of every limb, of the constraints and of the drives together, by kind and name [1].
+
+    Sets of a few drives, which lose their hold without harm while the others keep theirs, are left out.
+    """
+    found = {}
+    for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
+        if kind not in model.programs:
+            continue
+        labels = model.programs[kind].outputs[0].labels
+        values = call(kind, q, *extra)[0][0].reshape(len(q), -1)
+        for k, label in enumerate(labels[:1] if kind == "actuation_margins" else labels):
+            found[f"{kind.split('_')[0]} {label}"] = values[:, k]
+    return found
+
+
+def start_margins(model: Model, call: Call) -> dict[str, float]:
+    """The watched margins in the reference configuration; those that are zero there are left out."""
+    values = model.system.parameter_values
+    extra = (values[None, :],) if len(values) else ()
+    found = watched_margins(model, call, model.system.reference[None, :], extra)
+    return {name: float(value[0]) for name, value in found.items() if abs(value[0]) > SINGULAR}

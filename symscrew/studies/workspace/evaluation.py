@@ -1,0 +1,274 @@
+"""One piece of a sweep: from the values of the axes to all results, by the compiled batch functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.model import Model, derive
+from symscrew.runtime import load
+from symscrew.studies.workspace.configurations import (
+    Call,
+    calls_of,
+    independent_labels,
+    reference_coordinates,
+    start_margins,
+    walk,
+)
+from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
+
+Array = np.ndarray
+NEEDED = (
+    "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
+    "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A model ready to evaluate, with what the columns of its results mean."""
+
+    model: Model
+    call: Call
+    labels: tuple[str, ...]
+    units: Mapping[str, str]
+
+
+@lru_cache(maxsize=2)
+def prepared(key: str, holder: PlanHolder) -> Prepared:
+    """The derived and compiled model of a plan, once per process; `key` is the plan's hash."""
+    plan = holder.plan
+    model = derive(plan.mechanism, plan.effects, independent=plan.independent)
+    wanted = {name: p for name, p in model.programs.items() if name in NEEDED}
+    small = Model(
+        model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
+    )
+    return Prepared(small, calls_of(load(small)), independent_labels(model), _units(model))
+
+
+class PlanHolder:
+    """A plan that counts as equal to any other, so that the cache goes by the plan's hash alone."""
+
+    def __init__(self, plan: Plan) -> None:
+        """Hold a plan."""
+        self.plan = plan
+
+    def __eq__(self, other: object) -> bool:
+        """Always, among holders."""
+        return isinstance(other, PlanHolder)
+
+    def __hash__(self) -> int:
+        """One value for all."""
+        return 0
+
+
+def prepare(plan: Plan) -> Prepared:
+    """The model of a plan.
+
+    Raises:
+        DescriptionError: axes, tolerances or limits that the mechanism does not have.
+    """
+    made = prepared(plan.hash, PlanHolder(plan))
+    _check(plan, made)
+    return made
+
+
+def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
+    """All results of a piece: name -> values (cases)."""
+    made = prepare(plan)
+    model, call = made.model, made.call
+    values = plan.cases(chunk)
+    y, p = _wanted(plan, made, values, plan.deviations(chunk))
+    with np.errstate(all="ignore"):
+        q, status, least = walk(model, call, y, p, steps=plan.steps)
+        extra = (p,) if p is not None else ()
+        results = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
+        if p is not None:
+            names = [n for n, q_ in model.mechanism.parameters.items() if q_.run_time]
+            results |= {n: p[:, names.index(n)] for n in plan.parameters if n not in results}
+        results["status"] = status.astype(float)
+        results |= _kinematics(model, call, q, extra)
+        results |= _statics(model, call, q, extra)
+        results |= _quality(plan, model, call, q, extra)
+        results |= _margins(model, call, q, extra)
+        passed = [np.where(value > 0, 1.0, 0.0) for value in least.values()]
+        results["regular"] = np.min(passed, axis=0) if passed else np.ones(len(q))
+        results["reached"] = np.where((status == 0) & np.isfinite(q).all(axis=1), 1.0, 0.0)
+        fits = (results["reached"] > 0) & (results["regular"] > 0)
+        for name, low, high in plan.limits:
+            fits &= (results[name] >= low) & (results[name] <= high)
+        results["allowed"] = fits.astype(float)
+    return results
+
+
+def _check(plan: Plan, made: Prepared) -> None:
+    known = [*made.labels, *made.model.mechanism.parameters]
+    if _spherical(made) is not None:
+        known += [TILT, AZIMUTH]
+    for axis in plan.axes:
+        if axis.name not in known:
+            raise DescriptionError(
+                f"--over: {axis.name!r} is neither an independent coordinate nor a parameter; "
+                f"{did_you_mean(axis.name, known)}"
+            )
+    names = [axis.name for axis in plan.axes]
+    twice = sorted({n for n in names if names.count(n) > 1})
+    if twice:
+        raise DescriptionError(f"--over: {twice[0]!r} is given twice")
+    spherical = _spherical(made)
+    if spherical is not None and {TILT, AZIMUTH} & set(names) and set(spherical) & set(names):
+        raise DescriptionError("--over: tilt and azimuth already say what the quaternion's components are")
+    if AZIMUTH in names and TILT not in names:
+        raise DescriptionError("--over: azimuth needs tilt: azimuth is the direction of the axis of the tilt")
+    for name, _, _ in plan.limits:
+        if name not in made.units:
+            raise DescriptionError(f"--limit: no result {name!r}; {did_you_mean(name, made.units)}")
+
+
+def _spherical(made: Prepared) -> tuple[str, str] | None:
+    """Labels of the x and y components of the quaternion among the independent coordinates."""
+    for label in made.labels:
+        if label.endswith(".qx") and label[:-1] + "y" in made.labels:
+            return label, label[:-1] + "y"
+    return None
+
+
+def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tuple[Array, Array | None]:
+    """Independent coordinates and run-time parameters of the cases."""
+    y = np.repeat(reference_coordinates(made.model)[None, :], len(values), 0)
+    column = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
+    for name, value in column.items():
+        if name in made.labels:
+            y[:, made.labels.index(name)] = value
+    if TILT in column:
+        spherical = _spherical(made)
+        assert spherical is not None
+        azimuth = column.get(AZIMUTH, np.zeros(len(values)))
+        x, z = (made.labels.index(label) for label in spherical)
+        y[:, x], y[:, z] = (np.sin(column[TILT] / 2) * turn(azimuth) for turn in (np.cos, np.sin))
+    base = made.model.system.parameter_values
+    if not len(base):
+        return y, None
+    names = [n for n, p in made.model.mechanism.parameters.items() if p.run_time]
+    p = np.repeat(base[None, :], len(values), 0)
+    for name, value in column.items():
+        if name in names:
+            p[:, names.index(name)] = value
+    for k, (name, _) in enumerate(plan.tolerances):
+        p[:, names.index(name)] += deviations[:, k]
+    return y, p
+
+
+def _units(model: Model) -> dict[str, str]:
+    """Result -> unit."""
+    units: dict[str, str] = {
+        "condition": "1",
+        "stiffness least": "N m",
+        "stiffness largest": "N m",
+        "tilt of platform": "rad",
+    }
+    port = model.programs["joint_displacements"].outputs[0]
+    units |= dict(zip(port.labels, port.units, strict=True))
+    if "forward_kinematics" in model.programs:
+        port = model.programs["forward_kinematics"].outputs[0]
+        units |= {f"point {label}": "m" for label in port.labels}
+    if "inverse_dynamics" in model.programs:
+        port = model.programs["inverse_dynamics"].outputs[0]
+        units |= {f"drive {label}": unit for label, unit in zip(port.labels, port.units, strict=True)}
+    for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
+        if kind in model.programs:
+            units |= {f"{kind.split('_')[0]} {n}": "1" for n in model.programs[kind].outputs[0].labels}
+    units |= {name: p.unit for name, p in model.mechanism.parameters.items()}
+    return units | {"reached": "1", "regular": "1", "allowed": "1", "status": "1", TILT: "rad", AZIMUTH: "rad"}
+
+
+def _kinematics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
+    """Displacements of all joints [rad, m] and places of the points that move [m]."""
+    port = model.programs["joint_displacements"].outputs[0]
+    found = call("joint_displacements", q, *extra)[0][0]
+    results = {label: found[:, k] for k, label in enumerate(port.labels)}
+    if "forward_kinematics" in model.programs:
+        port = model.programs["forward_kinematics"].outputs[0]
+        places = call("forward_kinematics", q, *extra)[0][0]
+        moving = {n for n, p in model.mechanism.points.items() if p.body != model.mechanism.ground}
+        results |= {
+            f"point {label}": places[:, k] for k, label in enumerate(port.labels) if label.rpartition(".")[0] in moving
+        }
+    return results
+
+
+def _statics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
+    """Forces and torques of the drives that hold the mechanism at rest."""
+    if "inverse_dynamics" not in model.programs:
+        return {}
+    program = model.programs["inverse_dynamics"]
+    known = {"q": q, **({"p": extra[0]} if extra else {})}
+    given = [known.get(port.name, np.zeros((len(q), port.size))) for port in program.inputs]
+    u = call("inverse_dynamics", *given)[0][0]
+    return {f"drive {label}": u[:, k] for k, label in enumerate(program.outputs[0].labels)}
+
+
+def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
+    """Condition number and stiffness of the platform's motion, with lengths divided by the characteristic length.
+
+    With an orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
+    A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that of M with
+    sliding drives divided by L, infinite where R is singular; the stiffness K = M^T diag(k) M has as eigenvalues the
+    least and largest stiffness [N m] against a unit of such a twist.
+    """
+    system = model.system
+    platform = model.mechanism.platform
+    if not system.drives or platform is None or "platform_jacobian" not in model.programs:
+        return {}
+    count, nv = len(q), len(system.tree.v)
+    null = _matrix(call, "null_space", q, extra, nv) if "null_space" in model.programs else None
+    basis = np.repeat(np.eye(nv)[None], count, 0) if null is None else null
+    drives = np.stack(
+        [call("drive_rates", q, np.ascontiguousarray(basis[:, :, k]), *extra)[0][0] for k in range(basis.shape[2])],
+        axis=2,
+    )
+    twists = _matrix(call, "platform_jacobian", q, extra, 6) @ basis
+    length = system.length
+    twists[:, 3:] /= length
+    slides = np.array([unit == "m/s" for unit in model.programs["drive_rates"].outputs[0].units])
+    good = np.isfinite(twists).all(axis=(1, 2)) & np.isfinite(drives).all(axis=(1, 2))
+    condition, least, largest = (np.full(count, np.nan) for _ in range(3))
+    if good.any() and twists.shape[2] <= 6:
+        _, R = np.linalg.qr(twists[good])
+        diagonal = np.abs(np.diagonal(R, axis1=1, axis2=2))
+        regular = diagonal.min(axis=1) > 1e-9 * diagonal.max(axis=1)
+        place = np.flatnonzero(good)[regular]
+        condition[good] = np.inf
+        M = drives[place] @ np.linalg.inv(R[regular])
+        scaled = M / np.where(slides, length, 1.0)[:, None]
+        values = np.linalg.svd(scaled, compute_uv=False)
+        if scaled.shape[1] >= scaled.shape[2]:
+            condition[place] = values[:, 0] / values[:, -1]
+            stiff = np.linalg.svd(
+                M * np.sqrt(np.where(slides, 1.0, length**2) * plan.stiffness)[:, None], compute_uv=False
+            )
+            least[place], largest[place] = stiff[:, -1] ** 2, stiff[:, 0] ** 2
+    return {"condition": condition, "stiffness least": least, "stiffness largest": largest}
+
+
+def _matrix(call: Call, name: str, q: Array, extra: tuple[Array, ...], rows: int) -> Array:
+    flat = call(name, q, *extra)[0][0]
+    return flat.reshape(len(q), -1, rows).transpose(0, 2, 1).copy()
+
+
+def _margins(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
+    """Every margin at the configuration, by kind and name."""
+    results: dict[str, Array] = {}
+    for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
+        if kind in model.programs:
+            values = call(kind, q, *extra)[0][0]
+            labels = model.programs[kind].outputs[0].labels
+            results |= {f"{kind.split('_')[0]} {label}": values[:, k] for k, label in enumerate(labels)}
+    relative = [results[name] / value for name, value in start_margins(model, call).items()]
+    if relative:
+        results["margin"] = np.min(relative, axis=0)
+    return results

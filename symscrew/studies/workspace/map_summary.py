@@ -1,0 +1,126 @@
+"""What a sweep says in a few numbers: how much is reached, strokes, forces, the tilt in every direction, tolerances."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from symscrew.display import table
+from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
+
+Results = Mapping[str, np.ndarray]
+DEGREE = 180 / np.pi
+
+
+def summary(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[str, Any]:
+    """Counts, ranges over the allowed cases, the reach of the tilt and the effect of tolerances, as JSON values."""
+    allowed = results["allowed"] > 0
+    found: dict[str, Any] = {
+        "mechanism": plan.mechanism.name,
+        "plan": plan.hash,
+        "cases": plan.count,
+        "reached": int((results["reached"] > 0).sum()),
+        "regular": int(((results["reached"] > 0) & (results["regular"] > 0)).sum()),
+        "allowed": int(allowed.sum()),
+        "axes": {a.name: [a.low, a.high, a.count] for a in plan.axes},
+        "limits": {name: [_bound(low), _bound(high)] for name, low, high in plan.limits},
+        "ranges": {},
+    }
+    for name in _shown(plan, results):
+        values = results[name][allowed & np.isfinite(results[name])]
+        if len(values):
+            found["ranges"][name] = {
+                "unit": units.get(name, "1"), "least": float(values.min()), "largest": float(values.max()),
+            }  # fmt: skip
+    reach = tilt_reach(plan, results)
+    if reach is not None:
+        azimuths, tilts = reach
+        found["tilt"] = {"azimuth": azimuths.tolist(), "reach": tilts.tolist(), "every_direction": float(tilts.min())}
+    if plan.tolerances:
+        found["tolerance"] = _tolerances(plan, results, units)
+    return found
+
+
+def tilt_reach(plan: Plan, results: Results) -> tuple[np.ndarray, np.ndarray] | None:
+    """(azimuth, largest tilt up to which all tilts are allowed) [rad]; None without these axes.
+
+    All other axes and samples must be allowed, too.
+    """
+    names = [axis.name for axis in plan.axes]
+    if TILT not in names or AZIMUTH not in names:
+        return None
+    shape = (*(axis.count for axis in plan.axes), plan.samples)
+    first = (results["allowed"] > 0).reshape(shape)
+    first = np.moveaxis(first, (names.index(AZIMUTH), names.index(TILT)), (0, 1))
+    allowed = np.all(first.reshape(first.shape[0], first.shape[1], -1), axis=2)
+    azimuth, tilt = plan.axes[names.index(AZIMUTH)].values, plan.axes[names.index(TILT)].values
+    order = np.argsort(np.abs(tilt), kind="stable")
+    good = np.logical_and.accumulate(allowed[:, order], axis=1)
+    size = np.abs(tilt[order])
+    return azimuth, np.where(good.any(axis=1), size[np.maximum(good.sum(axis=1) - 1, 0)], 0.0)
+
+
+def _bound(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def _shown(plan: Plan, results: Results) -> list[str]:
+    """Drives' strokes and forces, joints with limits, points of the platform, quality."""
+    driven = {f"{n}.{k}" if len(j.driven) > 1 or f"{n}.{k}" in results else n
+              for n, j in plan.mechanism.joints.items() for k in j.driven}  # fmt: skip
+    limited = {name for name, _, _ in plan.limits}
+    platform = {n for n, p in plan.mechanism.points.items() if p.body == plan.mechanism.platform}
+    return [
+        name
+        for name in results
+        if name in driven | limited | {"condition", "stiffness least", "stiffness largest", "margin"}
+        or name.startswith("drive ")
+        or (name.startswith("point ") and name[6:].rpartition(".")[0] in platform)
+    ]
+
+
+def _tolerances(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[str, Any]:
+    """Standard deviation and 5 and 95 % about the mean of the samples at each place, over all places."""
+    found = {}
+    for name in _shown(plan, results):
+        values = results[name].reshape(-1, plan.samples)
+        about = (values - np.nanmean(values, axis=1, keepdims=True)).ravel()
+        about = about[np.isfinite(about)]
+        if len(about):
+            low, high = np.percentile(about, (5, 95))
+            found[name] = {
+                "unit": units.get(name, "1"),
+                "deviation": float(about.std()),
+                "5": float(low),
+                "95": float(high),
+            }
+    return found
+
+
+def summary_text(found: Mapping[str, Any]) -> str:
+    """The summary as text and tables."""
+    axes = ", ".join(f"{n} {low:.6g} to {high:.6g} ({count})" for n, (low, high, count) in found["axes"].items())
+    lines = [
+        f"{found['mechanism']}: {found['cases']} cases{': ' if axes else ''}{axes}",
+        f"{found['reached']} can be assembled, {found['regular']} of them without passing a singularity, "
+        f"{found['allowed']} also within all limits",
+    ]
+    if "tilt" in found:
+        worst = found["tilt"]["every_direction"] * DEGREE
+        where = found["tilt"]["azimuth"][int(np.argmin(found["tilt"]["reach"]))] * DEGREE
+        lines.append(f"tilt of {worst:.4g} degrees reached in every direction; least at azimuth {where:.4g} degrees")
+    if found["ranges"]:
+        rows = [
+            [name, *(f"{r[key]:.6g}" for key in ("least", "largest")), f"{r['largest'] - r['least']:.6g}", r["unit"]]
+            for name, r in found["ranges"].items()
+        ]
+        lines += ["", table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
+    if "tolerance" in found:
+        rows = [
+            [name, *(f"{r[key]:.4g}" for key in ("deviation", "5", "95")), r["unit"]]
+            for name, r in found["tolerance"].items()
+        ]
+        lines += ["", table(("about the mean of the samples", "standard deviation", "5 %", "95 %", "unit"), rows)]
+    return "\n".join(lines)

@@ -1,0 +1,144 @@
+"""What a sweep is about: axes of coordinates and parameters, tolerances, limits; and its cases, by number."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import re
+from dataclasses import asdict, dataclass, field, replace
+
+import numpy as np
+
+from symscrew.description import Mechanism, to_toml
+from symscrew.effects import Effect, type_name
+from symscrew.errors import DescriptionError, shorten
+
+UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "rad": 1.0, "deg": math.pi / 180}
+TILT, AZIMUTH = "tilt", "azimuth"
+MOST_CASES = 50_000_000
+_NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A coordinate or parameter with its values, evenly from `low` to `high` [rad, m, or the parameter's unit]."""
+
+    name: str
+    low: float
+    high: float
+    count: int
+
+    @property
+    def values(self) -> np.ndarray:
+        """The values in order."""
+        return np.linspace(self.low, self.high, self.count)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep: every combination of the axes' values, each `samples` times where parameters have tolerances.
+
+    `tolerances`: parameter -> standard deviation of a normal distribution about its value, samples drawn with `seed`
+    by the number of the case. `limits`: result -> (least, largest). `stiffness` is that of a drive: [N/m] of one that
+    slides, and times the square of the characteristic length [N m/rad] of one that turns. `steps`: of the walk from
+    the reference configuration. `chunk`: cases per piece of work.
+    """
+
+    mechanism: Mechanism
+    effects: tuple[Effect, ...]
+    axes: tuple[Axis, ...]
+    independent: tuple[str, ...] | None = None
+    tolerances: tuple[tuple[str, float], ...] = ()
+    samples: int = 1
+    seed: int = 0
+    limits: tuple[tuple[str, float, float], ...] = ()
+    stiffness: float = 1e6
+    steps: int = 16
+    chunk: int = 1024
+    parameters: tuple[str, ...] = field(default=())
+
+    @property
+    def count(self) -> int:
+        """Number of cases."""
+        return math.prod(axis.count for axis in self.axes) * self.samples
+
+    @property
+    def chunks(self) -> int:
+        """Number of pieces of work."""
+        return -(-self.count // self.chunk)
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of all that determines the results, 16 hex digits."""
+        effects = [(type_name(e), repr(e)) for e in self.effects]
+        rest = asdict(replace(self, mechanism=None, effects=()))  # type: ignore[arg-type]
+        text = json.dumps([to_toml(self.mechanism), effects, rest], sort_keys=True, default=repr)
+        return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+    def cases(self, chunk: int) -> np.ndarray:
+        """Values of the axes (cases, axes) of a piece; the last axis runs fastest, samples faster still."""
+        numbers = np.arange(chunk * self.chunk, min((chunk + 1) * self.chunk, self.count)) // self.samples
+        shape = tuple(axis.count for axis in self.axes)
+        places = np.unravel_index(numbers, shape) if shape else ()
+        columns = [axis.values[place] for axis, place in zip(self.axes, places, strict=True)]
+        return np.stack(columns, axis=1) if columns else np.zeros((len(numbers), 0))
+
+    def deviations(self, chunk: int) -> np.ndarray:
+        """Deviations of the parameters with tolerances (cases, tolerances) of a piece.
+
+        Every piece has a random stream of its own, by its number, so that it does not matter who computes it when.
+        """
+        count = len(self.cases(chunk))
+        stream = np.random.Generator(np.random.PCG64(np.random.SeedSequence([self.seed, chunk])))
+        return stream.standard_normal((count, len(self.tolerances))) * [sigma for _, sigma in self.tolerances]
+
+
+def read_axis(text: str) -> Axis:
+    """An axis as it is typed: NAME=from:to:count, numbers with mm, m, deg or rad if wanted.
+
+    >>> read_axis("x=-1:1:5").values.tolist()
+    [-1.0, -0.5, 0.0, 0.5, 1.0]
+
+    Raises:
+        DescriptionError: says what is wrong with it.
+    """
+    name, equals, rest = text.partition("=")
+    parts = rest.split(":")
+    if not equals or not name or len(parts) != 3 or not parts[2].strip().isdecimal():
+        raise DescriptionError(
+            f"--over: expected COORDINATE=from:to:count such as tilt=0:20deg:21, got {shorten(text)}"
+        )
+    low, high = (read_number(part, "--over") for part in parts[:2])
+    count = int(parts[2][:9])
+    if count < 1 or (count > 1) == (low == high):
+        raise DescriptionError(
+            f"--over: expected from below to and at least 2 values, or one value, in {shorten(text)}"
+        )
+    return Axis(name.strip(), low, high, count)
+
+
+def read_number(text: str, where: str) -> float:
+    """A finite number with a unit; mm, m, deg, rad or none."""
+    match = _NUMBER.fullmatch(text.strip())
+    if match is None or match.group(2) not in UNITS:
+        raise DescriptionError(f"{where}: expected a number with m, mm, rad, deg or no unit, got {shorten(text)}")
+    value = float(match.group(1)) * UNITS[match.group(2)]
+    if not math.isfinite(value):
+        raise DescriptionError(f"{where}: expected a finite number, got {shorten(text)}")
+    return value
+
+
+def read_limit(text: str) -> tuple[str, float, float]:
+    """A limit as it is typed: RESULT=least:largest, one of them may be left out."""
+    name, equals, rest = text.partition("=")
+    low, colon, high = rest.partition(":")
+    if not equals or not colon or not (low or high):
+        raise DescriptionError(
+            f"--limit: expected RESULT=least:largest such as limb1_P=-50mm:50mm, got {shorten(text)}"
+        )
+    return (
+        name.strip(),
+        read_number(low, "--limit") if low.strip() else -math.inf,
+        read_number(high, "--limit") if high.strip() else math.inf,
+    )

@@ -1,0 +1,264 @@
+"""Is generated output what the tool generates today, does it compile, and do its targets agree?
+
+`check` derives the model again from the directory's mechanism.toml and the effects in its manifest, and
+compares bytes. Only what has just been generated is compiled and run, never code found in the directory; a
+.casadi file with other bytes (they depend on the version of CasADi) is loaded and compared by value.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew.description import load_description
+from symscrew.export import OutputError, effect_from_json, model_hash, read_json, read_manifest
+from symscrew.generation import EMBEDDED, TARGETS, render
+from symscrew.model import Model, derive
+from symscrew.verification.agreement import STRICT, Results, compare_targets, compare_values
+from symscrew.verification.embedded import CORES, measure, missing_tools
+
+FIGURES = {"flash", "frame", "stack", "instructions"}
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """`ok`, and a line per check: "<mechanism>: ok ..." or "<mechanism>: FAILED ..."."""
+
+    ok: bool
+    lines: tuple[str, ...]
+
+
+def check(directory: str | Path) -> CheckResult:
+    """Check one generated directory, or every one in a directory of such.
+
+    Raises:
+        OutputError: there is nothing generated at this place.
+    """
+    root = Path(directory)
+    if (root / "manifest.json").is_file():
+        found = [root]
+    elif root.is_dir():
+        found = sorted(path.parent for path in root.glob("*/manifest.json"))
+    else:
+        found = []
+    if not found:
+        raise OutputError(f"{root}: expected generated output (a manifest.json), found none; generate first")
+    if len(found) == 1:
+        results = [_check_all(found[0])]
+    else:  # a directory is mostly its compilers' time: as many at a time as there are cores
+        with ProcessPoolExecutor(min(len(found), os.cpu_count() or 1), get_context("spawn")) as pool:
+            results = list(pool.map(_check_all, found))
+    lines = [
+        f"{path.name}: {'ok' if passed else 'FAILED'}: {text}"
+        for path, result in zip(found, results, strict=True)
+        for passed, text in result
+    ]
+    return CheckResult(all(passed for result in results for passed, _ in result), tuple(lines))
+
+
+def _check_all(directory: Path) -> list[tuple[bool, str]]:
+    return list(_check_one(directory))
+
+
+def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
+    """(passed, what) of every check of one directory."""
+    content = read_manifest(directory)
+    model = _regenerate(directory, content)
+    targets = [t for t in TARGETS if t in content.get("targets", TARGETS)]
+    single = content.get("precision") == "single"
+    precision, measured = "single" if single else "double", _measured(directory)
+    files = render(model, targets, precision=precision, measured=measured)
+    yield from _compare_operations(directory, model)
+    for record in measured:
+        yield _compare_embedded(record, model, precision)
+    yield from _compare_files(directory, files, model)
+    expected = {name: model(name, *model.test_inputs[name]) for name in model.programs}
+    yield from _compare_recorded(directory, model, expected)
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        fresh = Path(temporary) / "fresh"
+        fresh.mkdir()
+        for name, data in files.items():
+            (fresh / name).write_bytes(data)
+        if "c" in targets:
+            yield from _compile(fresh, model.name)
+        yield from compare_targets(fresh, directory, model, expected, targets=targets, single=single)
+
+
+def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
+    """The model of a directory, with the recorded states as test inputs where they fit."""
+    mechanism = load_description(directory / "mechanism.toml")
+    effects = tuple(effect_from_json(entry) for entry in content["effects"])
+    functions = content.get("functions", {})
+    wanted: dict[str, Any] = {
+        "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
+        "regressor": any("regressor" in name for name in functions),
+        "one_mode": content.get("one_mode") is True,
+    }
+    chosen = content.get("independent") or None
+    model = _selected(derive(mechanism, effects, **wanted), content)
+    if chosen and model_hash(model) != content.get("hash"):
+        other = _selected(derive(mechanism, effects, independent=chosen, **wanted), content)
+        model = other if model_hash(other) == content.get("hash") else model
+    recorded = read_json(directory / "test_vectors.json")
+    inputs = dict(model.test_inputs)
+    for name, program in model.programs.items():
+        entry = recorded.get(name, {}) if isinstance(recorded, dict) else {}
+        arrays = _arrays(entry.get("inputs"), [(p.name, p.size) for p in program.inputs])
+        inputs[name] = arrays if arrays is not None else inputs[name]
+    return dataclasses.replace(model, test_inputs=inputs)
+
+
+def _selected(model: Model, content: Mapping[str, Any]) -> Model:
+    """The model, with the functions of the manifest only if these were selected."""
+    return model.only(tuple(content.get("functions", {}))) if content.get("selected") is True else model
+
+
+def _arrays(entry: Any, ports: Sequence[tuple[str, int]]) -> tuple[np.ndarray, ...] | None:
+    """Arrays (states, size) of a recorded entry, or None if it does not fit the ports."""
+    try:
+        arrays = tuple(np.array(entry[name], dtype=float).reshape(-1, max(n, 1))[:, :n] for name, n in ports if n)
+        return tuple(_with_empty(arrays, ports))
+    except (KeyError, TypeError, ValueError, IndexError):
+        return None
+
+
+def _with_empty(arrays: Sequence[np.ndarray], ports: Sequence[tuple[str, int]]) -> Iterator[np.ndarray]:
+    """`arrays` in the order of the ports, with arrays (states, 0) for ports without entries."""
+    states = len(arrays[0]) if arrays else 1
+    remaining = iter(arrays)
+    for _, n in ports:
+        yield next(remaining) if n else np.zeros((states, 0))
+
+
+def _compare_operations(directory: Path, model: Model) -> Iterator[tuple[bool, str]]:
+    recorded = read_json(directory / "ops.json")
+    changed = []
+    for name, program in model.programs.items():
+        now, then = program.operations, recorded.get(name) if isinstance(recorded, dict) else None
+        if now != then:
+            before = then.get("total") if isinstance(then, dict) else None
+            word = "rose" if isinstance(before, int) and now["total"] > before else "changed"
+            changed.append(f"operations of {name} {word} from {before} to {now['total']}")
+    total = sum(p.operations["total"] for p in model.programs.values())
+    yield (False, "; ".join(changed)) if changed else (True, f"{total} operations as in ops.json")
+
+
+def _measured(directory: Path) -> list[dict[str, Any]]:
+    """What ops.json holds of microcontrollers, as far as it has the form of such a record."""
+    recorded = read_json(directory / "ops.json")
+    entries = recorded.get(EMBEDDED, []) if isinstance(recorded, dict) else []
+    found = []
+    for entry in entries if isinstance(entries, list) else []:
+        sound = isinstance(entry, dict) and all(isinstance(entry.get(key), str) for key in ("core", "compiler"))
+        functions = entry.get("functions") if sound else None
+        figures = list(functions.values()) if isinstance(functions, dict) else [None]
+        if not all(isinstance(figure, dict) and figure.keys() >= FIGURES for figure in figures):
+            raise OutputError(f"{directory}/ops.json: {EMBEDDED!r} is no list of measurements; generate again")
+        found.append(entry)
+    return found
+
+
+def _compare_embedded(record: Mapping[str, Any], model: Model, precision: str) -> tuple[bool, str]:
+    """Flash, stack and instructions as recorded, where the compiler of the record is installed."""
+    core = next((key for key, core in CORES.items() if core.name == record["core"]), None)
+    missing = missing_tools()
+    if core is None or missing:
+        why = f"not found: {'; '.join(missing)}" if missing else f"expected {', '.join(c.name for c in CORES.values())}"
+        return core is not None, f"{record['core']}: not measured again, {why}"
+    functions = [name for name in record["functions"] if name in model.programs]
+    now = measure(model, core, precision, functions)
+    if now["compiler"] != record["compiler"]:
+        return True, f"{record['core']}: recorded with {record['compiler']}, here is {now['compiler']}: not compared"
+    for name in functions:
+        for key in sorted(FIGURES):
+            before, after = record["functions"][name][key], now["functions"][name][key]
+            if before != after:
+                return False, f"{record['core']}: {key} of {name} changed from {before} to {after}"
+    return True, f"{record['core']}: flash, stack and instructions of {len(functions)} functions as in ops.json"
+
+
+def _compare_files(directory: Path, files: Mapping[str, bytes], model: Model) -> Iterator[tuple[bool, str]]:
+    """Bytes of every file; recorded values and CasADi files are compared by value elsewhere."""
+    same = 0
+    for name, data in sorted(files.items()):
+        path = directory / name
+        by_value = name == "test_vectors.json" or name.endswith(".casadi")
+        if not path.is_file():
+            if not name.endswith(".casadi"):
+                yield False, f"{name} is missing; generate again"
+        elif path.read_bytes() == data:
+            same += 1
+        elif not by_value:
+            yield (
+                False,
+                f"{name} differs from what is generated today{_first_difference(path.read_bytes(), data)}",
+            )
+    yield same > 0, f"{same} of {len(files)} files have the same bytes"
+
+
+def _first_difference(found: bytes, expected: bytes) -> str:
+    if b"\0" in expected:  # an archive: nothing to read
+        return ""
+    there = found.decode("utf-8", "replace").split("\n")
+    here = expected.decode("utf-8", "replace").split("\n")
+    for number, (a, b) in enumerate(zip(there, here, strict=False), 1):
+        if a != b:
+            return f", line {number}: found {a.strip()[:70]!r}, expected {b.strip()[:70]!r}"
+    return f": found {len(there)} lines, expected {len(here)}"
+
+
+def _compare_recorded(directory: Path, model: Model, expected: Mapping[str, Results]) -> Iterator[tuple[bool, str]]:
+    """The outputs in test_vectors.json against today's."""
+    recorded = read_json(directory / "test_vectors.json")
+
+    def results(name: str, inputs: Sequence[np.ndarray]) -> Results:
+        entry = recorded[name]
+        ports = [(p.name, p.size) for p in model.programs[name].outputs]
+        arrays = _arrays(entry["outputs"], ports)
+        if arrays is None:
+            raise ValueError(f"the outputs of {name} do not fit its ports")
+        return arrays, np.array(entry["status"])
+
+    try:
+        yield compare_values("test_vectors.json", model, expected, results)
+    except (KeyError, TypeError, ValueError) as error:
+        yield False, f"test_vectors.json does not fit the functions ({error}); generate again"
+
+
+def _compile(directory: Path, name: str) -> Iterator[tuple[bool, str]]:
+    """Library and example read with all warnings as errors, and the header as C++."""
+    compilers = [path for path in map(shutil.which, ("gcc", "clang")) if path]
+    if not compilers:
+        compilers = [path for path in [shutil.which("cc")] if path]
+    if not compilers:
+        yield True, "no C compiler here (apt install gcc): C neither compiled nor run"
+    for compiler in compilers:  # what warnings need of an optimiser, they get where the library is compiled
+        sources = [f"{name}.c", "example.c", *(p.name for p in directory.glob("*_external.c"))]
+        sources += [p.name for p in directory.glob("*_jacobians.c")]
+        yield _run([compiler, *STRICT, "-fsyntax-only", *sources], directory, "reads it without warnings")
+    plus = next((path for path in map(shutil.which, ("g++", "clang++")) if path), None)
+    if plus:
+        flags = ["-std=c++11", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++"]
+        yield _run([plus, *flags, f"{name}.h"], directory, "accepts the header as C++")
+        flags[0] = "-std=c++17"
+        yield _run([plus, *flags, "-Wconversion", f"{name}.hpp"], directory, "accepts the C++17 header")
+
+
+def _run(command: Sequence[str], directory: Path, what: str) -> tuple[bool, str]:
+    result = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
+    compiler = Path(command[0]).name
+    if result.returncode == 0:
+        return True, f"{compiler} {what}"
+    first = next((line for line in result.stderr.splitlines() if "error" in line), result.stderr[:200])
+    return False, f"{compiler} refuses: {first.strip()}"

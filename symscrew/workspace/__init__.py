@@ -1,1 +1,0 @@
-"""Maps over independent coordinates and parameters: workspace, design studies, tolerances; see `command`."""
