@@ -83,6 +83,16 @@ class Tree:
         """The links that make up a tree joint, from the ground outwards."""
         return tuple(link for link in self.links if link.joint == joint)
 
+    @property
+    def spheres(self) -> tuple[tuple[int, int], ...]:
+        """(first entry in q, first entry in v) of every quaternion."""
+        return tuple((link.q.start, link.v.start) for link in self.links if link.motion.spherical)
+
+    @property
+    def plain(self) -> tuple[tuple[int, int], ...]:
+        """(entry in q, entry in v) of every coordinate whose rate is its entry in v."""
+        return tuple((link.q.start, link.v.start) for link in self.links if link.motion.single)
+
     def velocity_indices(self, joint: str) -> tuple[int, ...]:
         """Indices into v of a tree joint, in the order of its freedoms (parent to child)."""
         links = self.links_of(joint)
