@@ -201,7 +201,7 @@ def _close(writing: Writing, joint: Joint) -> None:
         _add_equality(writing, "weld", joint.name, ends, None)
     elif kind.ball and not joint.driven:
         _add_equality(writing, "connect", joint.name, ends, point)
-    elif kind.freedom == len(kind.turning) == 1 and not kind.slides and not joint.driven:
+    elif kind.hinge and not joint.driven:
         # read back, the ground is the parent: the coordinate keeps its sign
         axis = numbers(writing.mechanism, joint.axes[0]) * (-1 if joint.child == writing.mechanism.ground else 1)
         for k, place in enumerate((point, point + writing.numbers.length * axis)):

@@ -190,8 +190,8 @@ def _virtual_joint(mechanism: Mechanism) -> Joint | None:
 
 def _common_normal(mechanism: Mechanism) -> Vector | None:
     """The axis that all revolute joints share and all sliders cross at right angles, or None."""
-    turning = [j.axes[0] for j in mechanism.joints.values() if j.kind.turning]
-    if not turning or not all(j.kind.freedom == 1 and not j.kind.helical for j in mechanism.joints.values()):
+    turning = [j.axes[0] for j in mechanism.joints.values() if j.kind.hinge]
+    if not turning or not all(j.kind.hinge or j.kind.slider for j in mechanism.joints.values()):
         return None
     normal = tuple(mechanism.number(c) for c in turning[0])
 
@@ -202,7 +202,7 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
         if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):
             return None
     for joint in mechanism.joints.values():
-        if joint.kind.sliding and not equal(
+        if joint.kind.slider and not equal(
             sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero
         ):
             return None
