@@ -292,7 +292,6 @@ import sys
 from symscrew import catalogue
 from symscrew.effects.registry import known_effects, effect_from_table
 from symscrew.export.c import print_c
-from symscrew.mechanism import Mechanism
 from symscrew.model import derive
 scenes = [None, [{"type": "gravity"}, {"type": "viscous_friction", "joint": "A", "coefficient": "0.2"}]]
 for scene in scenes:
