@@ -19,7 +19,8 @@ from symscrew.export.c import print_c, print_source, straight_line
 from symscrew.export.c_function import Printed
 from symscrew.export.c_precision import DOUBLE
 from symscrew.model import Model, derive
-from symscrew.program.straight_line import Instruction, Port, Program, evaluate
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Instruction, Port, Program
 from symscrew.runtime import compiled
 from symscrew.runtime.compiled import FLAGS, CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 

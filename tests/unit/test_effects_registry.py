@@ -33,7 +33,8 @@ from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.generation.folder import generate
 from symscrew.kinematics.system import System
 from symscrew.model import derive
-from symscrew.program.straight_line import evaluate, lower
+from symscrew.program.lowering import lower
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.verification.regeneration import check
 
 PACKAGE = Path(symscrew.__file__).parent
