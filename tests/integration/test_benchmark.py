@@ -14,7 +14,7 @@ from support.model_states import model
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.formats import by_suffix
-from symscrew.program.straight_line import evaluate
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.runtime.compiled import CompileError, find_compiler
 from symscrew.studies.benchmark import function_times, peers
 from symscrew.studies.benchmark.function_times import batch, run, single, throughput
