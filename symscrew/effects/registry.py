@@ -23,7 +23,7 @@ from symscrew.description import Mechanism, read_tables, read_text
 from symscrew.effects.effect import Effect, transformed
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
-HELPERS = ("acting", "effect", "parts", "records", "registry")
+HELPERS = ("acting", "effect", "parts", "records", "registry")  # files of this folder that hold no effect
 
 
 @cache
@@ -31,6 +31,17 @@ def known_effects() -> dict[str, type[Effect]]:
     """Type name (the name of the file) to class, in alphabetical order."""
     names = sorted(m.name for m in pkgutil.iter_modules([str(Path(__file__).parent)]) if m.name not in HELPERS)
     return {name: getattr(import_module(f"symscrew.effects.{name}"), class_name(name)) for name in names}
+
+
+def simplifications() -> dict[str, Effect]:
+    """In words ("massless limbs"), the simplifications that need no further keys, in alphabetical order of types."""
+    known = [kind for kind in known_effects().values() if kind.simplifies]
+    return {kind.simplifies: kind() for kind in known if not _required(kind)}
+
+
+def _required(kind: type[Effect]) -> list[str]:
+    """Keys that a table of this type must have."""
+    return [f.name for f in dataclasses.fields(kind) if f.default is dataclasses.MISSING]
 
 
 def class_name(kind: str) -> str:
@@ -75,13 +86,13 @@ def effect_from_table(table: Any, where: str = "effects") -> Effect:
                 f"(its keys: {known_keys})"
             )
         values[key] = _checked(value, fields[key], f"{where}.{key}")
-    missing = [name for name, f in fields.items() if f.default is dataclasses.MISSING and name not in values]
+    missing = [name for name in _required(made) if name not in values]
     if missing:
         raise DescriptionError(f"{where}: the effect {kind} needs the key {missing[0]!r}")
     return made(**values)
 
 
-def _checked(value: Any, field: dataclasses.Field, where: str) -> Any:
+def _checked(value: Any, field: dataclasses.Field[Any], where: str) -> Any:
     """A value of a table, of the kind that the field's annotation asks for."""
     kind = str(field.type)
     if isinstance(value, bool):

@@ -12,8 +12,10 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
+from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.consistent_poses import Kinematics
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Scales
 
@@ -186,11 +188,9 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     """(T, tau, y, y_1, y_2, z) -> residual at u = 0 and its matrix by u."""
-    from symscrew.optimisation.casadi_graph import run
-
     blocks = model.blocks(moving=True)
     duration = ca.SX.sym("duration")
-    at = model.state({**blocks, "T": duration} if model.problem.free_duration else blocks)
+    at = MotionQuantities(model, {**blocks, "T": duration} if model.problem.free_duration else blocks)
     found = run(model.equations.dynamics, at.known)["residual"]
     slope = ca.jacobian(found, blocks["u"])
     states = ca.DM([s.initial for s in model.equations.acting.states])

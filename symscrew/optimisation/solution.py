@@ -17,7 +17,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.motion_equations import PointEquations
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refined
 from symscrew.optimisation.result import Statistics, Trajectory

@@ -16,7 +16,8 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.layout import Terms, Unknowns
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.point import collocation_point, observation_point
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import PointFunction
 from symscrew.optimisation.sparse import Family, Linear, SparseMap
@@ -81,7 +82,7 @@ class Collocation:
         return tableau(given.method, given.degree, given.second_order)
 
     def _function(self) -> PointFunction:
-        return self.model.collocation()
+        return collocation_point(self.model)
 
     def _linear_rows(self) -> LinearRows:
         return LinearRows(self)
@@ -203,7 +204,7 @@ class Collocation:
             placed = (c.platform_normal, c.platform_position, c.platform_rotation)
             if set(c.coordinates) <= linear and set(c.rates) <= linear and not c.points and placed == (None,) * 3:
                 continue
-            found.append(self._observation(self.model.observation(c, where), tau, f"observed_{k}", where))
+            found.append(self._observation(observation_point(self.model, c, where), tau, f"observed_{k}", where))
         return found
 
     def _observation(self, function: PointFunction, tau: float, name: str, where: str) -> Family:

@@ -1,0 +1,109 @@
+"""The documentation: links lead somewhere, blocks of code run, names of the reference exist."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from symscrew.cli.help import EXAMPLES
+from symscrew.cli.parser import main, parser
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+PAGES = sorted(DOCS.rglob("*.md"))
+BLOCK = re.compile(r"^```(\w+)(?: title=\"([\w.]+)\")?\n(.*?)^```", re.M | re.S)
+CODE = [p for p in PAGES if BLOCK.search(p.read_text())]
+
+
+def identity(page: Path) -> str:
+    return str(page.relative_to(DOCS))
+
+
+@pytest.mark.parametrize("page", PAGES, ids=identity)
+def test_links(page: Path) -> None:
+    text = BLOCK.sub("", page.read_text())
+    for target in re.findall(r"\]\(([^)\s]+)\)", text):
+        if not target.startswith(("http://", "https://", "#")):
+            assert (page.parent / target.partition("#")[0]).resolve().is_file(), target
+
+
+def test_every_page_is_in_the_navigation() -> None:
+    listed = re.findall(r"[\w/]+\.md", (ROOT / "mkdocs.yml").read_text())
+    assert sorted(listed) == sorted(identity(p) for p in PAGES)
+
+
+SLOW = ("tutorial.md", "how_to/workspace.md", "how_to/own_mechanism.md")
+
+
+@pytest.mark.parametrize(
+    "page", [pytest.param(p, marks=[pytest.mark.slow] * (identity(p) in SLOW), id=identity(p)) for p in CODE]
+)
+def test_code_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks in order, in one empty folder: TOML with a title is a file, sh are commands, python a program."""
+    monkeypatch.chdir(tmp_path)
+    for language, title, code in BLOCK.findall(page.read_text()):
+        if language == "toml" and title:
+            Path(title).write_text(code)
+        elif language == "sh":
+            for line in code.splitlines():
+                words = shlex.split(line)
+                assert words[0] == "symscrew", line
+                assert main(words[1:]) == 0, line
+        elif language == "python":
+            done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ})
+            assert done.returncode == 0, done.stderr[-2000:]
+
+
+@pytest.mark.parametrize("page", sorted((DOCS / "reference").glob("*.md")), ids=identity)
+def test_reference_names_exist_and_are_documented(page: Path) -> None:
+    text = page.read_text()
+    found = re.findall(r"^::: ([\w.]+)(?:\n    options: \{members: \[([^\]]*)\]\})?", text, re.M)
+    assert found
+    for name, members in found:
+        try:
+            item = import_module(name)
+        except ModuleNotFoundError:
+            module, _, attribute = name.rpartition(".")
+            item = getattr(import_module(module), attribute)
+        assert item.__doc__
+        for member in filter(None, members.split(", ")):
+            assert getattr(item, member).__doc__
+
+
+def commands() -> dict:
+    return next(a for a in parser()._actions if a.choices and "list" in a.choices).choices
+
+
+@pytest.mark.parametrize("verb", sorted(commands()))
+def test_help_has_examples_that_parse(verb: str) -> None:
+    assert verb in EXAMPLES, f"add examples of {verb} to symscrew/cli/help.py"
+    assert "examples:" in commands()[verb].format_help()
+    for line in EXAMPLES[verb]:
+        words = shlex.split(line.partition(" | ")[0].partition(" && ")[0])
+        assert words[:2] == ["symscrew", verb]
+        parser().parse_args(words[1:])
+
+
+@pytest.mark.tools
+def test_pages_are_built_and_ask_the_network_for_nothing(tmp_path: Path) -> None:
+    """`mkdocs build --strict`: every page, formulas as MathML, doctests as code, scripts and styles in the folder."""
+    for needed in ("mkdocs", "mkdocstrings", "material", "latex2mathml"):
+        pytest.importorskip(needed, reason='building the pages needs: pip install ".[docs]"')
+    command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(tmp_path)]
+    environment = {**os.environ, "NO_MKDOCS_2_WARNING": "1"}
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[-2000:]
+    texts = {page: (tmp_path / page).with_suffix(".html").read_text() for page in map(identity, PAGES)}
+    for page, text in texts.items():
+        assert not re.findall(r"<(?:script|link|img)[^>]*(?:src|href)=\"(?:https?:)?//", text), page
+        outside = re.sub(r"<(pre|code|script)\b.*?</\1>", "", text, flags=re.S)
+        assert not re.search(r"\\\(|\\\[|&gt;&gt;&gt;|arithmatex", outside), page
+    formulas = len(re.findall(r"\\\(.*?\\\)|\$\$.*?\$\$", (DOCS / "theory.md").read_text(), re.S))
+    assert texts["theory.md"].count("<math") == formulas > 30
