@@ -37,7 +37,7 @@ SCHEMES: tuple[tuple[str, Transcription], ...] = (
 
 
 @dataclass(frozen=True)
-class Point:
+class Solve:
     """One solve: the scheme, its intervals, processor time [s], iterations, cost, its error, error of the dynamics."""
 
     scheme: str
@@ -56,7 +56,7 @@ class TranscriptionStudy:
     problem: str
     reference: float
     reference_error: float
-    points: tuple[Point, ...]
+    points: tuple[Solve, ...]
     left_out: tuple[str, ...]
 
     def __repr__(self) -> str:
@@ -137,7 +137,7 @@ def _reference(problem: TrajectoryProblem, prepared: Prepared) -> tuple[float, f
     return costs[1], abs(costs[1] - costs[0])
 
 
-def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, *, reference: float, repeats: int) -> Point:
+def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, *, reference: float, repeats: int) -> Solve:
     least, found = np.inf, None
     for _ in range(repeats):
         began = time.process_time()
@@ -148,7 +148,7 @@ def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, *, referen
         raise ArithmeticError(found.status)
     n = len(found.mesh) - 1
     error = abs(found.cost - reference)
-    return Point(name, n, least, found.statistics.iterations, found.cost, error, found.errors.dynamic)
+    return Solve(name, n, least, found.statistics.iterations, found.cost, error, found.errors.dynamic)
 
 
 def _drawn(found: TranscriptionStudy, path: Path) -> None:
