@@ -16,7 +16,8 @@ from support.model_states import model, relative
 
 from symscrew.export.c import print_c, print_source
 from symscrew.model import Model, derive
-from symscrew.program.straight_line import Instruction, Port, Program, evaluate
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Instruction, Port, Program
 from symscrew.runtime.compiled import CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 
 pytestmark = [pytest.mark.optimised, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]

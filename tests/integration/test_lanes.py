@@ -20,6 +20,7 @@ from symscrew.program.lanes.lane_padding import padded
 from symscrew.program.lanes.lane_signs import Part, fewest_flips
 from symscrew.program.lanes.pack_plan import Code, Plan
 from symscrew.program.lanes.packs import Pack, Packing, packed
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Instruction, Program
 from symscrew.runtime.compiled import find_compiler, load
 
@@ -83,7 +84,7 @@ def evaluated(slots: list[int], found: Packing, state: list[float]) -> list[floa
 def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> None:
     program, found = packing(name, function)
     state = [float(x) for port in model(name).test_inputs[function] for x in np.atleast_2d(port)[0]]
-    results = program(*(np.atleast_2d(x)[0] for x in model(name).test_inputs[function]))
+    results, _ = evaluate(program, [np.atleast_2d(x)[0] for x in model(name).test_inputs[function]])
     outputs = np.concatenate([np.ravel(r) for r in results])
     listed = [slot for slots in program.results for slot in slots]
     slots = [slot for slot in listed if isinstance(slot, int)]

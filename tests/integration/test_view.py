@@ -18,7 +18,7 @@ from symscrew.cli.parser import main
 from symscrew.description import toml_file
 from symscrew.display.view.motion_file import read_motion
 from symscrew.display.view.page import make_page
-from symscrew.display.view.page_data import MAX_FRAMES, scene
+from symscrew.display.view.page_data import MAX_FRAMES, page_scene
 from symscrew.errors import DescriptionError
 from symscrew.export.javascript import print_javascript
 from symscrew.export.listing import live_instructions
@@ -69,7 +69,7 @@ def test_page_is_one_file_that_asks_for_nothing(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_data_names_what_the_functions_return(name: str) -> None:
     found = model(name)
-    data = scene(found)
+    data = page_scene(found)
     screws = found.programs["joint_screws"].outputs[0].labels
     for joint in data["joints"]:
         for k in range(len(joint["kinds"])):
@@ -88,7 +88,7 @@ def test_data_names_what_the_functions_return(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_outlines_meet_in_the_joints(name: str) -> None:
-    data = scene(model(name))
+    data = page_scene(model(name))
     for joint in data["joints"]:
         for k in (joint["parent"], joint["child"]):
             body = data["bodies"][k]
@@ -103,7 +103,7 @@ def _in_plane(point: Array, corners: Array) -> bool:
 
 
 def test_which_margins_are_squared_is_read_from_the_functions() -> None:
-    squared = {m["name"]: m["squared"] for m in scene(model("three_ups_upu_s"))["margins"]}
+    squared = {m["name"]: m["squared"] for m in page_scene(model("three_ups_upu_s"))["margins"]}
     assert squared == {
         "limb1": False, "limb2": False, "limb3": False, "limb4": False, "limb5": False, "constraint": False,
         "actuation": True,
@@ -151,7 +151,7 @@ def test_long_motion_is_thinned_with_both_ends(tmp_path: Path) -> None:
     for name in ("q", "v", "u"):
         arrays[name] = np.repeat(arrays[name][:1], count, axis=0)
     np.savez(tmp_path / "run.npz", **{**arrays, "t": np.linspace(0.0, 9.0, count)})
-    motion = scene(model("three_ups_upu_s"), read_motion(tmp_path / "run.npz"))["motion"]
+    motion = page_scene(model("three_ups_upu_s"), read_motion(tmp_path / "run.npz"))["motion"]
     t = np.frombuffer(base64.b64decode(motion["arrays"]["t"]), "<f4")
     assert len(t) == motion["frames"] == MAX_FRAMES and motion["recorded"] == count
     assert (t[0], t[-1]) == (0.0, 9.0) and np.diff(t).max() < 1.5 * np.diff(t).min()

@@ -89,7 +89,7 @@ def test_least_time_of_the_seed(preload: float) -> None:
     found = solve(seed(**MINIMUM_TIME, transcription=COARSE, **rule))
     assert found.ok
     assert found.duration == pytest.approx(0.2516 if preload else 0.2011, abs=2e-4)
-    slope, u = switching(found), found.drives_at_points
+    slope, u = switching(found, found.costates), found.drives_at_points
     assert np.abs(found.sample().u).max() < 60 * (1 + 1e-6)  # between the points as well
     if preload:
         middle = (u.max(axis=1) + u.min(axis=1)) / 2

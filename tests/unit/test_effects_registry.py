@@ -27,7 +27,8 @@ from symscrew.export.manifest_file import effect_from_json, effect_to_json
 from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.kinematics.system import System
-from symscrew.program.straight_line import evaluate, lower
+from symscrew.program.lowering import lower
+from symscrew.program.numpy_evaluation import evaluate
 
 PACKAGE = Path(symscrew.__file__).parent
 SEED, CRANK = "three_ups_upu_s", "slider_crank"
