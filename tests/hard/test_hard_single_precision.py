@@ -21,7 +21,10 @@ from symscrew.simulation.initial import initial_state
 from symscrew.studies.accuracy.run_history import read_reference
 from symscrew.studies.platform_motion import coordinate_rates
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
+pytestmark = [
+    pytest.mark.optimised,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code"),
+]
 
 
 def compiled(found: Model, names: Sequence[str], precision: str | None = None) -> list[Callable]:
