@@ -261,9 +261,9 @@ from runs import compiled, error_of, run_of, scene_of
 from symscrew.scene import Initial
 from symscrew.simulation import native
 
-native.FLAGS = (*native.FLAGS, "-O1")
+native.NATIVE_FLAGS = (*native.NATIVE_FLAGS, "-O1")
 model, plant, _ = compiled("bricard")
-flags = (*native.FLAGS, *{flags!r})
+flags = (*native.NATIVE_FLAGS, *{flags!r})
 other = native.Library(plant, "", flags)
 scene = replace(scene_of("bricard", tolerance=1e-9), initial=Initial(rates={{"R1": 1e-310}}))
 first, second = run_of("bricard", scene), run_of("bricard", scene, other)

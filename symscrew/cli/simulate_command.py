@@ -25,9 +25,9 @@ def run(options: argparse.Namespace) -> int:
         raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
     scene = load_scene(options.scene)
     if options.emit_c:
-        from symscrew.simulation import emit
+        from symscrew.simulation import write_loop
 
-        for path in emit(scene, Path(options.emit_c)):
+        for path in write_loop(scene, Path(options.emit_c)):
             print(path)
         if not (out or picture or options.json):
             return 0

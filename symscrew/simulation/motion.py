@@ -2,26 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 from symscrew.program import Program
+from symscrew.runtime import find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
 from symscrew.simulation.initial import initial_state, initial_states, moves
-from symscrew.simulation.recording import History
+from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
+from symscrew.simulation.portable import Controller, integrate
+from symscrew.simulation.recording import History, State
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
 
 Progress = Callable[[float], None]
-Callback = Callable[[float, np.ndarray, np.ndarray], object]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Run:
     """What a run gave: arrays over its n outputs, what it met, and how it ended.
 
@@ -49,6 +52,10 @@ class Run:
     x_labels: tuple[str, ...] = ()
     backend: str = "c"
     inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        end = float(self.t[-1]) if len(self.t) else 0.0
+        return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"
 
     @property
     def energy_error(self) -> float:
@@ -89,7 +96,7 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
 def simulate(
     scene: Scene,
     *,
-    controller: Callback | None = None,
+    controller: Controller | None = None,
     backend: str | None = None,
     progress: Progress | None = None,
     prepared: tuple[Model, Plant] | None = None,
@@ -114,25 +121,31 @@ def simulate(
     x = initial_states(scene, model)
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
-    history = _integrated(scene, programs, (q, v, x), contacts, controller, backend, progress)
+    history = _integrated(
+        scene, programs, (q, v, x), contacts=contacts, controller=controller, backend=backend, progress=progress
+    )
     if controller is None:
         history = with_longest_stable_step(scene, programs, history, (q, v, x))
     history = replace(history, events=(*moves(scene, model, q, v), *history.events))
     return _observed(scene, model, programs, history)
 
 
-def _integrated(scene, programs, start, contacts, controller, backend, progress) -> History:  # type: ignore[no-untyped-def]
-    from symscrew.runtime import find_compiler
-    from symscrew.simulation import native
-
-    own = scene.integrator.method in native.NATIVE_METHODS and not contacts and controller is None
+def _integrated(
+    scene: Scene,
+    programs: Plant,
+    start: State,
+    *,
+    contacts: Sequence[Contact],
+    controller: Controller | None,
+    backend: str | None,
+    progress: Progress | None,
+) -> History:
+    own = scene.integrator.method in NATIVE_METHODS and not contacts and controller is None
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
         raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
     if chosen == "c" and own:
-        return native.integrate_natively(scene, programs, start, progress)
-    from symscrew.simulation.portable import integrate
-
+        return integrate_natively(scene, programs, start, progress)
     return integrate(
         scene, programs, start, contacts=contacts, controller=controller, compiled=chosen == "c", progress=progress
     )

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time
+
 
 @dataclass(frozen=True)
 class Passage:
