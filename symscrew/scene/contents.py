@@ -1,4 +1,7 @@
-"""What a scene is, as immutable data."""
+"""What a scene is, as immutable data.
+
+mechanism + effects + start + drives (expressions of t, q, v, states, tables) + integrator = Scene
+"""
 
 from __future__ import annotations
 

@@ -45,6 +45,7 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.scene.contents import INTERPOLATIONS, Initial, Integrator, Scene, Table
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
 
+# sections and their keys, as people write them
 KEYS: dict[str, tuple[str, ...]] = {
     "scene": ("name", "mechanism", "description", "duration", "rate", "reactions"),
     "initial": ("coordinates", "rates", "hold"),
@@ -53,7 +54,7 @@ KEYS: dict[str, tuple[str, ...]] = {
 SECTIONS = (*KEYS, "effects", "parameters", "tables", "signals", "states", "drives", "inputs")
 MOST_OUTPUTS = 2_000_000  # some GB with forty coordinates; a scene that asks for more is refused
 LONGEST_TABLE = 100_000  # its pieces become constant data of a C file; a longer one is refused
-RESERVED = ("t", "x", "u", "s", "p", "work")
+RESERVED = ("t", "x", "u", "s", "p", "work")  # names of expressions and of the last state, not for signals
 
 
 def load_scene(path: str | Path) -> Scene:
@@ -66,7 +67,13 @@ def load_scene(path: str | Path) -> Scene:
 
 
 def parse_scene(text: str, *, folder: Path | None = None, name: str = "scene") -> Scene:
-    """The scene that a TOML text describes; files it names are looked for in `folder`."""
+    """The scene that a TOML text describes; files it names are looked for in `folder`.
+
+    `name`: what the scene is called where its text does not say.
+
+    Raises:
+        DescriptionError: it says where and what is wrong in the text, and the cure.
+    """
     tables = read_tables(text)
     check_sections(tables, SECTIONS, KEYS, ("effects",))
     if "scene" not in tables:

@@ -1,4 +1,7 @@
-"""Where a run begins: the scene's coordinates and rates put in, everything else assembled."""
+"""Where a run begins: the scene's coordinates and rates put in, everything else assembled.
+
+reference configuration --strides to the given coordinates, Newton's method--> q;    J v = 0, given rates --> v
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,9 @@ STEP_RANK, RATE_RANK = 1e-10, 1e-11
 
 
 def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Configuration and rates (nq,), (nv,) that close all loops and have the scene's values.
+    """Configuration (nq,) [rad, m] and rates (nv,) [rad/s, m/s] that close all loops and have the scene's values.
+
+    `parameters`: values of the run-time parameters (np,).
 
     Raises:
         DescriptionError: an unknown label, loops that cannot be closed with these values, rates that contradict
@@ -73,7 +78,7 @@ def moves(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str
 
 
 def initial_states(scene: Scene, model: Model) -> np.ndarray:
-    """Values of the states at the start: those of the effects, then those of the controller."""
+    """Values of the states at the start (states,): those of the effects, then those of the controller."""
     effects = [state.initial for state in Acting(model.system, model.effects).states]
     return np.array([*effects, *(value for _, value in scene.states.values())], dtype=float)
 

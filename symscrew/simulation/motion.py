@@ -1,4 +1,7 @@
-"""A run of a scene: integrate it, look at it at every output, say what happened."""
+"""A run of a scene: integrate it, look at it at every output, say what happened.
+
+Scene --prepare--> Model, Plant --initial_state--> q, v --integrate--> History --energy, reactions, errors--> Run
+"""
 
 from __future__ import annotations
 
@@ -76,7 +79,13 @@ class Crossing:
 
 
 def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
-    """The model of a scene and its programs."""
+    """The model of a scene and its programs.
+
+    `held`: the drives come from outside (a controller in Python) and are held during a step.
+
+    Raises:
+        DescriptionError: the effects leave no forward dynamics, or the scene commands what a contact determines.
+    """
     model = derive(scene.mechanism, scene.effects)
     if "forward_dynamics" not in model.programs:
         raise DescriptionError(
@@ -105,7 +114,8 @@ def simulate(
 
     Args:
         scene: what to simulate.
-        controller: a callable (t, q, v) -> u in place of the scene's drives, called at every evaluation.
+        controller: a callable (t [s], q (nq,), v (nv,)) -> u (drives,) [N, N m] in place of the scene's drives, called
+            at every evaluation.
         backend: "c" (compiled) or "numpy"; default: "c" where there is a C compiler and the method is one of ours.
         progress: called with the part done, 0 to 1.
         prepared: model and programs of an earlier `prepare(scene)`, to save time.
@@ -115,6 +125,7 @@ def simulate(
 
     Raises:
         DescriptionError: the scene's start or controller cannot work.
+        ValueError: an unknown backend.
     """
     model, programs = prepared or prepare(scene, held=controller is not None)
     q, v = initial_state(scene, model, programs.parameters)

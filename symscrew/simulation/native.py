@@ -1,4 +1,7 @@
-"""The compiled run: generated functions and the integration loop in one C file, called once per run."""
+"""The compiled run: generated functions and the integration loop in one library, called once per portion of steps.
+
+Plant, tables --run_source, C compiler--> Library --start, advance--> RunLog --> History
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ NATIVE_METHODS = {name: m.kernel for name, m in INTEGRATION_METHODS.items() if m
 GOING_ON = 1  # outcome of the compiled loop: its portion of steps is used up
 
 
-MOST_CROSSINGS = 10_000  # singular configurations that a run records; the run goes on beyond, unrecorded
+MOST_CROSSINGS = 10_000  # singular configurations that a run records; it goes on beyond, and an event says so
 LOCAL, LEAST = 1e-3, 3e-15  # local errors are a part of the error aimed at, but not below rounding of a step
 
 
@@ -43,11 +46,11 @@ class RunLog:
     met: np.ndarray
 
     @staticmethod
-    def empty(library: Library, times: np.ndarray, most_crossings: int = MOST_CROSSINGS) -> RunLog:
+    def empty(library: Library, times: np.ndarray, most_crossings: int | None = None) -> RunLog:
         """Room for samples at all times."""
         q, v, x = (np.zeros((len(times), max(library.plant.sizes[k], 1))) for k in "qvx")
         counts = (np.zeros(1, dtype=np.uintp) for _ in range(2))
-        return RunLog(times, q, v, x, np.zeros(most_crossings, dtype=library.crossing), *counts)
+        return RunLog(times, q, v, x, np.zeros(most_crossings or MOST_CROSSINGS, dtype=library.crossing), *counts)
 
 
 class Library:
@@ -168,8 +171,10 @@ def _history(library: Library, log: RunLog, outcome: int) -> History:
         text += (
             f"; the closure is near-singular there (smallest pivot {counters['pivot'] / plant.pivot:.2g} of regular)"
         )
+    full = int(log.met[0]) == len(log.crossings)
+    events = (f"{len(log.crossings)} singular configurations are recorded; later ones are not",) if full else ()
     passages = tuple(_passage(plant, c) for c in log.crossings[: int(log.met[0])])
-    return History(times, q, v, x, outcome == 0, text, "c", passages, (), counters)
+    return History(times, q, v, x, outcome == 0, text, "c", passages, events, counters)
 
 
 def _passage(plant: Plant, c: np.void) -> Passage:

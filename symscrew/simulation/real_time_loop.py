@@ -29,7 +29,11 @@ REAL_TIME = tuple(
 
 
 def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
-    """The programs of the loop: drives from outside unless the scene commands them, and `outside` inputs of effects."""
+    """The programs of the loop: drives from outside unless the scene commands them, and `outside` inputs of effects.
+
+    Raises:
+        DescriptionError: the integrator has no fixed step, or contacts switch by events.
+    """
     if scene.integrator.method not in REAL_TIME:
         raise DescriptionError(
             f"integrator.method: a loop for real time needs a fixed step, got {scene.integrator.method}; expected one "

@@ -1,4 +1,7 @@
-"""What an integrator hands over: samples, what it met, how it ended."""
+"""What an integrator takes and hands over: a state; samples, what it met, how it ended.
+
+State (q, v, x) --native, portable or sundials--> History
+"""
 
 from __future__ import annotations
 

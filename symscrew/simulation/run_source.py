@@ -20,6 +20,26 @@ from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.state_programs import Plant
 
 KERNELS = Path(__file__).parent / "kernels"
+# Distances from singular configurations, as parts of the smallest pivot that the closure has in regular ones.
+PIVOTS = {
+    "PIVOT": 1.0,
+    "ZONE": 0.02,  # nearer, nothing is corrected or evaluated, for it would be noise: interpolated from both sides
+    "CAREFUL": 0.25,  # nearer, steps follow the branch on charts; farther, they are projected, which is cheaper
+    "LOOK": 1e-3,  # a least pivot below it is a crossing that is reported, and rows with such pivots are its lost rows
+}
+# Without units: lengths are divided by the characteristic length.
+THRESHOLDS = {
+    "RANK_FLOOR": 1e-10,  # what is left of a row below it depends on the rows before; above, it is a row of its own
+    "CLOSED": 1e-14,  # opening of the loops at which corrections end: what rounding leaves
+    "NEARLY_CLOSED": 1e-12,  # an opening that no longer halves is good enough below it; above it the run stops
+    "STRIDE": 0.05,  # of a chart's scale: longest stride along a branch between two corrections
+    "SPACING": 0.015,  # of a chart's scale: least distance of the places between which the zone is interpolated
+    "REACH": 0.6,  # longest step in local coordinates: a chart is a good one within about half a radian
+    "CAREFUL_TOLERANCE": 4e-12,  # least local tolerance of careful steps: near the zone accelerations are noise
+    "DUST": 1e-150,  # slopes below it count as zero: their products would be denormal numbers, twelve times as slow
+}
+MOST_CORRECTIONS = 12  # Newton steps onto the loops, of which each doubles the digits; then the run stops
+# what stands for the tables of a scene that has none
 NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
 
 
@@ -68,14 +88,13 @@ def constants(plant: Plant) -> str:
         "FREE": nv - plant.rank, "NY": 2 * nv + nx, "PASSIVE": passive, "PLAIN_COUNT": len(plain),
         "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
         "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "ENTRIES": len(plant.entries),
-        "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": 12,
+        "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": MOST_CORRECTIONS,
         "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
     }  # fmt: skip
     reals = {
-        "PIVOT": plant.pivot, "ZONE": 0.02 * plant.pivot, "CAREFUL": 0.25 * plant.pivot, "LOOK": 1e-3 * plant.pivot,
-        "RANK_FLOOR": 1e-10, "CLOSED": 1e-14, "NEARLY_CLOSED": 1e-12, "STRIDE": 0.05, "SPACING": 0.015,
-        "REACH": 0.6, "CAREFUL_TOLERANCE": 4e-12, "DUST": 1e-150,
-    }  # fmt: skip
+        **{name: part * plant.pivot for name, part in PIVOTS.items()},
+        **THRESHOLDS,
+    }
     lines = [f"#define {name} {value}" for name, value in numbers.items()]
     lines += [f"#define {name} {decimal(float(value))}" for name, value in reals.items()]
     lines += [
@@ -199,7 +218,7 @@ def source(plant: Plant, tables: str = "") -> str:
 
 
 def table_code(tables: Sequence[Table]) -> str:
-    """`tables_at` in C: the polynomial pieces of every table as constant data, found by bisection."""
+    """`tables_at(t, s)` in C: the polynomial pieces of every table as constant data; "" for none."""
     if not tables:
         return ""
     lines = []

@@ -1,4 +1,7 @@
-"""A plant's functions for calls from Python: compiled where there is a compiler, else on NumPy."""
+"""A plant's functions for calls from Python: compiled where there is a compiler, else on NumPy.
+
+t, q, v, x --slopes--> v_dot, x_dot;    q, v near the closed loops --settle--> q, v on them
+"""
 
 from __future__ import annotations
 

@@ -15,8 +15,8 @@ from symscrew.scene import INTEGRATION_METHODS, Scene
 from symscrew.simulation.recording import History, State
 from symscrew.simulation.state_programs import Plant
 
-# Mean steps above this part of the longest stable one count as bound by it, and an event says so: controllers of the
-# step keep it between half of the limit and the limit. Below it accuracy chooses the steps.
+# Mean steps above this part of the longest stable one count as bound by it, and an event says so: a step that stability
+# bounds grows up to the limit and is cut back, so its mean is near the limit. Below, accuracy chose the steps.
 CLOSE = 0.5
 STEP = 1e-6  # of central differences: about the cube root of rounding, where its error and theirs are least
 

@@ -122,14 +122,10 @@ def plant(
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
     rows = np.array([1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows])
     closure, entries = _closure(model)
-    found: tuple[Front, ...] = ()
-    pivot = 1.0
-    if closure is not None:
-        found, pivot = _regular(model, units, rows, entries)
-    inputs = _inputs(ports, wiring)
+    found, pivot = _regular(model, units, rows, entries) if closure is not None else ((), 1.0)
     return Plant(
-        model, slopes, inputs, forward, closure, labels, units, rows, found, pivot, bool(work), values, tables,
-        tuple(outside), entries,
+        model, slopes, _inputs(ports, wiring), forward, closure, labels, units, rows, found, pivot, bool(work), values,
+        tables, tuple(outside), entries,
     )  # fmt: skip
 
 

@@ -1,4 +1,7 @@
-"""Stiff runs by CVODES of SUNDIALS, through CasADi: exact Jacobians from the programs."""
+"""Stiff runs by CVODES of SUNDIALS, through CasADi: exact Jacobians from the programs.
+
+slopes as a CasADi expression of (t, q, v, x) --CVODES (BDF, Newton)--> state at the next output --projection-->
+"""
 
 from __future__ import annotations
 
