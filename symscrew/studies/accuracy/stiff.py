@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from symscrew.scene import Scene
-from symscrew.simulation import Functions, Plant, RunError
+from symscrew.simulation import Plant, PlantFunctions, RunError
 from symscrew.studies.accuracy.formulations import TREE
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch
 
@@ -36,7 +36,7 @@ def stiff_setups(
     if importlib.util.find_spec("scipy") is None:
         missing.append("Radau and BDF of SciPy: SciPy is not installed")
     else:
-        functions = watch("compile", Functions, plant, list(scene.tables.values()), compiled=True)
+        functions = watch("compile", PlantFunctions, plant, list(scene.tables.values()), compiled=True)
         for method in SCIPY:
             curve = f"{method} of SciPy, {without}"
             setups += _setups(scene, curve, _by_scipy(scene, functions, start, method), error_of)
@@ -66,7 +66,9 @@ def _setup(scene, curve, tolerance, run_at, error_of) -> Setup:  # type: ignore[
     return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, {"panel": PANEL})
 
 
-def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> Callable[[float], tuple[float, Array]]:
+def _by_scipy(
+    scene: Scene, functions: PlantFunctions, start: tuple, method: str
+) -> Callable[[float], tuple[float, Array]]:
     from scipy import integrate
 
     nq, nv = functions.nq, functions.nv
@@ -80,7 +82,7 @@ def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> 
                 raise ArithmeticError(f"given up after {LONGEST:g} s")
             q, v = y[:nq], y[nq : nq + nv]
             try:
-                a, x_dot = functions.slopes(t, q, v, y[nq + nv :], nothing, nothing)
+                a, x_dot = functions.slopes(t, q, v, y[nq + nv :], u=nothing, outside=nothing)
             except RunError:  # the integrator then takes a smaller step
                 return np.full_like(y, np.nan)
             return np.concatenate([functions.coordinate_rates(q, v), a, x_dot])
@@ -99,7 +101,7 @@ def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> 
 def _by_cvodes(scene: Scene, plant: Plant, start: tuple, watch: Stopwatch) -> Callable[[float], tuple[float, Array]]:
     from symscrew.simulation import whole_run
 
-    functions = Functions(plant, list(scene.tables.values()), compiled=False)
+    functions = PlantFunctions(plant, list(scene.tables.values()), compiled=False)
     made: dict[float, Callable[[tuple], Array]] = {}
 
     def run(tolerance: float) -> tuple[float, Array]:
@@ -112,5 +114,5 @@ def _by_cvodes(scene: Scene, plant: Plant, start: tuple, watch: Stopwatch) -> Ca
     return run
 
 
-def _normalised(functions: Functions, states: Array) -> Array:
+def _normalised(functions: PlantFunctions, states: Array) -> Array:
     return np.array([functions.normalised(y[: functions.nq]) for y in states])
