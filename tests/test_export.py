@@ -20,12 +20,12 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
 from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
+from symscrew.generation.c_target import STRICT
 from symscrew.generation.folder import generate, render
+from symscrew.generation.value_comparison import relative_difference
 from symscrew.model import derive
 from symscrew.program.straight_line import COUNTED, Instruction
 from symscrew.runtime.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
-from symscrew.verification.agreement import relative_difference
-from symscrew.verification.regeneration import STRICT
 
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang")) if path]
 

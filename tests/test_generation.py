@@ -18,10 +18,10 @@ from symscrew.effects.external_wrench import ExternalWrench
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.export.manifest_file import OutputError
+from symscrew.generation import javascript_target
 from symscrew.generation.folder import TARGETS, generate
 from symscrew.model import derive
 from symscrew.runtime.compiled import load
-from symscrew.verification import agreement
 from symscrew.verification.regeneration import check
 
 
@@ -85,8 +85,8 @@ def test_check_covers_every_target(four_bar, tmp_path):
 def test_javascript_is_run_by_check(four_bar, tmp_path, monkeypatch):
     generate(four_bar, tmp_path / "out", ["javascript"])
     assert any("JavaScript agrees with the evaluator" in line for line in check(tmp_path / "out").lines)
-    doubled = agreement.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
-    monkeypatch.setattr(agreement, "NODE", doubled)
+    doubled = javascript_target.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
+    monkeypatch.setattr(javascript_target, "NODE", doubled)
     assert any("JavaScript" in line for line in failures(tmp_path / "out"))
 
 

@@ -14,6 +14,7 @@ from model_states import model, relative
 from symscrew import catalogue
 from symscrew.export.c import IN_LANES, print_c, print_source
 from symscrew.export.listing import checked_slots, live_instructions
+from symscrew.generation.c_target import STRICT
 from symscrew.model import derive
 from symscrew.program.lanes.correspondence import corresponding, signed
 from symscrew.program.lanes.lane_padding import padded
@@ -22,7 +23,6 @@ from symscrew.program.lanes.pack_plan import Code, Plan
 from symscrew.program.lanes.packs import Pack, Packing, packed
 from symscrew.program.straight_line import Instruction, Program
 from symscrew.runtime.compiled import compile_c, find_compiler, load
-from symscrew.verification.regeneration import STRICT
 
 PLATFORM = "inverse_dynamics_platform"
 CASES = [("three_ups_upu_s_physical", PLATFORM), ("delta", "velocity")]

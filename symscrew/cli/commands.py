@@ -79,15 +79,16 @@ def start_description(options: argparse.Namespace) -> int:
 def generate_code(options: argparse.Namespace) -> int:
     """`symscrew generate`."""
     from symscrew.display import Progress, show
-    from symscrew.generation import SINGLE_TARGETS, TARGETS, USUAL, generate
+    from symscrew.generation import TARGETS, USUAL, generate, printable, with_brought
 
     single = options.precision == "single"
     targets = [t for t in TARGETS if t in (options.target or (["c"] if single else USUAL))]
-    if options.embedded and not {"c", "external"} & set(targets):
+    if options.embedded and "c" not in with_brought(targets):
         raise UsageError("--embedded measures C; add it to --target")
-    doubles = [t for t in targets if t not in SINGLE_TARGETS]
+    possible = printable(options.precision)
+    doubles = [t for t in targets if t not in possible]
     if single and doubles:
-        raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(SINGLE_TARGETS)}")
+        raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(possible)}")
     progress = Progress()
     model = _chosen_functions(options, _derived(options, progress))
     measured = []
@@ -97,7 +98,9 @@ def generate_code(options: argparse.Namespace) -> int:
         with progress.step(f"measure on {core}"):
             measured.append(measure(model, core, options.precision))
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
-        files = generate(model, options.out, targets, precision=options.precision, measured=measured)
+        files = generate(
+            model, options.out, targets, precision=options.precision, measured=measured, hashes_only=options.hashes_only
+        )
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     show(("function", "operations"), rows)

@@ -111,6 +111,8 @@ def parser() -> argparse.ArgumentParser:
     generate.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     generate.add_argument("--one-mode", action="store_true", help=text)
+    text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
+    generate.add_argument("--hashes-only", action="store_true", help=text)
     text = "these functions only; default: all, which README.md of the output describes"
     generate.add_argument("--functions", nargs="+", metavar="NAME", help=text)
 
