@@ -92,6 +92,10 @@ class Acting(Parts):
         forgotten = [s.name for s in self.states if s.name not in self.state_rates]
         assert not forgotten, f"effects give no rate of their states {forgotten}"
 
+    def __repr__(self) -> str:
+        names = [port.name for port, _ in self.inputs]
+        return f"Acting({self.system.mechanism.name}: {len(self.loads)} loads, inputs {', '.join(names) or 'none'})"
+
     # -- what the ground does -----------------------------------------------------------------------------
 
     def accelerate_ground(self, acceleration: Vector) -> None:

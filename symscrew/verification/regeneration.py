@@ -37,7 +37,7 @@ from symscrew.model import Model, derive
 from symscrew.verification.embedded import CORES, measure, missing_tools
 
 VECTORS = "test_vectors.json"
-FIGURES = {"flash", "frame", "stack", "instructions"}
+FIGURES = {"flash", "frame", "stack", "instructions"}  # of a measured function, in ops.json
 
 
 @dataclass(frozen=True)
@@ -46,6 +46,10 @@ class CheckResult:
 
     ok: bool
     lines: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        failed = sum(": FAILED: " in line for line in self.lines)
+        return f"CheckResult({'ok' if self.ok else f'{failed} FAILED'} of {len(self.lines)} checks)"
 
 
 def check(directory: str | Path) -> CheckResult:
