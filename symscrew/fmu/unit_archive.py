@@ -47,6 +47,11 @@ def at_rest(mechanism: Mechanism, effects: Sequence[Effect]) -> Scene:
 def build_unit(scene: Scene, path: Path, *, version: int = 3) -> list[str]:
     """Write a scene as a functional mock-up unit with a binary for this system; returns notes for the user.
 
+    Args:
+        scene: its inputs that no table or expression gives become inputs of the unit, with the drives.
+        path: the archive, which is replaced whole.
+        version: of FMI, 2 or 3.
+
     Raises:
         DescriptionError: see `unit_contents`.
         CompileError: the compiler refused the unit's C.
@@ -84,6 +89,7 @@ def unit_contents(scene: Scene, *, version: int = 3) -> dict[str, bytes]:
     start = (q, v, initial_states(scene, plant.model))
     entries = [entry for port in given.values() for entry in port]
     listed = variables(plant, start, entries)
+    # the token names the sources, in which it stands itself: hashed first, then put in its place
     text = source(scene, plant, start, outside=len(entries), version=version)
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
     text = text.replace("@TOKEN@", token)

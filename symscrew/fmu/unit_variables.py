@@ -10,7 +10,7 @@ import numpy as np
 
 from symscrew.simulation import Plant
 
-DEFAULT_STEP = 1e-3  # [s], where the scene names none: RK4 errs by about (0.001 w)^4 for motion of w rad/s, 1e-12 at 1 rad/s
+DEFAULT_STEP = 1e-3  # [s], where the scene names none: RK4 errs by about (w step)^4, 1e-12 for motion of 1 rad/s
 Start = tuple[np.ndarray, np.ndarray, np.ndarray]  # q, v and the effects' states x at the start
 
 

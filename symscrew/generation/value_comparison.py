@@ -40,11 +40,14 @@ def compare_values(
 
 
 def relative_difference(expected: np.ndarray, got: np.ndarray) -> float:
-    """max |expected - got| over max |expected|, at least 1e-3; infinite if NaN does not meet NaN."""
+    """max |expected - got| over max |expected|, at least 1e-3; infinite if NaN does not meet NaN, infinity infinity."""
     if expected.shape != got.shape or not np.array_equal(np.isnan(expected), np.isnan(got)):
         return float("inf")
-    scale = max(float(np.nanmax(np.abs(expected), initial=0.0)), FLOOR)
-    return float(np.nanmax(np.abs(expected - got), initial=0.0)) / scale
+    # equal infinities would become NaN in their difference
+    difference = np.subtract(expected, got, out=np.zeros(expected.shape), where=expected != got)
+    largest = float(np.nanmax(np.abs(difference), initial=0.0))
+    scale = max(float(np.abs(expected[np.isfinite(expected)]).max(initial=0.0)), FLOOR)
+    return largest / scale
 
 
 def evaluated(evaluator: Evaluator, sizes: Sequence[int], inputs: Sequence[np.ndarray]) -> Results:

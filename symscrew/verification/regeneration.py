@@ -49,14 +49,22 @@ class CheckResult:
 
     def __repr__(self) -> str:
         failed = sum(": FAILED: " in line for line in self.lines)
-        return f"CheckResult({'ok' if self.ok else f'{failed} FAILED'} of {len(self.lines)} checks)"
+        count = f"{failed} of {len(self.lines)}" if failed else str(len(self.lines))
+        return f"CheckResult({'ok' if self.ok else 'FAILED'}: {count} checks)"
 
 
 def check(directory: str | Path) -> CheckResult:
     """Check one generated directory, or every one in a directory of such.
 
+    A file that differs or does not compile, a rise of operations and a number that is off are lines of the result,
+    not exceptions.
+
+    Args:
+        directory: what `generate` wrote, whole or with hashes only, or a directory of such folders.
+
     Raises:
-        OutputError: there is nothing generated at this place.
+        OutputError: there is nothing generated at this place, or a file that says what was generated cannot be read.
+        DescriptionError: mechanism.toml describes no mechanism.
     """
     root = Path(directory)
     if (root / "manifest.json").is_file():
@@ -125,6 +133,7 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
         "regressor": any("regressor" in name for name in functions),
         "one_mode": content.get("one_mode") is True,
     }
+    # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named
     chosen = content.get("independent") or None
     model = _selected(derive(mechanism, effects, **wanted), content)
     if chosen and model_hash(model) != content.get("hash"):

@@ -97,7 +97,7 @@ def test_from_hashes_to_files_and_back(folder: Path) -> None:
 
 def test_a_file_of_the_user_by_a_hashed_name_stays(folder: Path) -> None:
     (folder / "four_bar_numpy.py").write_text("mine")
-    with pytest.raises(OutputError, match="four_bar_numpy.py was not written by this tool"):
+    with pytest.raises(OutputError, match=r"four_bar_numpy\.py was not written by this tool"):
         generate(model("four_bar"), folder, ["numpy"])
     generate(model("four_bar"), folder, ["numpy"], hashes_only=True)
     assert (folder / "four_bar_numpy.py").read_text() == "mine"
