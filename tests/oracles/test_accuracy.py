@@ -308,7 +308,7 @@ def test_stiff_libraries_converge() -> None:
     scene = replace(load_scene(path), rate=1 / times[1], duration=times[-1])
     found, plant = prepare(scene)
     few = replace(reference, times=times, values=reference.values[:4])
-    setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), Stopwatch())
+    setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), watch=Stopwatch())
     assert not missing
     assert {setup.curve.split()[0] for setup in setups} == {"Radau", "BDF", "CVODES"}
     errors: dict[str, list[float]] = {}

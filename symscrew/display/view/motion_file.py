@@ -27,7 +27,7 @@ from symscrew.model import Model
 
 Array = np.ndarray
 NEEDED = ("t", "q", "v", "mechanism", "q_labels")
-MAX_ENTRIES = 50_000_000
+MAX_ENTRIES = 50_000_000  # of an array, 400 MB; a larger one is refused before it fills the memory
 
 
 @dataclass(frozen=True)

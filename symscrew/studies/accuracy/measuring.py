@@ -13,7 +13,8 @@ import numpy as np
 from symscrew.display import Progress
 from symscrew.studies.timing import Times, quartiles
 
-LEAST_ROUNDS = 3
+CACHES_DO_NOT_MATTER = 0.2  # s: a first run that takes longer counts, caches and pages are a small part of it
+LEAST_ROUNDS = 3  # of every setup, however long it takes: below, there are no quartiles
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,7 @@ def measured(
             errors[k] = float(setups[k].error())
             if not math.isfinite(errors[k] or 0.0):
                 errors[k], failures[k] = None, "the result is not finite"
-            if first > 0.2:  # so long that caches do not matter
+            if first > CACHES_DO_NOT_MATTER:
                 laps[k].append(first)
         except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
             failures[k] = str(error) or type(error).__name__

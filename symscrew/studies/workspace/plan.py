@@ -16,7 +16,7 @@ from symscrew.errors import DescriptionError, shorten
 
 UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "rad": 1.0, "deg": math.pi / 180}
 TILT, AZIMUTH = "tilt", "azimuth"
-MOST_CASES = 50_000_000
+MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
 _NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
 
 
