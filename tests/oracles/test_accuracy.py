@@ -360,7 +360,16 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
     from symscrew.studies.accuracy import every_study
 
     points = (Point("a", "", 0.5, quartiles([1.0])), Point("b", "", None, None, "a pivot is small"))
-    given = Study("forward", "A study", points, "error", "time", "ms", "none", None)
+    given = Study(
+        "forward",
+        "A study",
+        points,
+        error_label="error",
+        cost_label="time",
+        cost_unit="ms",
+        reference="none",
+        reference_error=None,
+    )
     usual = every_study.study_of
 
     def function(name: str, *arguments: object, full: bool):  # type: ignore[no-untyped-def]

@@ -86,21 +86,21 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "claims",
         f"Claims of the source paper on {model.name}",
         points,
-        "largest error of the drives [N]",
-        "time for all bodies of a state or step",
-        "ns",
-        "momentum screws differentiated in 60 digits; its difference to Newton-Euler in maximal coordinates. Mean "
-        "drives over a step: Gauss' rule of 8 points on the analytic drives",
-        own,
-        watch.seconds,
-        left_out,
-        (
+        error_label="largest error of the drives [N]",
+        cost_label="time for all bodies of a state or step",
+        cost_unit="ns",
+        reference="momentum screws differentiated in 60 digits; its difference to Newton-Euler in maximal coordinates. "
+        "Mean drives over a step: Gauss' rule of 8 points on the analytic drives",
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=left_out,
+        notes=(
             f"Motion: independent coordinates {AMPLITUDE:g} sin t, {AMPLITUDE:g} (1 - cos t), ... about the reference, "
             f"closed exactly; {COUNT} instants. States are given to all methods and not timed.",
             "Differences and the impulse form need one evaluation of the momentum screws a step: that at its start is "
             "known from the step before.",
         ),
-        tables,
+        tables=tables,
     )
 
 

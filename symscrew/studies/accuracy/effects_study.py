@@ -56,14 +56,15 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "effects",
         f"Simplifications of {model.name}",
         (*points, *failed),
-        "root mean square error / root mean square of the whole model's",
-        "operations of the function",
-        "operations",
-        "the whole model's own drives and accelerations; checked: drives against Newton-Euler in maximal coordinates",
-        _check(model, states),
-        watch.seconds,
-        (),
-        (f"States: {states.text}. Times: {timed}. Lengths are divided by the characteristic length.",),
+        error_label="root mean square error / root mean square of the whole model's",
+        cost_label="operations of the function",
+        cost_unit="operations",
+        reference="the whole model's own drives and accelerations; checked: drives against Newton-Euler in maximal "
+        "coordinates",
+        reference_error=_check(model, states),
+        preparation=watch.seconds,
+        left_out=(),
+        notes=(f"States: {states.text}. Times: {timed}. Lengths are divided by the characteristic length.",),
     )
 
 

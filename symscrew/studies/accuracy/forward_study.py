@@ -93,15 +93,15 @@ def study(
         "forward",
         f"Simulation of {scene.name}",
         points,
-        reference.error_label if reference is not None else "largest error of the coordinates [rad, m/m]",
-        "time per simulated second",
-        "ms",
-        text,
-        own,
-        watch.seconds,
-        (*(f"the formulation {kind}: this mechanism or scene does not have it" for kind in _missing(made)), *missing),
-        tuple(notes),
-        tables,
+        error_label=reference.error_label if reference is not None else "largest error of the coordinates [rad, m/m]",
+        cost_label="time per simulated second",
+        cost_unit="ms",
+        reference=text,
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=(*_missing(made), *missing),
+        notes=tuple(notes),
+        tables=tables,
     )  # fmt: skip
 
 
@@ -125,7 +125,9 @@ def beginning(scene: Scene, model: Model, plant: Plant) -> Start:
 
 
 def _missing(made: Formulated) -> list[str]:
-    return [kind for kind in FORMULATIONS if kind not in made.kinds and kind != TREE and TREE not in made.kinds]
+    """Why curves of a closed chain are not there."""
+    kinds = [kind for kind in FORMULATIONS if kind not in made.kinds and kind != TREE and TREE not in made.kinds]
+    return [f"the formulation {kind}: this mechanism or scene does not have it" for kind in kinds]
 
 
 def _judge(

@@ -88,20 +88,20 @@ def study(
         "growth",
         "Cost over the number of loops: N four-bars in a row",
         points,
-        "largest error of the cranks' angle [rad]",
-        "time per simulated second",
-        "ms",
-        "the pendulum of the same motion by DOP853 at 1e-13; its difference to a run at 1e-12",
-        max(float(s.facts["reference error"]) for s in setups if "reference error" in s.facts),
-        watch.seconds,
-        (),
-        (
+        error_label="largest error of the cranks' angle [rad]",
+        cost_label="time per simulated second",
+        cost_unit="ms",
+        reference="the pendulum of the same motion by DOP853 at 1e-13; its difference to a run at 1e-12",
+        reference_error=max(float(s.facts["reference error"]) for s in setups if "reference error" in s.facts),
+        preparation=watch.seconds,
+        left_out=(),
+        notes=(
             f"{DURATION:g} s through the singular positions. {FIXED}: RK4 with steps of {STEP:g} s, closed after every "
             f"step. {SIMULATED}: DOP853, tolerance {TOLERANCE:g}, its whole call. Compiled with {' '.join(FLAGS)}.",
             *_peers(path),
             "Exponents: slopes of log cost over log N over the larger half of the sizes; 1 is linear.",
         ),
-        {"Growth with N": _table(rows, points)},
+        tables={"Growth with N": _table(rows, points)},
     )
 
 

@@ -109,15 +109,17 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "momentum",
         f"Rates of the momentum screws of {model.name}",
         points,
-        "largest error of the drive forces [N]" if _forces(model) else "largest error of the drives [N or N m]",
-        "time for the rates of all momentum screws of a state",
-        "ns",
-        "central differences of the same momentum screws in 60 digits, h = 1e-20 (truncation below 1e-35); the stated "
-        "difference is that of the resulting drives to Newton-Euler with accelerations in maximal coordinates",
-        _check(model, states, exact, to_drives),
-        watch.seconds,
-        left_out,
-        (
+        error_label="largest error of the drive forces [N]"
+        if _forces(model)
+        else "largest error of the drives [N or N m]",
+        cost_label="time for the rates of all momentum screws of a state",
+        cost_unit="ns",
+        reference="central differences of the same momentum screws in 60 digits, h = 1e-20 (truncation below 1e-35); the "
+        "stated difference is that of the resulting drives to Newton-Euler with accelerations in maximal coordinates",
+        reference_error=_check(model, states, exact, to_drives),
+        preparation=watch.seconds,
+        left_out=left_out,
+        notes=(
             f"States: {len(states.q)} of {subject.states.text}; largest drive {largest:.4g}.",
             "Neighbouring states are given to the differences, and not timed. Steps h in seconds.",
         ),

@@ -66,15 +66,15 @@ def study(
         "kinematics",
         f"Joint positions of {model.name} from the motion of its platform",
         points,
-        "largest joint position error [rad, m]",
-        "time per simulated second",
-        "ms",
-        f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z solved with "
-        "the rates; its difference to closed-form inverse kinematics of its platform's poses",
-        own,
-        watch.seconds,
-        left_out,
-        (
+        error_label="largest joint position error [rad, m]",
+        cost_label="time per simulated second",
+        cost_unit="ms",
+        reference=f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z solved "
+        "with the rates; its difference to closed-form inverse kinematics of its platform's poses",
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=left_out,
+        notes=(
             f"Motion of section 5 of the source paper, {DURATION:g} s; all {motion.exact.shape[1]} displacements at "
             f"{OUTPUTS} instants. S = blockdiag, {6 * len(model.mechanism.limbs)} x {motion.exact.shape[1]}.",
             "Twists and poses of the platform are given to all methods beforehand and not timed.",

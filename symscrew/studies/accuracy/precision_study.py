@@ -51,15 +51,15 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "precision",
         f"Precision of the generated functions of {model.name}",
         points,
-        "largest error / largest output",
-        "time per evaluation",
-        "ns",
-        "the same program in long double (64-bit mantissa) at the same inputs, without guards; its own error against "
-        f"arithmetic of 60 digits at {CHECKED} states",
-        own,
-        watch.seconds,
-        tuple(left_out),
-        tuple(notes),
+        error_label="largest error / largest output",
+        cost_label="time per evaluation",
+        cost_unit="ns",
+        reference="the same program in long double (64-bit mantissa) at the same inputs, without guards; its own error "
+        f"against arithmetic of 60 digits at {CHECKED} states",
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=tuple(left_out),
+        notes=tuple(notes),
     )
 
 
