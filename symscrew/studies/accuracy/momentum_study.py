@@ -114,8 +114,9 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         else "largest error of the drives [N or N m]",
         cost_label="time for the rates of all momentum screws of a state",
         cost_unit="ns",
-        reference="central differences of the same momentum screws in 60 digits, h = 1e-20 (truncation below 1e-35); the "
-        "stated difference is that of the resulting drives to Newton-Euler with accelerations in maximal coordinates",
+        reference="central differences of the same momentum screws in 60 digits, h = 1e-20 (truncation below 1e-35); "
+        "the stated difference is that of the resulting drives to Newton-Euler with accelerations in maximal "
+        "coordinates",
         reference_error=_check(model, states, exact, to_drives),
         preparation=watch.seconds,
         left_out=left_out,

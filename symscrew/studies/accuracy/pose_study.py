@@ -69,8 +69,8 @@ def study(
         error_label="largest joint position error [rad, m]",
         cost_label="time per simulated second",
         cost_unit="ms",
-        reference=f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z solved "
-        "with the rates; its difference to closed-form inverse kinematics of its platform's poses",
+        reference=f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z "
+        "solved with the rates; its difference to closed-form inverse kinematics of its platform's poses",
         reference_error=own,
         preparation=watch.seconds,
         left_out=left_out,
