@@ -66,6 +66,10 @@ class Bill:
     operations: Mapping[str, int]
     nanoseconds: Mapping[str, float | None]
 
+    def __repr__(self) -> str:
+        counted = ", ".join(f"{name} {count}" for name, count in self.operations.items())
+        return f"Bill({self.name}: {len(self.items)} effects on {self.mechanism}, {counted} operations)"
+
     def values(self) -> dict[str, Any]:
         """Everything as numbers and texts, for JSON."""
         return asdict(self)

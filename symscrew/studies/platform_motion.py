@@ -58,6 +58,9 @@ class Motion:
     opening: float
     drift: float
 
+    def __repr__(self) -> str:
+        return f"Motion({len(self.t)} states to {self.t[-1]:g} s, loops open by {self.opening:.1e})"
+
 
 def integrate(
     model: Model,

@@ -43,6 +43,9 @@ class RecordedMotion:
     q_labels: tuple[str, ...]
     u_labels: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        return f"RecordedMotion({self.mechanism.name}: {len(self.t)} states from {self.t[0]:g} s to {self.t[-1]:g} s)"
+
     def check(self, model: Model) -> None:
         """Raises DescriptionError unless the columns are those of the model."""
         tree = model.system.tree

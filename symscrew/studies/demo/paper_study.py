@@ -75,6 +75,10 @@ class Case:
     derive_time: float
     compile_time: float
 
+    def __repr__(self) -> str:
+        methods = f"methods differ by {max(self.drive_difference, self.reaction_difference):.1e}"
+        return f"Case({self.mechanism.name}: {len(self.motion.t)} states, {methods})"
+
     @property
     def agrees(self) -> bool:
         """Whether both methods agree."""
@@ -108,6 +112,9 @@ class Demo:
     cases: tuple[Case, ...]
     assumption: Assumption
     statics: Statics
+
+    def __repr__(self) -> str:
+        return f"Demo({', '.join(map(repr, self.cases))})"
 
     @property
     def agrees(self) -> bool:

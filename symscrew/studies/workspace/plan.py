@@ -58,6 +58,10 @@ class Plan:
     chunk: int = 1024
     parameters: tuple[str, ...] = field(default=())
 
+    def __repr__(self) -> str:
+        over = ", ".join(axis.name for axis in self.axes) or "samples alone"
+        return f"Plan({self.mechanism.name}: {self.count} cases over {over})"
+
     @property
     def count(self) -> int:
         """Number of cases."""
