@@ -20,7 +20,8 @@ from symscrew.description import validation
 from symscrew.description.builder import MechanismBuilder
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
-from symscrew.program.straight_line import Iteration, Program, evaluate
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Iteration, Program
 from symscrew.runtime.compiled import find_compiler, load
 from symscrew.scene.contents import Initial
 from symscrew.scene.scene_file import load_scene

@@ -111,7 +111,7 @@ def test_at_rest_in_a_singular_configuration_the_run_says_so() -> None:
 def test_states_of_effects_through_singular_configurations() -> None:
     """The motor's current follows its own law on the second path too; every joule is accounted for."""
     from symscrew.effects import DcMotor
-    from symscrew.program.straight_line import evaluate
+    from symscrew.program.numpy_evaluation import evaluate
     from symscrew.simulation.motion import prepare
     from symscrew.simulation.scene_functions import Functions
 

@@ -14,9 +14,9 @@ from support.model_states import model
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.formats import by_suffix
-from symscrew.program.straight_line import evaluate
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.runtime.compiled import CompileError, find_compiler
-from symscrew.studies.benchmark import function_times, peers, pinocchio_build
+from symscrew.studies.benchmark import function_times, peers
 from symscrew.studies.benchmark.function_times import batch, single, throughput, time_functions
 from symscrew.studies.benchmark.timed_code import Compiled, states
 from symscrew.studies.timing import quartiles
@@ -71,16 +71,6 @@ def test_closed_chains_in_mujoco_are_soft_and_said_to_be() -> None:
         mujoco.mj_forward(made, data)
         got.append(data.qacc.copy())
     assert np.abs(np.array(got) - wanted).max() < 1e-3 * np.abs(wanted).max()
-
-
-@pytest.mark.slow
-@pytest.mark.tools
-def test_inverse_dynamics_of_a_closed_chain_beside_pinocchio_in_cpp(monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("pinocchio")
-    monkeypatch.setattr(pinocchio_build, "CPP_FLAGS", ("-O0", "-DNDEBUG"))  # agreement is tested here, not speed
-    rows, notes = time_functions(model("three_ups_upu_s_physical"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
-    others = [row for row in rows if row.variant.startswith("pinocchio")]
-    assert not notes and len(others) == 2 and all(row.agreement < 1e-9 for row in others)
 
 
 def test_another_library_agrees_before_it_is_timed() -> None:

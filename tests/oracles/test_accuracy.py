@@ -15,6 +15,7 @@ from symscrew.cli.parser import main
 from symscrew.display.terminal import Progress
 from symscrew.mobility.analysis import analyse_mobility
 from symscrew.model import Model, derive
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.reference.newton_euler_method import newton_euler
 from symscrew.runtime.compiled import find_compiler
 from symscrew.simulation.motion import simulate
@@ -121,7 +122,7 @@ def test_least_squares_step_in_c_is_that_of_numpy() -> None:
     chains = Chains(seed().mechanism)
     twist = np.array([0.1, -0.2, 0.05, 0.0, 0.0, 0.0])
     expected = least_squares(chains.matrix(chains.start()), twist)
-    (got,) = program(system.reference, twist)
+    (got,), _ = evaluate(program, [system.reference, twist])
     assert np.abs(got - expected).max() < 1e-12
 
 
@@ -156,7 +157,7 @@ def test_differences_have_their_order(order: int, steps: tuple[float, float]) ->
 def test_programs_for_other_number_types() -> None:
     program = only(seed().programs["momentum_screws"], ("momenta",))  # type: ignore[arg-type]
     found = states()
-    (expected,) = program(found.q[0], found.v[0])
+    (expected,), _ = evaluate(program, [found.q[0], found.v[0]])
     (digits,) = as_floats(in_digits(program, [found.q[0], found.v[0]]))
     assert np.abs(digits - expected).max() < 1e-14 * np.abs(expected).max()
     text = typed_function(program, "screws", COMPLEX)
@@ -203,7 +204,7 @@ def test_study_of_precision() -> None:
 
 def test_newton_euler_program_gives_the_rates_of_the_momentum_screws() -> None:
     found = states()
-    (wrenches,) = newton_euler_program(seed().system)(found.q, found.v, found.a)
+    (wrenches,), _ = evaluate(newton_euler_program(seed().system), [found.q, found.v, found.a])
     rates = seed()("momentum_rates", found.q, found.v, found.a)[0][0]
     assert np.abs(wrenches - rates).max() < 1e-13 * np.abs(rates).max()
 

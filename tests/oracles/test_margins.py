@@ -30,7 +30,8 @@ from symscrew.functions.platform import platform_functions
 from symscrew.kinematics.system import System, characteristic_length
 from symscrew.loops.dependent_rates import Loops
 from symscrew.model import Model
-from symscrew.program.straight_line import Iteration, Program, lower
+from symscrew.program.lowering import lower
+from symscrew.program.straight_line import Iteration, Program
 from symscrew.runtime.compiled import find_compiler, load
 
 MP = mpmath.mp.clone()

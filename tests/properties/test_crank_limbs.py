@@ -14,7 +14,7 @@ from symscrew.effects.gravity import Gravity
 from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
 from symscrew.model import Model, derive
 from symscrew.optimisation.motion_equations import PointEquations
-from symscrew.program.straight_line import evaluate
+from symscrew.program.numpy_evaluation import evaluate
 
 MECHANISMS = {
     "delta": lambda: catalogue.load("delta"),

@@ -11,7 +11,7 @@ from symscrew.effects.gravity import Gravity
 from symscrew.kinematics.tree import spanning_tree
 from symscrew.model import Model, derive
 from symscrew.optimisation.motion_equations import PointEquations
-from symscrew.program.straight_line import evaluate
+from symscrew.program.numpy_evaluation import evaluate
 
 LIMBS = {
     # joint points in the limb's radial plane (x outwards, z up) and axes, before turning the limb about z

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from symscrew import catalogue
-from symscrew.algebra.differentiation import count_operations
 from symscrew.algebra.nodes import Node, Tape
+from symscrew.algebra.traversal import count_operations
 from symscrew.description import toml_file
 from symscrew.dynamics.coriolis import still_forces
 from symscrew.dynamics.free_motion import Admissible
@@ -22,7 +22,7 @@ from symscrew.functions.forward import driven
 from symscrew.kinematics.system import System
 from symscrew.loops.dependent_rates import Loops
 from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
-from symscrew.program.reciprocals import shared_reciprocals
+from symscrew.program.passes.reciprocals import shared_reciprocals
 
 FRICTION = {"ur5": "shoulder_pan_joint", "three_ups_upu_s_physical": "limb1_P"}
 NAMES = ("three_ups_upu_s_physical", "stewart_6ups", "delta", "planar_3rrr", "sarrus", "andrews", "carried")

@@ -8,7 +8,7 @@ from support.model_states import ALL, body_states, by_joint, model, output, rela
 
 from symscrew.algebra.screws import Wrench
 from symscrew.kinematics.recursion import inertial_wrench
-from symscrew.program.straight_line import evaluate
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.reference.newton_euler_method import (
     constraint_residuals,
     joint_displacements,

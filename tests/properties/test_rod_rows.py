@@ -12,7 +12,7 @@ from support.rod_mechanisms import braced_arm, delta_text, hexapod, hung_platfor
 from test_loop_rows import sampled
 
 from symscrew import catalogue
-from symscrew.algebra.differentiation import inputs_of
+from symscrew.algebra.traversal import inputs_of
 from symscrew.description import toml_file
 from symscrew.description.mechanism import Mechanism
 from symscrew.kinematics.system import System

@@ -20,7 +20,7 @@ from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.kinematics.system import System
 from symscrew.model import Model, derive
-from symscrew.program.straight_line import lower
+from symscrew.program.lowering import lower
 from symscrew.reference.joint_motion import joint_displacements, joint_rates
 from symscrew.reference.maximal_coordinates import BodyState, cross, joint_screws, numeric, stack_states
 from symscrew.reference.newton_euler_method import newton_euler

@@ -8,7 +8,8 @@ from symscrew.algebra.nodes import Node, Tape
 from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
 from symscrew.model import Model
-from symscrew.program.straight_line import Function, Iteration, Port, Program, lower
+from symscrew.program.lowering import Function, lower
+from symscrew.program.straight_line import Iteration, Port, Program
 
 
 def port(name: str, size: int, unit: str = "m", shape: tuple[int, ...] | None = None) -> Port:

@@ -15,6 +15,7 @@ from symscrew.cli.parser import main
 from symscrew.display.shape import FLAT, body_points, plate
 from symscrew.display.view import motion_file
 from symscrew.display.view.motion_file import RecordedMotion
+from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.model import derive
 from symscrew.report import margin_maps, sections
@@ -155,3 +156,8 @@ def test_what_users_meet_shows_itself_in_a_line() -> None:
     assert repr(recorded) == "RecordedMotion(ur5: 3 states from 0 s to 2 s)"
     assert repr(Motion(t, many, many, many, many, 1e-15, 0.0)) == "Motion(3 states to 2 s, loops open by 1.0e-15)"
     assert repr(Document("Mechanism a", "", (Section("Overview", ()),))) == "Document(Mechanism a: Overview)"
+
+
+def test_a_plan_is_known_by_every_number_of_its_effects() -> None:
+    plans = [Plan(catalogue.load("ur5"), (Gravity((0, 0, g)),), ()) for g in ("-9.81", "-9.81", "-9.82")]
+    assert plans[0].hash == plans[1].hash != plans[2].hash

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from symscrew.algebra.nodes import Tape
-from symscrew.program.straight_line import Function, Port, evaluate, lower
+from symscrew.program.lowering import Function, lower
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Port
 
 
 def test_a_constant_is_not_the_input_of_that_number() -> None:

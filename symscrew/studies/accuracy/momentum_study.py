@@ -22,7 +22,7 @@ import numpy as np
 from symscrew.display import Progress
 from symscrew.errors import DescriptionError
 from symscrew.model import Model
-from symscrew.program import Program
+from symscrew.program import Program, evaluate
 from symscrew.reference import newton_euler
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code, one_file, pointer
@@ -144,7 +144,7 @@ def _screws(model: Model) -> Program:
 
 def momenta_of(model: Model, q: Array, v: Array) -> Array:
     """Momentum screws of all bodies (n, 6 bodies)."""
-    found: Array = _screws(model)(q, v)[0]
+    found: Array = evaluate(_screws(model), [q, v])[0][0]
     return found
 
 
@@ -314,7 +314,11 @@ def _compiled_setups(model: Model, states: States, error_of: Callable[[Array], f
 def _numpy_setups(model: Model, states: States, error_of: Callable[[Array], float]) -> list[Setup]:
     """One state at a time on NumPy, as a script has it."""
     one = States(states.q[:1], states.v[:1], states.a[:1], states.text)
-    screws = _screws(model)
+    program = _screws(model)
+
+    def screws(q: Array, v: Array) -> Array:
+        found: Array = evaluate(program, [q, v])[0][0]
+        return found
 
     def difference(h: float) -> Setup:
         before, after = neighbour(model, states, 0.0), neighbour(model, states, h)
@@ -322,11 +326,11 @@ def _numpy_setups(model: Model, states: States, error_of: Callable[[Array], floa
 
         def run() -> float:
             start = time.thread_time()
-            _ = (screws(*one_after)[0] - screws(*one_before)[0]) / h
+            _ = (screws(*one_after) - screws(*one_before)) / h
             return time.thread_time() - start
 
         def error() -> float:
-            return error_of((screws(*after)[0] - screws(*before)[0]) / h)
+            return error_of((screws(*after) - screws(*before)) / h)
 
         return Setup("first-order difference, NumPy", f"h = {h:.1e} s", run, error, 1.0, {"h": h})
 

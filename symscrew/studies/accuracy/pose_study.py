@@ -23,7 +23,7 @@ from symscrew.errors import DescriptionError
 from symscrew.functions import TWIST_LABELS, TWIST_UNITS, Motion, function, kinematic_functions, q_port
 from symscrew.kinematics import Link, System
 from symscrew.model import Model
-from symscrew.program import Port, Program, lower
+from symscrew.program import Port, Program, evaluate, lower
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code, one_file, pointer
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch, Study, measured
@@ -245,7 +245,7 @@ def _compiled_setup(method: _Method, h: float, loop: _Loop, motion: PlatformMoti
         return taken
 
     def error() -> float:
-        return float(np.abs(loop.displacements(outputs)[0] - motion.exact).max())
+        return float(np.abs(evaluate(loop.displacements, [outputs])[0][0] - motion.exact).max())
 
     return Setup(method.curve, f"dt = {h:g} s", run, error, DURATION, {"dt": h})
 

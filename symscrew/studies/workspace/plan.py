@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import re
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
@@ -75,7 +75,7 @@ class Plan:
     @property
     def hash(self) -> str:
         """SHA-256 of all that determines the results, 16 hex digits."""
-        effects = [(type_name(e), repr(e)) for e in self.effects]
+        effects = [(type_name(e), {field.name: getattr(e, field.name) for field in fields(e)}) for e in self.effects]
         rest = asdict(replace(self, mechanism=None, effects=()))  # type: ignore[arg-type]
         text = json.dumps([to_toml(self.mechanism), effects, rest], sort_keys=True, default=repr)
         return hashlib.sha256(text.encode()).hexdigest()[:16]

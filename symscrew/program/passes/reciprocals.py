@@ -1,7 +1,12 @@
 """Divisions that follow from others: where 1 / (x y) is needed anyway, 1 / x is y times that.
 
 A division takes as long as four to eight products. The pivots of a limb are often products of each other: the length
-of a leg, and its length times the cosine of its lean.
+of a leg, and its length times the cosine of its lean. A division per leg goes in 30 functions of the seed and 14 of
+the Stewart platform, for 0 to 3 products each.
+
+Left out, single calls take this much more (+) or less time, limb by limb / with limbs in lanes: seed drives +11 / +1 %,
+reactions +5 / +16 %, forward dynamics -2 / -1 %; 6-UPS drives +8 / -1 %, reactions +2 / +6 %, forward dynamics
+-5 / -5 %, where the divisions do not wait for each other.
 """
 
 from __future__ import annotations
