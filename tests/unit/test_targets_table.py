@@ -9,7 +9,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-from model_states import model
+from support.model_states import model
 
 from symscrew.cli.parser import main
 from symscrew.generation import TARGETS, USUAL, generate, printable, render, with_brought
