@@ -11,6 +11,7 @@ import numpy as np
 from symscrew.optimisation.casadi_graph import numeric
 from symscrew.optimisation.constraints import closure_rows, condition_rows
 from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Row
@@ -140,7 +141,7 @@ class Kinematics:
 
     def place(self, conditions: Conditions, where: str, near: np.ndarray) -> Placement:
         """A configuration near another that meets conditions (rates left aside), by damped least squares."""
-        blocks = self.model.blocks(moving=False)
+        blocks = point_symbols(self.model, moving=False)
         at = MotionQuantities(self.model, blocks)
         labels = self.model.equations.labels
         rows = [*closure_rows(at), *condition_rows(at, replace(conditions, rates={}, at_rest=False), where)]

@@ -19,6 +19,7 @@ import numpy as np
 from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.planned_motion import PlannedMotion
+from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.rows import PointFunction
 
 
@@ -57,7 +58,7 @@ class Deviation:
 def deviation_of(motion: PlannedMotion, blocks: dict[str, np.ndarray], tau: np.ndarray) -> Deviation:
     """The deviation's equation at relative times tau, where the motion has the given unknowns."""
     model = motion.model
-    symbols = model.blocks(moving=True)
+    symbols = point_symbols(model, moving=True)
     at = MotionQuantities(model, symbols)
     residual = run(model.equations.dynamics, at.known)["residual"]
     closure = run(model.equations.closure, at.known)["closure"]

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from symscrew.optimisation.deviation import deviation_of, stacked
+from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.planned_motion import PlannedMotion
 from symscrew.optimisation.rows import PointFunction
 from symscrew.optimisation.sparse import Family
@@ -154,7 +155,11 @@ def _cost_error(
 def _excess(motion: PlannedMotion, u: np.ndarray, slope: np.ndarray, curvature: np.ndarray) -> tuple[np.ndarray, float]:
     """How much the Hamiltonian exceeds its minimum over the drives' bounds (n,), and how far drives leave bounds."""
     total, beyond = np.zeros(len(u)), 0.0
-    if motion.problem.drive_rule != "free" or motion.problem.bounds.drive_rates or "peak" in motion.model.kinds:
+    if (
+        motion.problem.drive_rule != "free"
+        or motion.problem.bounds.drive_rates
+        or not all(made.pointwise for made, _ in objectives_by_type(motion.model))
+    ):
         return total, beyond  # drives are tied to each other over time: no pointwise minimum
     for j, label in enumerate(motion.drive_labels):
         low, high = motion.model.drive_range(label)

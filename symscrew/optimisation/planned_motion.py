@@ -143,12 +143,11 @@ class PlannedMotion:
             "x": arrays["x"][k],
         }
         result["u"] = mixed(scheme.bernstein(s), "u")
-        for name in ("positive_power", "distribution", "x_1"):
-            if name in arrays:
-                result[name] = mixed(second, name)
+        own = [name for name, array in arrays.items() if array.ndim == 3 and name not in ("y_2", "z", "u")]
+        result |= {name: mixed(second, name) for name in own}
         if "x_1" in arrays:
             result["x"] = result["x"] + h * mixed(sums, "x_1")
-        if "jerk" in self.model.kinds:
+        if "y_3" in self.transcribed.families[0].function.blocks:
             slopes = second @ scheme.slope()  # the slope is a polynomial through its values at the nodes
             result["y_3"] = mixed(slopes, "y_2") / h
         return result

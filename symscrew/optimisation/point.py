@@ -5,17 +5,36 @@ PointModel --unknowns--> MotionQuantities --constraints, objectives--> PointFunc
 
 from __future__ import annotations
 
+import casadi as ca
+
 from symscrew.optimisation.constraints import bound_rows, closure_rows, condition_rows, dynamic_rows, rule_rows
 from symscrew.optimisation.motion_quantities import MotionQuantities
-from symscrew.optimisation.objectives import integrand
+from symscrew.optimisation.objectives import integrand, objectives_by_type
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import PointFunction
 
 
+def point_symbols(model: PointModel, *, moving: bool) -> dict[str, ca.SX]:
+    """Symbols of a point's unknowns; those of drives, effects and objectives only where it is `moving`."""
+    d, nx = model.d, len(model.states)
+    sizes = {"y": d, "y_1": d, "z": len(model.equations.layout.z)}
+    if moving:
+        types = [made for made, _ in objectives_by_type(model)]
+        sizes |= {"y_2": d, "u": len(model.drive_labels), "x": nx, "x_1": nx}
+        sizes |= {name: d for made in types for name in made.derived}
+        sizes |= {group.name: len(group.labels) for made in types for group in made.unknowns(model)}
+        if model.problem.drive_rule == "least_squares":
+            sizes["distribution"] = d
+    else:
+        sizes["y_2"] = 0
+    sizes |= {"T": int(model.problem.free_duration), "p": len(model.design), "tau": 1}
+    return {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+
+
 def collocation_point(model: PointModel) -> PointFunction:
     """A point at which the equations of motion hold."""
-    blocks = model.blocks(moving=True)
+    blocks = point_symbols(model, moving=True)
     at = MotionQuantities(model, blocks)
     rows = [*closure_rows(at), *dynamic_rows(at), *rule_rows(at), *bound_rows(at)]
     cost, needed = integrand(at)
@@ -24,6 +43,6 @@ def collocation_point(model: PointModel) -> PointFunction:
 
 def observation_point(model: PointModel, conditions: Conditions, where: str) -> PointFunction:
     """A point at which conditions hold that are not linear in y and its rates."""
-    blocks = model.blocks(moving=False)
+    blocks = point_symbols(model, moving=False)
     at = MotionQuantities(model, blocks)
     return PointFunction(blocks, (*closure_rows(at, where), *condition_rows(at, conditions, where)))

@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-import casadi as ca
-
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions import joint_freedom_labels, u_port
 from symscrew.optimisation.motion_equations import PointEquations
@@ -38,11 +36,6 @@ class PointModel:
     def d(self) -> int:
         """Number of independent coordinates."""
         return len(self.equations.labels)
-
-    @cached_property
-    def kinds(self) -> tuple[str, ...]:
-        """Types of the objectives that need unknowns or blocks of their own."""
-        return tuple(o.type for o in self.problem.objectives)
 
     def _check_names(self) -> None:
         problem, bounds = self.problem, self.problem.bounds
@@ -91,22 +84,3 @@ class PointModel:
     def drive_range(self, label: str) -> tuple[float, float]:
         """Bounds of a drive."""
         return self.problem.bounds.drives.get(label, (-INFINITY, INFINITY))
-
-    # -- points ---------------------------------------------------------------------------------------------------
-
-    def blocks(self, *, moving: bool) -> dict[str, ca.SX]:
-        """Symbols of a point's unknowns; those of drives and effects only where it is `moving`."""
-        nz, nu, nx = len(self.equations.layout.z), len(self.drive_labels), len(self.states)
-        sizes = {"y": self.d, "y_1": self.d, "z": nz}
-        if moving:
-            sizes |= {"y_2": self.d, "u": nu, "x": nx, "x_1": nx}
-            if "jerk" in self.kinds:
-                sizes["y_3"] = self.d
-            if "energy" in self.kinds:
-                sizes["positive_power"] = nu
-            if self.problem.drive_rule == "least_squares":
-                sizes["distribution"] = self.d
-        else:
-            sizes["y_2"] = 0
-        sizes |= {"T": int(self.problem.free_duration), "p": len(self.design), "tau": 1}
-        return {name: ca.SX.sym(name, size) for name, size in sizes.items()}

@@ -13,42 +13,38 @@ import casadi as ca
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.constraints import bound_rows, closure_rows
-from symscrew.optimisation.layout import Terms
+from symscrew.optimisation.linear_rows import LinearRows
 from symscrew.optimisation.motion_quantities import MotionQuantities
-from symscrew.optimisation.objectives import integrand
+from symscrew.optimisation.objectives import integrand, objectives_by_type
+from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.rows import PointFunction, Row
 from symscrew.optimisation.sparse import Family
-from symscrew.optimisation.tableau import Tableau
-from symscrew.optimisation.transcription import Collocation, LinearRows, Placer
+from symscrew.optimisation.time_grid import TimeGrid, mesh_of
+from symscrew.optimisation.transcription import Discretisation, Placer
+from symscrew.optimisation.unknowns import Terms
 
 NEWTON = 3  # from the stage before, a step apart: errors 1e-2, 1e-4, 1e-8, 1e-16
 
 
-class Shooting(Collocation):
+class Shooting(Discretisation):
     """Builds multiple shooting of a model on its mesh."""
 
     def __init__(self, model: PointModel) -> None:
-        unfit = {"energy", "jerk"} & set(model.kinds)
-        if unfit or model.problem.drive_rule != "free" or model.problem.via:
+        fits = all(made.shooting for made, _ in objectives_by_type(model))
+        if not fits or model.problem.drive_rule != "free" or model.problem.via:
             raise DescriptionError(
                 "transcription.method: shooting takes neither via conditions, a rule for the drives, nor the "
                 "objectives energy and jerk; use collocation"
             )
-        super().__init__(model)
-
-    def _scheme(self) -> Tableau:
-        return None  # type: ignore[return-value]
-
-    def _linear_rows(self) -> LinearRows:
-        return _ShootingRows(self)
+        super().__init__(model, TimeGrid(mesh_of(model.problem.transcription), None))
 
     # -- one interval -----------------------------------------------------------------------------------------
 
-    def _function(self) -> PointFunction:
+    def point_function(self) -> PointFunction:
         """Blocks of an interval: its start, its drives, its end; rows: closure, bounds at the start, defects."""
         model, scales = self.model, self.model.scales
-        start = model.blocks(moving=True)
+        start = point_symbols(model, moving=True)
         for name in ("y_2", "x_1"):
             start.pop(name, None)
         blocks = {**start, "step": ca.SX.sym("step")}
@@ -100,32 +96,29 @@ class Shooting(Collocation):
         model = self.model
         if not model.equations.layout.z:
             return y
-        parameters = MotionQuantities(model, model.blocks(moving=False)).known["p"] if not model.design else None
+        parameters = (
+            MotionQuantities(model, point_symbols(model, moving=False)).known["p"] if not model.design else None
+        )
         if parameters is None:
             raise DescriptionError("transcription.method: shooting takes no design parameters; use collocation")
         for _ in range(NEWTON):
             q = run(model.equations.move, {"q": q, "y": y, "p": parameters})["q_next"]
         return q
 
-    def _family(self) -> Family:
-        known = self.unknowns
-        place = Placer(self.function, len(self.steps))
+    def family(self) -> Family:
+        """All intervals: a point of the family is an interval with both its ends."""
+        known, steps = self.unknowns, self.grid.steps
+        place = Placer(self.function, len(steps))
         terms = Terms(known)
         for name in ("y", "y_1", "x"):
             if name in place.rows:
                 terms.add(place.rows[name], known.index[name][:-1])
                 terms.add(place.rows[f"next_{name}"], known.index[name][1:])
-        for name in ("z", "u"):
-            if name in place.rows:
-                terms.add(place.rows[name], known.index[name][:, 0])
-        place.common(terms)
-        family = place.family("shooting", terms, self.mesh[:-1], self.steps)
-        family.offset[place.rows["step"][:, 0]] = self.steps
+        place.add(terms, ("z", "u"))
+        place.add_common(terms)
+        family = place.family("shooting", terms, self.grid.mesh[:-1], steps)
+        family.offset[place.rows["step"][:, 0]] = steps
         return family
 
-
-class _ShootingRows(LinearRows):
-    """The linear constraints of shooting: continuity stands in the intervals."""
-
-    def _continuity(self) -> None:
-        return
+    def add_continuity(self, rows: LinearRows) -> None:
+        """None: continuity is not linear here and stands in the family."""

@@ -14,6 +14,7 @@ import numpy as np
 from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.consistent_poses import Kinematics
 from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.point import point_symbols
 
 Arrays = Mapping[str, np.ndarray]
 
@@ -44,7 +45,7 @@ def end_accelerations(
 ) -> tuple[np.ndarray, np.ndarray]:
     """y'' by forward dynamics at start and end of every interval, with its drives: (intervals, d) each."""
     model = kinematics.model
-    blocks = model.blocks(moving=True)
+    blocks = point_symbols(model, moving=True)
     at = MotionQuantities(model, blocks)
     order = ("y", "y_1", "z", "u", "x", "T", "p", "tau")
     function = ca.Function(

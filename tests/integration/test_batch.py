@@ -4,29 +4,23 @@ from __future__ import annotations
 
 import ctypes
 import platform
-import re
 import shutil
-import subprocess
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from support.batches import EXACT, MACHINES, NAME, check_layouts, check_vector_code, difference, inputs, only
 from support.model_states import model, relative
 
-from symscrew.export.c import print_c, print_source, straight_line
-from symscrew.export.c_function import Printed
-from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c import print_c, print_source
 from symscrew.model import Model, derive
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Instruction, Port, Program
-from symscrew.runtime import compiled
-from symscrew.runtime.compiled import FLAGS, CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
+from symscrew.runtime.compiled import CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-NAME = "four_bar"
-EXACT = ("-ffp-contract=off",)
 
 
 @pytest.fixture(scope="module")
@@ -44,57 +38,11 @@ def single(found: Model) -> CompiledModel:
     return load(found, backend="c", flags=EXACT)
 
 
-def only(found: Model, *names: str) -> Model:
-    """A model with some of the functions, which compiles faster."""
-    return replace(found, programs={name: found.programs[name] for name in names})
-
-
-def inputs(found: Model, function: str, count: int) -> list[np.ndarray]:
-    given = [np.atleast_2d(x) for x in found.test_inputs[function]]
-    return [np.resize(x, (count, x.shape[1])).copy() for x in given]
-
-
-def difference(expected: np.ndarray, got: np.ndarray) -> float:
-    """Largest relative difference; infinite where NaN does not meet NaN."""
-    lost = np.isnan(expected)
-    if expected.shape != got.shape or not np.array_equal(lost, np.isnan(got)):
-        return np.inf
-    return relative(got[~lost], expected[~lost])
-
-
-def check_layouts(found: Model, vectorised: CompiledModel, single: CompiledModel) -> None:
-    """Counts that leave every remainder of a block of eight; bit for bit, as nothing is contracted.
-
-    Only the sine of an angle that remains alone in its group of four is not the vector function's in a single call.
-    """
-    for function, program in found.programs.items():
-        angles = Printed(NAME, function, straight_line(program), DOUBLE).angles.gathered
-        limit = 1e-14 if len(angles) % DOUBLE.group == 1 else 0.0
-        for count in (1, 2, 3, 7, 8, 9, 19):
-            arrays = inputs(found, function, count)
-            states = [vectorised[function](*[x[i] for x in arrays], check=False) for i in range(count)]
-            expected = [np.stack(parts) for parts in zip(*states, strict=True)]
-            rows = vectorised[function](*arrays, check=False)
-            columns = vectorised[function](*[np.asfortranarray(x) for x in arrays], check=False)
-            plain = single[function](*arrays, check=False)
-            for a, b, c, d in zip(expected, rows, columns, plain, strict=True):
-                assert all(difference(a, x) <= limit for x in (b, c, d)), (function, count)
-        assert len(expected) == len(program.outputs) + 1
-
-
 @pytest.mark.slow
 def test_every_function_in_both_layouts_equals_single_calls(
     found: Model, vectorised: CompiledModel, single: CompiledModel
 ) -> None:
     check_layouts(found, vectorised, single)
-
-
-@pytest.mark.tools
-@pytest.mark.skipif(shutil.which("clang") is None, reason="no clang")
-def test_clang_gives_the_same(found: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled, "find_compiler", lambda: shutil.which("clang"))
-    both = [load(found, backend="c", vectorised=blocks, flags=EXACT) for blocks in (True, False)]
-    check_layouts(found, *both)
 
 
 def test_columns_are_read_and_written_in_place(found: Model, vectorised: CompiledModel) -> None:
@@ -159,31 +107,11 @@ def test_threads_give_the_same(found: Model, vectorised: CompiledModel) -> None:
             assert np.array_equal(a, b, equal_nan=True)
 
 
-CLANG = pytest.param(
-    "clang", marks=[pytest.mark.tools, pytest.mark.skipif(shutil.which("clang") is None, reason="no clang")]
-)
-GCC = pytest.param("gcc", marks=pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc"))
-
-
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="the machines are x86-64")
-@pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3", "x86-64-v4"])
-@pytest.mark.parametrize("compiler", [GCC, CLANG])
-def test_blocks_are_vector_code(found: Model, tmp_path: Path, compiler: str, machine: str) -> None:
-    """No number of a block is computed on its own, with checks or without, and products meet their sums."""
-    names = ("closure_bias", "velocity", "inverse_dynamics", "forward_dynamics")
-    for file, text in print_c(only(found, *names)).items():
-        (tmp_path / file).write_text(text)
-    command = [compiler, *FLAGS, f"-march={machine}", "-S", f"{NAME}.c", "-o", "code.s"]
-    subprocess.run(command, capture_output=True, check=True, cwd=tmp_path)
-    code = (tmp_path / "code.s").read_text()
-    for name in names:
-        body = re.split(rf"\n{NAME}_{name}_wide[.\w]*:", code)[1].split("\n\t.size\t")[0]
-        arithmetic = re.findall(r"\tv?(?:fn?m(?:add|sub)\d*|add|sub|mul|div)([sp])d\b", body)
-        assert arithmetic.count("p") > 10 and arithmetic.count("s") == 0, name
-        assert ("fmadd" in body or "fmsub" in body or "fnmadd" in body) == (machine != "x86-64")
-        widest = next(width for width in ("zmm", "ymm", "xmm") if width in body)
-        half = compiler == "clang"  # which has two vectors of half the size
-        assert widest == {"x86-64": "xmm", "x86-64-v3": "ymm", "x86-64-v4": "ymm" if half else "zmm"}[machine]
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+@pytest.mark.parametrize("machine", MACHINES)
+def test_blocks_are_vector_code(found: Model, tmp_path: Path, machine: str) -> None:
+    check_vector_code(found, tmp_path, "gcc", machine)
 
 
 @pytest.mark.parametrize("real", ["double", "single"])

@@ -16,8 +16,8 @@ from symscrew.errors import DescriptionError
 from symscrew.formats import by_suffix
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.runtime.compiled import CompileError, find_compiler
-from symscrew.studies.benchmark import function_times, peers, pinocchio_build
-from symscrew.studies.benchmark.function_times import batch, run, single, throughput
+from symscrew.studies.benchmark import function_times, peers
+from symscrew.studies.benchmark.function_times import batch, single, throughput, time_functions
 from symscrew.studies.benchmark.timed_code import Compiled, states
 from symscrew.studies.timing import quartiles
 
@@ -40,7 +40,7 @@ def test_what_is_timed_is_right() -> None:
 
 
 def test_rows_and_notes_for_a_closed_chain() -> None:
-    rows, notes = run(model("four_bar"), ["inverse_dynamics", "mass_matrix"], ["mujoco"], repeats=2)
+    rows, notes = time_functions(model("four_bar"), ["inverse_dynamics", "mass_matrix"], ["mujoco"], repeats=2)
     assert [row.function for row in rows] == ["inverse_dynamics"] * 3 + ["mass_matrix"] * 3
     assert all(row.agreement < 1e-12 and 0 < row.times.least <= row.times.median <= row.times.upper for row in rows)
     assert len(notes) == 2 and all("no function of this kind; expected forward_dynamics" in note for note in notes)
@@ -48,16 +48,16 @@ def test_rows_and_notes_for_a_closed_chain() -> None:
 
 def test_closed_chains_in_pinocchio_agree_before_they_are_timed() -> None:
     pytest.importorskip("pinocchio")
-    rows, notes = run(model("three_ups_upu_s_physical"), ["forward_dynamics"], ["pinocchio"], repeats=1)
+    rows, notes = time_functions(model("three_ups_upu_s_physical"), ["forward_dynamics"], ["pinocchio"], repeats=1)
     (row,) = (row for row in rows if row.variant.startswith("pinocchio"))
     assert not notes and "constraintDynamics" in row.variant and 0 < row.agreement < 1e-6
-    _, notes = run(model("four_bar"), ["forward_dynamics"], ["pinocchio"], repeats=1)
+    _, notes = time_functions(model("four_bar"), ["forward_dynamics"], ["pinocchio"], repeats=1)
     assert "platforms on limbs" in notes[0] and "joint C" in notes[0]
 
 
 def test_closed_chains_in_mujoco_are_soft_and_said_to_be() -> None:
     """The deviation stands in the row; constraints made a hundred times as stiff deviate a hundred times less."""
-    rows, notes = run(model("four_bar"), ["forward_dynamics"], ["mujoco"], repeats=1)
+    rows, notes = time_functions(model("four_bar"), ["forward_dynamics"], ["mujoco"], repeats=1)
     (row,) = (row for row in rows if row.variant.startswith("mujoco"))
     assert not notes and row.variant.endswith("soft constraints") and 1e-3 < row.agreement < 0.1
     found = Compiled(model("four_bar"), ["forward_dynamics"])
@@ -73,18 +73,8 @@ def test_closed_chains_in_mujoco_are_soft_and_said_to_be() -> None:
     assert np.abs(np.array(got) - wanted).max() < 1e-3 * np.abs(wanted).max()
 
 
-@pytest.mark.slow
-@pytest.mark.tools
-def test_inverse_dynamics_of_a_closed_chain_beside_pinocchio_in_cpp(monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("pinocchio")
-    monkeypatch.setattr(pinocchio_build, "CPP_FLAGS", ("-O0", "-DNDEBUG"))  # agreement is tested here, not speed
-    rows, notes = run(model("three_ups_upu_s_physical"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
-    others = [row for row in rows if row.variant.startswith("pinocchio")]
-    assert not notes and len(others) == 2 and all(row.agreement < 1e-9 for row in others)
-
-
 def test_another_library_agrees_before_it_is_timed() -> None:
-    rows, notes = run(model("ur5"), ["inverse_dynamics", "forward_dynamics"], ["mujoco"], repeats=2)
+    rows, notes = time_functions(model("ur5"), ["inverse_dynamics", "forward_dynamics"], ["mujoco"], repeats=2)
     assert not notes
     others = [row for row in rows if row.variant.startswith("mujoco")]
     assert [row.variant for row in others] == ["mujoco: mj_inverse from C", "mujoco: mj_forward from C"]
@@ -94,15 +84,15 @@ def test_another_library_agrees_before_it_is_timed() -> None:
 def test_results_that_differ_are_not_timed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(function_times, "evaluate", lambda program, given: ((np.full((len(given[0]), 1), 1e3),), None))
     with pytest.raises(CompileError, match="results differ, nothing is timed"):
-        run(model("four_bar"), ["inverse_dynamics"], repeats=1)
+        time_functions(model("four_bar"), ["inverse_dynamics"], repeats=1)
 
 
 def test_parameters_at_run_time_beside_those_in_the_code() -> None:
-    rows, _ = run(model("three_ups_upu_s"), ["inverse_dynamics"], repeats=1, run_time=True)
+    rows, _ = time_functions(model("three_ups_upu_s"), ["inverse_dynamics"], repeats=1, run_time=True)
     row = next(row for row in rows if row.variant == "one state, parameters at run time")
     assert row.operations is not None and row.operations >= rows[0].operations and row.agreement < 1e-12
     with pytest.raises(DescriptionError, match="no parameters"):
-        run(model("four_bar"), ["inverse_dynamics"], repeats=1, run_time=True)
+        time_functions(model("four_bar"), ["inverse_dynamics"], repeats=1, run_time=True)
 
 
 def test_throughput_of_every_count() -> None:
@@ -113,13 +103,13 @@ def test_throughput_of_every_count() -> None:
 
 def test_a_missing_library_is_named_with_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(peers.importlib.util, "find_spec", lambda name: None)
-    _, notes = run(model("four_bar"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
+    _, notes = time_functions(model("four_bar"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
     assert notes == ["inverse_dynamics, pinocchio: not installed: pip install 'symscrew[benchmark]'"]
 
 
 def test_other_effects_are_not_compared() -> None:
     bare = replace(model("ur5"), effects=())
-    _, notes = run(bare, ["inverse_dynamics"], ["mujoco"], repeats=1)
+    _, notes = time_functions(bare, ["inverse_dynamics"], ["mujoco"], repeats=1)
     assert "usual gravity" in notes[0]
 
 
@@ -143,4 +133,4 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
         assert main(["benchmark", "four_bar", *bad]) == 2
         assert text in capsys.readouterr().err
     with pytest.raises(DescriptionError, match="no function"):
-        run(model("four_bar"), ["nothing"])
+        time_functions(model("four_bar"), ["nothing"])

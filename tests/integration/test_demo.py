@@ -13,14 +13,14 @@ import pytest
 from symscrew.display.terminal import Progress
 from symscrew.studies.demo import paper_figures
 from symscrew.studies.demo.paper_motion import SECTION_5, CircularTilt, Scene
-from symscrew.studies.demo.paper_study import Demo, run
+from symscrew.studies.demo.paper_study import Demo, study_paper
 
 SHORT = Scene(CircularTilt(), 1.0, 200, "E", SECTION_5.load)
 
 
 @cache
 def short() -> Demo:
-    return run(scene=SHORT, backend="casadi")
+    return study_paper(scene=SHORT, backend="casadi")
 
 
 @pytest.mark.slow
@@ -53,7 +53,7 @@ def test_motion_is_consistent() -> None:
 def test_integration_is_of_order_four() -> None:
     def last(steps: int) -> np.ndarray:
         scene = Scene(CircularTilt(), 1.0, steps, "E", SECTION_5.load)
-        return run(("three_ups_upu_s",), scene, backend="casadi").cases[0].motion.q[-1]
+        return study_paper(("three_ups_upu_s",), scene, backend="casadi").cases[0].motion.q[-1]
 
     exact, coarse, fine = last(400), last(10), last(20)
     order = np.log2(np.abs(coarse - exact).max() / np.abs(fine - exact).max())
@@ -72,7 +72,7 @@ def test_spin_follows_from_the_constraint() -> None:
 def test_whole_demo_with_figures(tmp_path: Path) -> None:
     from matplotlib import image
 
-    demo = run()
+    demo = study_paper()
     assert demo.agrees and demo.scene.steps == 10_000
     written = paper_figures.write_figures(demo, tmp_path, Progress(quiet=True))
     pictures = [path for path in written if path.suffix == ".png"]

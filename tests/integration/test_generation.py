@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
-import subprocess
 import tempfile
 from pathlib import Path
 
@@ -21,7 +19,6 @@ from symscrew.export.manifest_file import OutputError
 from symscrew.generation.folder import TARGETS, generate
 from symscrew.model import derive
 from symscrew.runtime.compiled import load
-from symscrew.verification import agreement
 from symscrew.verification.regeneration import check
 
 
@@ -79,15 +76,6 @@ def test_check_covers_every_target(four_bar, tmp_path):
         "JavaScript", "FMU: accelerations agree", "FMU: a step", "MJCF read back", "arm: ok: URDF read back",
     ):  # fmt: skip
         assert what in said
-
-
-@pytest.mark.tools
-def test_javascript_is_run_by_check(four_bar, tmp_path, monkeypatch):
-    generate(four_bar, tmp_path / "out", ["javascript"])
-    assert any("JavaScript agrees with the evaluator" in line for line in check(tmp_path / "out").lines)
-    doubled = agreement.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
-    monkeypatch.setattr(agreement, "NODE", doubled)
-    assert any("JavaScript" in line for line in failures(tmp_path / "out"))
 
 
 @pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="needs a second file system")
@@ -205,17 +193,3 @@ def test_manifest_is_enough_to_call_the_code(seed, tmp_path):
     u = compiled.inverse_dynamics(*states)
     (expected,), _ = seed("inverse_dynamics", *states)
     assert u == pytest.approx(expected, rel=1e-12)
-
-
-@pytest.mark.tools
-@pytest.mark.skipif(shutil.which("cmake") is None, reason="needs CMake")
-def test_cmake_builds_library_and_example(four_bar, tmp_path):
-    output, cmake = tmp_path / "four_bar", shutil.which("cmake")
-    generate(four_bar, output, targets=("c",))
-    build = output / "build"
-    for command in ([cmake, "-S", str(output), "-B", str(build)], [cmake, "--build", str(build)]):
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert result.returncode == 0, result.stderr
-    printed = subprocess.run([str(build / "four_bar_example")], capture_output=True, text=True, check=True).stdout
-    assert "four_bar_inverse_dynamics: status 0, success" in printed
-    assert "A [N m]" in printed

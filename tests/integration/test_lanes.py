@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from support.model_states import model, relative
+from support.lanes import CASES, PLATFORM, check_bits
+from support.model_states import model
 
 from symscrew import catalogue
-from symscrew.export.c import IN_LANES, print_c, print_source
+from symscrew.export.c import IN_LANES, print_source
 from symscrew.export.listing import checked_slots, live_instructions
 from symscrew.model import derive
 from symscrew.program.lanes.correspondence import corresponding, signed
@@ -22,11 +22,7 @@ from symscrew.program.lanes.pack_plan import Code, Plan
 from symscrew.program.lanes.packs import Pack, Packing, packed
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Instruction, Program
-from symscrew.runtime.compiled import compile_c, find_compiler, load
-from symscrew.verification.regeneration import STRICT
-
-PLATFORM = "inverse_dynamics_platform"
-CASES = [("three_ups_upu_s_physical", PLATFORM), ("delta", "velocity")]
+from symscrew.runtime.compiled import find_compiler, load
 
 
 def straight(name: str, function: str) -> Program:
@@ -129,48 +125,10 @@ def test_rows_that_wait_for_each_other_are_not_both_packed() -> None:
     assert seen == {0, 1, 2, 3, 4, 5}
 
 
-def both(name: str, function: str, folder: Path, compiler: str | None, flags: tuple[str, ...]) -> list[np.ndarray]:
-    """Results of the function with limbs side by side and limb after limb."""
-    import ctypes
-
-    found = replace(model(name), programs={function: model(name).programs[function]})
-    for file, text in print_c(found).items():
-        (folder / file).write_text(text, encoding="utf-8")
-    results = []
-    for number, more in enumerate(((), (f"-D{name.upper()}_LIMB_BY_LIMB",))):
-        library = folder / f"{function}{number}.so"
-        compile_c(folder / f"{name}.c", library, compiler=compiler, flags=[*STRICT, *flags, *more])
-        call = getattr(ctypes.CDLL(str(library)), f"{name}_{function}")
-        program = found.programs[function]
-        states = []
-        for row in zip(*(np.atleast_2d(x) for x in found.test_inputs[function]), strict=True):
-            arrays = [np.array(x, dtype=float) for x in row] + [np.zeros(port.size) for port in program.outputs]
-            assert call(*(ctypes.c_void_p(x.ctypes.data) for x in arrays)) == 0
-            states.append(np.concatenate(arrays[len(row) :]))
-        results.append(np.array(states))
-    return results
-
-
-@pytest.mark.parametrize(
-    "compiler",
-    [
-        pytest.param(None, marks=pytest.mark.skipif(find_compiler() is None, reason="no C compiler")),
-        pytest.param(
-            "clang", marks=[pytest.mark.tools, pytest.mark.skipif(shutil.which("clang") is None, reason="no clang")]
-        ),
-    ],
-)
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize(("name", "function"), CASES)
-def test_limbs_side_by_side_equal_limb_after_limb(
-    name: str, function: str, compiler: str | None, tmp_path: Path
-) -> None:
-    """Bit for bit if nothing is contracted to a multiply-add, else to rounding."""
-    source = print_source(replace(model(name), programs={function: model(name).programs[function]}))
-    assert f"{name}_{function}_packed_lane" in source
-    side, after = both(name, function, tmp_path, compiler, ("-ffp-contract=off",))
-    assert np.array_equal(side, after)
-    side, after = both(name, function, tmp_path, compiler, ("-ffp-contract=fast",))
-    assert relative(side, after) < 1e-13
+def test_limbs_side_by_side_equal_limb_after_limb(name: str, function: str, tmp_path: Path) -> None:
+    check_bits(name, function, tmp_path, None)
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.model_states import model
+from support.readme_examples import example, expected, printed, run
 
 from symscrew import catalogue
 from symscrew.description.builder import MechanismBuilder
 from symscrew.export.markdown import READABLE, print_markdown
-from symscrew.export.readme import SHOWN
 from symscrew.fmu.unit_archive import at_rest
 from symscrew.functions.quantities import Quantities
 from symscrew.generation.folder import TARGETS, USUAL, generate
@@ -34,36 +34,6 @@ def directory(request, tmp_path_factory) -> Path:
     further = [t for t in TARGETS if t != "urdf"] if request.param == "four_bar" else [*USUAL, "urdf"]
     generate(model(request.param), folder, further)
     return folder
-
-
-def example(directory: Path, title: str) -> tuple[str, str]:
-    """The code under a title of README.md, and the command beside it."""
-    text = (directory / "README.md").read_text()
-    section = re.search(rf"^### {re.escape(title)}\n(.*?)(?=^### |\Z)", text, re.MULTILINE | re.DOTALL)
-    assert section, title
-    code = re.search(r"```\w+\n(.*?)```", section[1], re.DOTALL)
-    command = re.search(r"^`([^`]+)`$", section[1], re.MULTILINE)
-    return code[1], command[1] if command else ""
-
-
-def expected(directory: Path) -> float:
-    """The first result of the function that the examples show."""
-    found = model(directory.name)
-    known = [name for name in SHOWN if name in found.programs]
-    name = min(known, key=lambda n: sum(port.size for port in found.programs[n].inputs))
-    return float(found(name, *(array[:1] for array in found.test_inputs[name]))[0][0].ravel()[0])
-
-
-def run(command: str, folder: Path) -> str:
-    """The last output of commands that are joined by `&&`, without a shell."""
-    for part in command.split(" && "):
-        done = subprocess.run(part.split(), cwd=folder, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
-def printed(text: str) -> float:
-    return float(text.split(":")[-1])
 
 
 @pytest.mark.slow
@@ -92,17 +62,6 @@ def test_python_examples_of_the_readme(directory, title):
     (directory / "main.py").write_text(code)
     output = run(f"{sys.executable} main.py", directory)
     assert printed(output) == pytest.approx(expected(directory), rel=1e-11, abs=1e-11)
-
-
-@pytest.mark.tools
-def test_javascript_example_of_the_readme(directory):
-    if directory.name != "four_bar":
-        return
-    if shutil.which("node") is None:
-        pytest.fail("this test needs Node: apt-get install nodejs")
-    (directory / "main.js").write_text(example(directory, "JavaScript")[0])
-    output = run("node main.js", directory)
-    assert output.startswith("0: ") and printed(output) == pytest.approx(expected(directory), rel=1e-11, abs=1e-11)
 
 
 @pytest.mark.parametrize(("name", "title", "package"), [

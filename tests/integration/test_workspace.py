@@ -20,8 +20,8 @@ from symscrew.cli.workspace_command import sweep
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.studies.workspace import engine
-from symscrew.studies.workspace.evaluation import evaluate, prepare
-from symscrew.studies.workspace.map_summary import summary, tilt_reach
+from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
+from symscrew.studies.workspace.map_summary import sweep_summary, tilt_reach
 from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit
 from symscrew.studies.workspace.store import Store
 
@@ -117,7 +117,7 @@ def test_drives_at_rest_balance_the_weight() -> None:
     plan = plan_of("three_ups_upu_s_physical", Axis("limb5_S.qx", -step, step, 3))
     results = whole(plan)
     mechanism = plan.mechanism
-    model = prepare(plan).model
+    model = prepare_sweep(plan).model
     strokes = np.stack([results[f"limb{k}_P"] for k in range(1, 5)], axis=1)
     u = np.array([results[f"drive limb{k}_P"][1] for k in range(1, 5)])
     from symscrew.model import derive
@@ -136,11 +136,11 @@ def test_drives_at_rest_balance_the_weight() -> None:
 @pytest.mark.slow
 def test_condition_number_and_stiffness_of_an_arm() -> None:
     """From the singular values of its Jacobian with lengths divided by the characteristic length."""
-    labels = prepare(plan_of("ur5")).labels
+    labels = prepare_sweep(plan_of("ur5")).labels
     plan = plan_of("ur5", Axis(labels[2], 0.5, 1.5, 3), Axis(labels[4], 1.0, 1.0, 1))
     results = whole(plan)
     assert np.all(results["reached"] == 1)
-    model = prepare(plan).model
+    model = prepare_sweep(plan).model
     q = np.repeat(model.system.reference[None, :], 3, 0)
     q[:, 2], q[:, 4] = plan.axes[0].values, 1.0
     jacobian = model("platform_jacobian", q)[0][0].reshape(3, 6, 6).transpose(0, 2, 1).copy()
@@ -153,7 +153,7 @@ def test_condition_number_and_stiffness_of_an_arm() -> None:
 
 @pytest.mark.slow
 def test_pieces_do_not_matter() -> None:
-    cut = plan_of("four_bar", Axis(prepare(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
+    cut = plan_of("four_bar", Axis(prepare_sweep(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
     one = plan_of("four_bar", cut.axes[0], chunk=1000)
     first, second = whole(cut), whole(one)
     assert all(np.array_equal(first[n], second[n], equal_nan=True) for n in second)
@@ -166,7 +166,7 @@ def test_limits_and_summary() -> None:
     results = whole(plan)
     inside = (results["limb1_P"] >= 0.28) & (results["limb1_P"] <= 0.32)
     assert np.array_equal(results["allowed"] > 0, inside & (results["reached"] > 0))
-    found = summary(plan, results, prepare(plan).units)
+    found = sweep_summary(plan, results, prepare_sweep(plan).units)
     assert found["allowed"] == int(inside.sum()) < found["reached"] == plan.count
     assert found["ranges"]["limb1_P"]["least"] >= 0.28 and found["ranges"]["limb1_P"]["unit"] == "m"
     assert found["tilt"]["every_direction"] < 10 * DEG
@@ -188,7 +188,7 @@ def test_tolerances_propagate_to_first_order() -> None:
     """Normal deviations of r move C3.x of the resting seed by as much, one to one."""
     plan = plan_of("three_ups_upu_s", run_time=("r",), tolerances=(("r", 1e-3),), samples=4000, chunk=512)
     results = whole(plan)
-    found = summary(plan, results, prepare(plan).units)["tolerance"]
+    found = sweep_summary(plan, results, prepare_sweep(plan).units)["tolerance"]
     assert found["point C3.x"]["deviation"] == pytest.approx(1e-3, rel=0.05)
     assert found["point E.z"]["deviation"] == pytest.approx(0.0, abs=1e-12)
     again = evaluate(plan, 3)
@@ -198,7 +198,7 @@ def test_tolerances_propagate_to_first_order() -> None:
 
 @pytest.mark.slow
 def test_local_pool_gives_the_same(tmp_path: Path) -> None:
-    plan = plan_of("four_bar", Axis(prepare(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
+    plan = plan_of("four_bar", Axis(prepare_sweep(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
     kept = Store(tmp_path / "pieces", plan)
     sweep(plan, kept, processes=2)
     expected = whole(plan)
@@ -206,7 +206,7 @@ def test_local_pool_gives_the_same(tmp_path: Path) -> None:
 
 
 def test_store_refuses_another_sweep_and_drops_broken_pieces(tmp_path: Path) -> None:
-    label = prepare(plan_of("four_bar")).labels[0]
+    label = prepare_sweep(plan_of("four_bar")).labels[0]
     plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 12), chunk=5)
     kept = Store(tmp_path / "pieces", plan)
     sweep(plan, kept, processes=1)
@@ -221,7 +221,7 @@ def test_store_refuses_another_sweep_and_drops_broken_pieces(tmp_path: Path) -> 
 
 @pytest.mark.slow
 def test_killed_sweep_goes_on(tmp_path: Path) -> None:
-    label = prepare(plan_of("four_bar")).labels[0]
+    label = prepare_sweep(plan_of("four_bar")).labels[0]
     over = f"{label}=-0.5:0.5:60000"
     command = [sys.executable, "-m", "symscrew", "workspace", "four_bar", "--over", over, "--out", "map.npz"]
     process = subprocess.Popen(
@@ -246,7 +246,7 @@ def test_killed_sweep_goes_on(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_dask_gives_the_same_though_a_worker_is_killed(tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install symscrew[dask]")
-    label = prepare(plan_of("four_bar")).labels[0]
+    label = prepare_sweep(plan_of("four_bar")).labels[0]
     plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 20000), chunk=250)
     settings = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None, "processes": True}
     with distributed.LocalCluster(**settings) as cluster:

@@ -358,17 +358,17 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """`--study all` of a scene: the studies that it has (here one, given), and why it has not the others."""
-    from symscrew.cli import accuracy_command
+    from symscrew.studies.accuracy import every_study
 
     points = (Point("a", "", 0.5, quartiles([1.0])), Point("b", "", None, None, "a pivot is small"))
     given = Study("forward", "A study", points, "error", "time", "ms", "none", None)
-    usual = accuracy_command.study_of
+    usual = every_study.study_of
 
     def function(name: str, *arguments: object, full: bool):  # type: ignore[no-untyped-def]
         fails = name in ("kinematics", "momentum", "claims")
         return usual(name, *arguments, full=full) if fails else lambda *_, **__: given
 
-    monkeypatch.setattr(accuracy_command, "study_of", function)
+    monkeypatch.setattr(every_study, "study_of", function)
     monkeypatch.setattr("symscrew.studies.accuracy.study_plots.save_study_plots", lambda *_: [])
     assert main(["accuracy", str(EXAMPLES / "simple_pendulum.toml"), "--study", "all", "--out", str(tmp_path)]) == 0
     content, table = (json.loads((tmp_path / "accuracy.json").read_text()), (tmp_path / "accuracy.md").read_text())

@@ -18,7 +18,7 @@ from symscrew.errors import DescriptionError
 from symscrew.model import derive
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.scene_file import parse_scene
-from symscrew.studies.bill_of_effects import bill, effect_labels, figure, scene_bill, text
+from symscrew.studies.bill_of_effects import bill, bill_figure, bill_text, effect_labels, scene_bill
 
 CRANK = "slider_crank"
 SCENE = """
@@ -156,6 +156,6 @@ def test_bad_input_ends_in_one_line(
 
 def test_a_table_and_a_picture_without_times() -> None:
     found = bill(catalogue.load(CRANK), [Gravity()], timed=False)
-    assert "| gravity" in text(found) and len(figure(found).axes) == 2
+    assert "| gravity" in bill_text(found) and len(bill_figure(found).axes) == 2
     with pytest.raises(DescriptionError, match="did you mean"):
         bill(catalogue.load(CRANK), [effect("ViscousFriction", "slidr_P", 1)], timed=False)

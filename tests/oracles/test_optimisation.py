@@ -208,7 +208,7 @@ def test_derivatives_of_the_program_are_exact(method: tuple[str, int]) -> None:
 
 
 def test_study_of_transcriptions_falls_with_the_mesh() -> None:
-    from symscrew.studies.transcription_study import report, study
+    from symscrew.studies.accuracy.transcription_study import study
 
     motion = rest_to_rest({"hinge": 0.0}, {"hinge": math.pi / 2})
     found = study(TrajectoryProblem(pendulum(), **motion, independent=("hinge",)), meshes=(4, 8))
@@ -217,4 +217,4 @@ def test_study_of_transcriptions_falls_with_the_mesh() -> None:
     assert len(errors) == 18
     for scheme in ("Radau 2, second order", "Radau 3, second order", "shooting"):
         assert errors[scheme, 8] < errors[scheme, 4] / 3
-    assert "| Radau 5, second order" in report(found)
+    assert "| Radau 5, second order" in found.markdown()

@@ -12,8 +12,8 @@ from support.optimal_problems import MINIMUM_TIME, bead, pendulum, rest_to_rest,
 from symscrew.effects import DcMotor
 from symscrew.effects.gravity import Gravity
 from symscrew.optimisation.followed_motion import replay
-from symscrew.optimisation.problem import Bounds, Conditions, Distance, TrajectoryProblem, Transcription
 from symscrew.optimisation.planned_motion import Samples
+from symscrew.optimisation.problem import Bounds, Conditions, Distance, TrajectoryProblem, Transcription
 from symscrew.optimisation.solution import solve
 
 SWING = rest_to_rest({"hinge": -1.0}, {"hinge": 1.0})

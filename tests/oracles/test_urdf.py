@@ -82,7 +82,6 @@ def test_the_forces_are_those_of_mujoco(name):
     assert relative(got, forces(found, q, v, a)) < EXACT
 
 
-@pytest.mark.tools
 @pytest.mark.parametrize("name", ["ur5", "panda", "with_references", "tree"])
 def test_the_forces_are_those_of_pinocchio(name):
     """Chains over links without inertia too, which Pinocchio takes as they are."""

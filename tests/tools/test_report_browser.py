@@ -17,7 +17,7 @@ from support.browser import start
 from symscrew.report.blocks import Document, write_document
 from symscrew.report.sections import document
 
-pytestmark = [pytest.mark.tools, pytest.mark.slow]
+pytestmark = pytest.mark.slow
 NAMES = ("four_bar", "ur5", "three_ups_upu_s", "stewart_6ups")
 PAPER = round(178 / 25.4 * 96)  # px of A4 between the margins of report.css
 

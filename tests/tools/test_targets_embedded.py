@@ -15,12 +15,11 @@ from support.model_states import model, pendulum
 
 from symscrew.cli.parser import main
 from symscrew.description import toml_file
-from symscrew.errors import DescriptionError
-from symscrew.export.c import print_c, print_source
+from symscrew.export.c import print_c
 from symscrew.export.c_precision import PRECISIONS
 from symscrew.program.rank_revealing import RankRevealing
 from symscrew.verification.embedded import emulation
-from symscrew.verification.embedded.emulation import EmbeddedError, deepest_frames, measure, missing_tools
+from symscrew.verification.embedded.emulation import measure, missing_tools
 from symscrew.verification.regeneration import check
 
 EMULATED = pytest.mark.skipif(bool(missing_tools()), reason=f"not found: {'; '.join(missing_tools())}")
@@ -48,7 +47,6 @@ def measured() -> dict[tuple[str, str, str], dict]:
         return {case: one.result() for case, one in zip(CASES, found, strict=True)}
 
 
-@pytest.mark.tools
 @EMULATED
 @pytest.mark.parametrize("name, core, precision", CASES)
 def test_every_function_gives_the_same_numbers_there(name: str, core: str, precision: str, measured) -> None:
@@ -63,7 +61,6 @@ def test_every_function_gives_the_same_numbers_there(name: str, core: str, preci
         assert found["functions"]["forward_dynamics"]["frame"] > found["functions"]["forward_dynamics"]["stack"]
 
 
-@pytest.mark.tools
 @EMULATED
 def test_counts_are_repeatable_and_of_the_right_size(measured) -> None:
     """Double precision on a core without it costs many times as much; counts do not depend on the run."""
@@ -76,7 +73,6 @@ def test_counts_are_repeatable_and_of_the_right_size(measured) -> None:
         assert measured["ur5", "m4f", "double"]["functions"][name]["instructions"] > 5 * single[name]["instructions"]
 
 
-@pytest.mark.tools
 @EMULATED
 def test_frames_hold_the_second_path() -> None:
     """With guards that every state fails: what is written then is what the frames allow, and not much less."""
@@ -91,14 +87,12 @@ def test_frames_hold_the_second_path() -> None:
     assert first["frame"] == second["frame"] < 1.5 * second["stack"]
 
 
-@pytest.mark.tools
 @EMULATED
 def test_a_mechanism_may_be_called_like_a_file_of_the_board() -> None:
     started = replace(pendulum(), name="start")
     assert measure(started, "m4f", functions=["mass_matrix"])["functions"]["mass_matrix"]["error"] < 1e-5
 
 
-@pytest.mark.tools
 @EMULATED
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     file = tmp_path / "embedded.json"
@@ -112,7 +106,6 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     assert "no function 'inverse'" in capsys.readouterr().err
 
 
-@pytest.mark.tools
 @EMULATED
 def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     out, file = tmp_path / "out", tmp_path / "pendulum.toml"
@@ -137,65 +130,7 @@ def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, caps
     assert "--embedded measures C" in capsys.readouterr().err
 
 
-def test_functions_that_call_themselves_have_no_bound() -> None:
-    node = 'node: { title: "f" label: "f\\na.c:1:1\\n8 bytes (static)" }\n'
-    assert deepest_frames(node) == {"f": 8}
-    library = 'node: { title: "sinf" label: "sinf\\nmath.h:88:15" shape : ellipse }\n'
-    inner = 'node: { title: "a.c:inner" label: "inner\\na.c:2:38\\n328 bytes (static)" }\n'
-    calls = [("a.c:inner", "sinf"), ("f", "a.c:inner"), ("f", "sinf")]
-    edges = "".join(f'edge: {{ sourcename: "{one}" targetname: "{other}" label: "" }}\n' for one, other in calls)
-    assert deepest_frames(node + library + inner + edges) == {"f": 336, "inner": 328}
-    with pytest.raises(EmbeddedError, match="functions call themselves: f"):
-        deepest_frames(node + 'edge: { sourcename: "f" targetname: "f" }')
-    with pytest.raises(EmbeddedError, match="bounded stack, the compiler says dynamic"):
-        deepest_frames(node.replace("static", "dynamic"))
-
-
-def test_missing_tools_are_named(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture, tmp_path: Path
-) -> None:
-    monkeypatch.setattr(emulation.shutil, "which", lambda tool: None)
-    with pytest.raises(EmbeddedError, match="apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi"):
-        measure(model("four_bar"), "m4f")
-    assert main(["embedded", "four_bar", "--out", str(tmp_path / "no.json")]) == 1
-    assert "qemu-system-arm" in capsys.readouterr().err and not list(tmp_path.iterdir())
-    (tmp_path / "file").touch()
-    assert main(["embedded", "four_bar", "--out", str(tmp_path / "file" / "no.json")]) == 2
-    said = capsys.readouterr().err
-    assert said.count("\n") == 1 and "there is no folder" in said  # before anything is derived or measured
-    with pytest.raises(DescriptionError, match="expected a core among m4f, m7"):
-        measure(model("four_bar"), "m0")
-
-
-def test_a_library_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    fake = tmp_path / emulation.COMPILER
-    fake.write_text("#!/bin/sh\necho 'four_bar.c:1:10: fatal error: math.h: No such file or directory' >&2\nexit 1\n")
-    fake.chmod(0o755)
-    for tool in (emulation.NAMES, emulation.EMULATOR):
-        (tmp_path / tool).symlink_to(fake)
-    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    with pytest.raises(EmbeddedError, match=r"refused .apt install gcc-arm-none-eabi and libnewlib-arm-none-eabi.: "):
-        measure(model("four_bar"), "m4f", functions=["mass_matrix"])
-
-
 # -- what code for such machines must not do ---------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s_physical", "ur5"])
-def test_no_heap_no_recursion_bounded_loops(name: str) -> None:
-    source = re.sub(r'/\*.*?\*/|"[^"]*"', "", print_source(model(name)), flags=re.DOTALL)
-    assert not re.search(r"\b(malloc|calloc|realloc|free|alloca|goto|while|setjmp|printf)\b", source)
-    assert not re.search(r"^ +(?:double|int) [^=;]*\[[^]]*[a-z]", source, re.MULTILINE), "an array of variable length"
-    bodies = re.findall(r"^[\w ]*?\*?(\w+)\(([^;{}]*)\)\n\{\n(.*?)^\}", source, re.M | re.S)
-    assert len(bodies) > 20
-    order = {function: k for k, (function, _, _) in enumerate(bodies)}
-    for function, _, body in bodies:
-        called = {other for other in re.findall(r"\b(\w+)\(", body) if other in order}
-        assert all(order[other] < order[function] for other in called), f"{function} calls itself or what follows"
-        for head in re.findall(r"\bfor \((.*?)\) \{", body):
-            first, condition, step = head.split(";")
-            counter = re.match(r"(?:size_t|int) (\w+)|(\w+)", first.strip())
-            assert counter and re.search(r"[<>]", condition) and re.search(r"\+\+|--|\+=|\*=", step), head
 
 
 def sources(folder: Path, name: str, precision: str, **options: bool) -> Path:
@@ -221,7 +156,6 @@ VECTORS = ["-D__GNUC__=12", "-D__x86_64__=1", "-D__GLIBC__=2", "-D__AVX2__=1", "
 CPPCHECK = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,portability", "--error-exitcode=1"]
 
 
-@pytest.mark.tools
 @needs("gcc")
 def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
     """All of double precision with its blocks of eight states, and what a microcontroller is given in single."""
@@ -233,7 +167,6 @@ def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
     silent([["gcc", *ANALYZER, str(host)], [*compiler, *ANALYZER, str(embedded_one)]])
 
 
-@pytest.mark.tools
 @pytest.mark.slow
 @needs("gcc")
 def test_the_analyzer_of_gcc_finds_nothing_in_large_models(tmp_path: Path) -> None:
@@ -241,7 +174,6 @@ def test_the_analyzer_of_gcc_finds_nothing_in_large_models(tmp_path: Path) -> No
     silent([["gcc", *ANALYZER, str(sources(tmp_path, name, "double"))] for name in ("three_ups_upu_s", "ur5")])
 
 
-@pytest.mark.tools
 @needs("gcc")
 @needs("cppcheck")
 def test_both_would_say_something(tmp_path: Path) -> None:
@@ -255,7 +187,6 @@ def test_both_would_say_something(tmp_path: Path) -> None:
         assert done.returncode != 0 and "uninit" in done.stderr, command[0]
 
 
-@pytest.mark.tools
 @needs("cppcheck")
 def test_cppcheck_finds_nothing(tmp_path: Path) -> None:
     """For a microcontroller, and for gcc with vectors and threads: trying all combinations takes minutes."""
@@ -266,7 +197,6 @@ def test_cppcheck_finds_nothing(tmp_path: Path) -> None:
     silent(commands)
 
 
-@pytest.mark.tools
 @pytest.mark.slow
 @needs("cppcheck")
 @pytest.mark.parametrize("name", ["ur5", "three_ups_upu_s"])

@@ -25,8 +25,6 @@ from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from support.browser import start  # noqa: E402
 
-pytestmark = pytest.mark.tools
-
 Array = np.ndarray
 LAYERS = ("screws", "constraints", "freedoms", "momentum", "reactions", "drives", "masses", "axes", "points", "joints")
 

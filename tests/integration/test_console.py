@@ -29,7 +29,7 @@ def shown(monkeypatch: pytest.MonkeyPatch, **environment: str) -> str:
         monkeypatch.delenv(name, raising=False)
     for name, value in {"TERM": "xterm-256color", "COLUMNS": "60", **environment}.items():
         monkeypatch.setenv(name, value)
-    terminal.show(HEADER, ROWS)
+    terminal.print_table(HEADER, ROWS)
     return stream.getvalue()
 
 
@@ -42,7 +42,7 @@ def test_terminal_has_colours(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("environment", [{"NO_COLOR": "1"}, {"TERM": "dumb"}])
 def test_no_colours_where_they_are_not_wanted(environment: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> None:
-    assert shown(monkeypatch, **environment) == terminal.table(HEADER, ROWS) + "\n"
+    assert shown(monkeypatch, **environment) == terminal.aligned_table(HEADER, ROWS) + "\n"
 
 
 @pytest.mark.slow

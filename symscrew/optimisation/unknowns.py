@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 INFINITY = float("inf")
+
+
+@dataclass(frozen=True)
+class UnknownGroup:
+    """Unknowns of one name at every point: what a person calls them, typical sizes (len(labels),), bounds of all."""
+
+    name: str
+    labels: Sequence[str]
+    size: np.ndarray
+    lower: float = -INFINITY
+    upper: float = INFINITY
 
 
 @dataclass
@@ -29,7 +41,7 @@ class Unknowns:
         """Number of unknowns."""
         return len(self.scale)
 
-    def add(self, name: str, tau: np.ndarray, labels: list[str], scale: np.ndarray) -> np.ndarray:
+    def add(self, name: str, tau: np.ndarray, labels: Sequence[str], scale: np.ndarray) -> np.ndarray:
         """Unknowns of the shape (*tau.shape, len(labels)) with one scale per label, without bounds yet."""
         tau = np.asarray(tau, dtype=float)
         count, width = int(tau.size), len(labels)
@@ -38,7 +50,7 @@ class Unknowns:
         self.lower = np.concatenate([self.lower, np.full(count * width, -INFINITY)])
         self.upper = np.concatenate([self.upper, np.full(count * width, INFINITY)])
         self.tau = np.concatenate([self.tau, np.repeat(tau.ravel(), width)])
-        self.labels += labels * count
+        self.labels += list(labels) * count
         self.index[name] = first + np.arange(count * width).reshape(*tau.shape, width)
         return self.index[name]
 

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import mpmath
 import numpy as np
 import pytest
-from support.model_states import model
 
 from symscrew.algebra import elementary
 from symscrew.algebra.least_squares import least_norm
-from symscrew.generation.folder import render
 
 RANDOM = np.random.default_rng(3)
 ANGLES = np.concatenate(
@@ -25,7 +18,6 @@ ANGLES = np.concatenate(
         np.arange(-40, 40) * np.pi / 4,  # close to zeros, where the reduction loses digits
     ]
 )
-TARGETS = ("c", "numpy", "external", "javascript", "fmu", "mjcf", "markdown")
 
 
 def units_in_last_place(name: str, got: np.ndarray, *arguments: np.ndarray) -> float:
@@ -78,24 +70,3 @@ def test_least_squares_of_least_norm(rows: int, columns: int, rank: int) -> None
     right = RANDOM.normal(size=rows)
     expected = np.linalg.lstsq(matrix, right, rcond=1e-9)[0]
     assert np.abs(least_norm(matrix, right) - expected).max(initial=0.0) <= 1e-11 * np.abs(expected).max(initial=0.0)
-
-
-def test_what_is_generated_does_not_depend_on_the_processor(tmp_path: Path) -> None:
-    """A second process without the vector units and with the linear algebra of an old processor."""
-    units = [str(feature) for feature in np._core._multiarray_umath.__cpu_dispatch__]
-    script = (
-        "import sys, pathlib\n"
-        f"TARGETS = {TARGETS}\n"
-        "from symscrew import catalogue\n"
-        "from symscrew.generation.folder import render\n"
-        "from symscrew.model import derive\n"
-        "files = render(derive(catalogue.load('four_bar')), TARGETS)\n"
-        "for name, data in files.items(): (pathlib.Path(sys.argv[1]) / name).write_bytes(data)\n"
-    )
-    other = {**os.environ, "NPY_DISABLE_CPU_FEATURES": " ".join(units), "OPENBLAS_CORETYPE": "Nehalem"}
-    plain = [sys.executable, "-W", "ignore", "-c", script, str(tmp_path)]
-    subprocess.run(plain, env=other, check=True, capture_output=True)
-    own = render(model("four_bar"), TARGETS)
-    assert len(own) > 10
-    for name, data in own.items():
-        assert (tmp_path / name).read_bytes() == data, name

@@ -15,13 +15,14 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.display import COLOURS, Progress, figure, save_figure, table
+from symscrew.display import COLOURS, aligned_table, empty_figure, save_figure
 from symscrew.errors import DescriptionError
-from symscrew.optimisation import Prepared, TrajectoryProblem, Transcription, load_problem, prepare, solve
-from symscrew.whole_files import replaced
+from symscrew.optimisation import Prepared, TrajectoryProblem, Transcription, prepare, solve
+from symscrew.whole_files import replaced, write_text
 
-MESHES, FULL_MESHES = (5, 10, 20, 40), (5, 10, 20, 40, 80, 160)
-REFERENCE = (6, 40)
+MESHES, FULL_MESHES = (5, 10, 20, 40), (5, 10, 20, 40, 80, 160)  # doubled: an order shows as a constant ratio
+FULL_REPEATS = 3
+REFERENCE = (6, 40)  # degree and intervals; solved on twice as many too, whose difference is the reference's own error
 SCHEMES: tuple[tuple[str, Transcription], ...] = (
     ("Gauss 2, second order", Transcription("gauss", 2)),
     ("Gauss 3, second order", Transcription("gauss", 3)),
@@ -36,7 +37,7 @@ SCHEMES: tuple[tuple[str, Transcription], ...] = (
 
 
 @dataclass(frozen=True)
-class Point:
+class Solve:
     """One solve: the scheme, its intervals, processor time [s], iterations, cost, its error, error of the dynamics."""
 
     scheme: str
@@ -55,16 +56,61 @@ class TranscriptionStudy:
     problem: str
     reference: float
     reference_error: float
-    points: tuple[Point, ...]
+    points: tuple[Solve, ...]
     left_out: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        return f"TranscriptionStudy({self.problem}: {len(self.points)} solves, {len(self.left_out)} left out)"
 
-def study(problem: TrajectoryProblem, *, meshes: Sequence[int] = MESHES, repeats: int = 1) -> TranscriptionStudy:
+    def markdown(self) -> str:
+        """The study as Markdown."""
+        rows = [
+            [p.scheme, str(p.intervals), f"{p.seconds:.3f}", str(p.iterations), f"{p.cost:.10g}", f"{p.error:.1e}",
+             f"{p.dynamic:.1e}"]
+            for p in self.points
+        ]  # fmt: skip
+        header = (
+            "transcription",
+            "intervals",
+            "time [s]",
+            "iterations",
+            "cost",
+            "error of the cost",
+            "dynamic [1/s^2]",
+        )
+        lines = [
+            f"# Transcriptions of {self.problem}",
+            "",
+            f"Reference: Gauss {REFERENCE[0]} on {2 * REFERENCE[1]} intervals, cost {self.reference:.12g}, "
+            f"own error {self.reference_error:.1e}.",
+            "",
+            aligned_table(header, rows),
+            *(f"\nleft out: {reason}" for reason in self.left_out),
+        ]
+        return "\n".join(lines) + "\n"
+
+    def write(self, directory: Path) -> list[Path]:
+        """Write `<problem>_transcription` .json, .md and .png into a folder that is there."""
+        stem = f"{self.problem}_transcription"
+        return [
+            write_text(directory / f"{stem}.json", json.dumps(asdict(self), indent=1)),
+            write_text(directory / f"{stem}.md", self.markdown()),
+            replaced(directory / f"{stem}.png", lambda path: _drawn(self, path)),
+        ]
+
+
+def study(
+    problem: TrajectoryProblem, *, meshes: Sequence[int] = (), repeats: int = 0, full: bool = False
+) -> TranscriptionStudy:
     """Solve a problem by all transcriptions on all meshes; the fastest of `repeats` solves counts.
+
+    Meshes and repeats that are not given are those of a short study, or of a `full` one.
 
     Raises:
         DescriptionError: the problem has no reference solution.
     """
+    meshes = meshes or (FULL_MESHES if full else MESHES)
+    repeats = repeats or (FULL_REPEATS if full else 1)
     problem = replace(problem, accuracy=None)
     prepared = prepare(problem)
     reference, error = _reference(problem, prepared)
@@ -73,7 +119,7 @@ def study(problem: TrajectoryProblem, *, meshes: Sequence[int] = MESHES, repeats
         for n in meshes:
             given = replace(problem, transcription=replace(scheme, intervals=n, mesh=()))
             try:
-                points.append(_timed(given, prepared, name, reference, repeats))
+                points.append(_timed(given, prepared, name, reference=reference, repeats=repeats))
             except (DescriptionError, ArithmeticError) as reason:
                 left_out.append(f"{name}, {n} intervals: {reason}")
     return TranscriptionStudy(problem.name, reference, error, tuple(points), tuple(left_out))
@@ -91,7 +137,7 @@ def _reference(problem: TrajectoryProblem, prepared: Prepared) -> tuple[float, f
     return costs[1], abs(costs[1] - costs[0])
 
 
-def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, reference: float, repeats: int) -> Point:
+def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, *, reference: float, repeats: int) -> Solve:
     least, found = np.inf, None
     for _ in range(repeats):
         began = time.process_time()
@@ -102,51 +148,11 @@ def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, reference:
         raise ArithmeticError(found.status)
     n = len(found.mesh) - 1
     error = abs(found.cost - reference)
-    return Point(name, n, least, found.statistics.iterations, found.cost, error, found.errors.dynamic)
-
-
-def run(path: Path, directory: Path, *, full: bool = False) -> int:
-    """Study the problem of a file and write `<name>_transcription` .json, .md and .png; 1 where nothing was solved."""
-    progress = Progress()
-    problem = load_problem(path)
-    with progress.step(f"study transcription of {problem.name}"):
-        found = study(problem, meshes=FULL_MESHES if full else MESHES, repeats=3 if full else 1)
-    directory.mkdir(parents=True, exist_ok=True)
-    stem = f"{problem.name}_transcription"
-    text = report(found)
-    replaced(directory / f"{stem}.json", lambda p: _written(p, json.dumps(asdict(found), indent=1)))
-    replaced(directory / f"{stem}.md", lambda p: _written(p, text))
-    replaced(directory / f"{stem}.png", lambda p: _drawn(found, p))
-    print(text)
-    return 0 if found.points else 1
-
-
-def report(found: TranscriptionStudy) -> str:
-    """The study as Markdown."""
-    rows = [
-        [p.scheme, str(p.intervals), f"{p.seconds:.3f}", str(p.iterations), f"{p.cost:.10g}", f"{p.error:.1e}",
-         f"{p.dynamic:.1e}"]
-        for p in found.points
-    ]  # fmt: skip
-    header = ("transcription", "intervals", "time [s]", "iterations", "cost", "error of the cost", "dynamic [1/s^2]")
-    lines = [
-        f"# Transcriptions of {found.problem}",
-        "",
-        f"Reference: Gauss {REFERENCE[0]} on {2 * REFERENCE[1]} intervals, cost {found.reference:.12g}, "
-        f"own error {found.reference_error:.1e}.",
-        "",
-        table(header, rows),
-        *(f"\nleft out: {reason}" for reason in found.left_out),
-    ]
-    return "\n".join(lines) + "\n"
-
-
-def _written(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8")
+    return Solve(name, n, least, found.statistics.iterations, found.cost, error, found.errors.dynamic)
 
 
 def _drawn(found: TranscriptionStudy, path: Path) -> None:
-    made, (axes,) = figure(1, 1, width=7.0, height=4.2)
+    made, (axes,) = empty_figure(1, 1, width=7.0, height=4.2)
     names = list(dict.fromkeys(p.scheme for p in found.points))
     for k, name in enumerate(names):
         own = [p for p in found.points if p.scheme == name]
