@@ -26,6 +26,7 @@ LIMITS = [
     *((seed, "inverse_dynamics_platform", 1000) for seed in SEEDS),
     *((seed, "joint_reactions", 1500) for seed in SEEDS),
     ("stewart_6ups", "inverse_dynamics", 1400),
+    ("stewart_6ups", "forward_dynamics", 2090),
     ("ur5", "inverse_dynamics", 420),
     ("panda", "inverse_dynamics", 800),
 ]
