@@ -93,7 +93,7 @@ def _body(axes: Axes, view: Camera, mechanism: Mechanism, body: str, places: Arr
         if body == mechanism.ground:
             return
         # the outer part of a sliding pair is drawn thicker than the one that slides in it
-        outer = any(j.type == "P" and j.parent == body for j in mechanism.joints.values())
+        outer = any(j.kind.slider and j.parent == body for j in mechanism.joints.values())
         thick = 4.6 if outer else 2.2
         axes.plot(*view(along(places)).T, color=colour, linewidth=thick, solid_capstyle="round", zorder=order)
         return

@@ -103,7 +103,7 @@ class _Closure:
 
 def _unit_quaternions(system, target):  # type: ignore[no-untyped-def]
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             continue
         given = [k for k in range(link.q.start, link.q.stop) if k in target]
         if not given:
@@ -155,9 +155,8 @@ def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: lis
 def _solved(system, closure: _Closure, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray | None:  # type: ignore[no-untyped-def]
     moved = _turned(system, q, wanted)
     plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
-    column = {link.q.start: link.v.start for link in system.tree.links[1:] if link.motion.kind != "S"}
-    held = [k for link in system.tree.links[1:] if link.motion.kind == "S" and link.q.start in wanted
-            for k in range(link.v.start, link.v.stop)]  # fmt: skip
+    column = dict(system.tree.plain)
+    held = [k for in_q, in_v in system.tree.spheres if in_q in wanted for k in range(in_v, in_v + 3)]
     pick = np.zeros((len(plain) + len(held), len(closure.units)))
     for i, k in enumerate(plain):
         pick[i, column[k]] = 1.0
@@ -183,7 +182,7 @@ def _turned(system, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray:  # t
     """q with the wanted quaternions put in."""
     moved = np.array(q)
     for link in system.tree.links[1:]:
-        if link.motion.kind == "S" and link.q.start in wanted:
+        if link.motion.spherical and link.q.start in wanted:
             value = np.array([wanted[k] for k in range(link.q.start, link.q.stop)])
             moved[link.q] = value / np.linalg.norm(value)
     return moved

@@ -193,9 +193,7 @@ def _source(model: Model, plant: Plant, scene: Scene, programs: Mapping, places:
 def _constants(plant: Plant) -> list[str]:
     """Sizes and units that the kernels read."""
     tree, sizes = plant.system.tree, plant.sizes
-    links = tree.links[1:]
-    spheres = [(li.q.start, li.v.start) for li in links if li.motion.kind == "S"]
-    plain = [(li.q.start, li.v.start) for li in links if li.motion.kind not in "SF"]
+    spheres, plain = tree.spheres, tree.plain
     nq, nv, nr = sizes["q"], sizes["v"], len(plant.rows)
     numbers = {
         "NQ": nq, "NV": nv, "NX": sizes["x"], "NS": plant.tables, "NR": nr, "RANK": plant.rank, "FREE": nv - plant.rank,

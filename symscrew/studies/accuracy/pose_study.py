@@ -295,8 +295,8 @@ def _layout(system: System, labels: tuple[str, ...]) -> list[str]:
         return labels.index(label if label in labels else label.replace(".w", "."))
 
     links = system.tree.links[1:]
-    spheres = [(li.q.start, first(li)) for li in links if li.motion.kind == "S"]
-    plain = [(li.q.start, first(li)) for li in links if li.motion.kind not in "SF"]
+    spheres = [(li.q.start, first(li)) for li in links if li.motion.spherical]
+    plain = [(li.q.start, first(li)) for li in links if li.motion.single]
     rows = [("PLAIN", plain), ("SPHERES", spheres)]
     lines = [f"#define NQ {len(system.tree.q)}", f"#define NW {len(labels)}"]
     lines += [f"#define PLAIN_COUNT {len(plain)}", f"#define SPHERE_COUNT {len(spheres)}"]

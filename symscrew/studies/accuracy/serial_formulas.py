@@ -41,7 +41,7 @@ class Chains:
     def __init__(self, mechanism: Mechanism) -> None:
         numbers = numeric(mechanism)
         self.limbs: list[list[int]] = []
-        self.spherical = [mechanism.joints[name].type == "S" for name in numbers.joints]
+        self.spherical = [mechanism.joints[name].kind.ball for name in numbers.joints]
         for limb in mechanism.limbs.values():
             self.limbs.append([numbers.joints.index(name) for name in limb.joints])
         self.freedoms, self.points = numbers.freedoms, numbers.points

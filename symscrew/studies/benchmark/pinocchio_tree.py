@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.description import Joint, Mechanism
 from symscrew.kinematics import GROUND, Link, Tree, spanning_tree
 
 Array = np.ndarray
@@ -97,9 +97,9 @@ class PinocchioTree:
         qs, vs, accelerations = [], [], []
         for element in self.elements:
             place, rate, change = q[:, element.q] - element.reference, v[:, element.v], a[:, element.v]
-            if element.kind in ("S", "free"):
+            if len(element.q) > len(element.v):  # a quaternion
                 place = np.concatenate([place[:, :-4], place[:, -3:], place[:, -4:-3]], axis=1)  # (x, y, z, w)
-            if element.kind == "free":
+            if len(element.v) == 6:
                 turn = _rotations(q[:, element.q[-4:]])
                 omega = rate[:, 3:]
                 linear = np.einsum("sji,sj->si", turn, rate[:, :3])
@@ -128,7 +128,7 @@ def pinocchio_tree(mechanism: Mechanism) -> PinocchioTree:
     for joint in _limb_order(tree, number):
         ends = [number[tree.link_of_body[body]] for body in (joint.parent, joint.child)]
         axes = tuple(_numbers(mechanism, axis) for axis in joint.axes)
-        if joint.type not in ("S", "U"):
+        if not (joint.kind.ball or joint.kind.universal):
             raise ValueError(f"joint {joint.name}: expected cut joints of type S or U, got {joint.type}")
         tip_first = ends[0] > ends[1]
         cuts.append(CutJoint(max(ends), min(ends), _numbers(mechanism, joint.point), axes if tip_first else axes[::-1]))
@@ -174,12 +174,12 @@ def _element(mechanism: Mechanism, tree: Tree, links: list[Link], parent: int) -
     if len(links) == 4:
         reference = np.concatenate([_numbers(mechanism, joint.reference), np.zeros(4)])
         return Element("free", parent, np.eye(3), origin, q, v, reference, link.index)
-    if link.motion.kind == "S":
+    if link.motion.spherical:
         return Element("S", parent, np.eye(3), origin, q, v, np.zeros(4), link.index)
-    if len(links) > 1 or link.motion.kind not in "RP":
+    if len(links) > 1 or not (link.motion.revolute or link.motion.prismatic):
         raise ValueError(f"joint {joint.name}: expected R, P, U, S or a virtual free joint, got {joint.type}")
     axis = _numbers(mechanism, joint.axes[link.motion.axis or 0]) * (-1 if link.inverted else 1)
-    place = JOINT_TYPES[joint.type].motions.index(link.motion)
+    place = link.position
     values = _numbers(mechanism, joint.reference) if joint.reference else np.zeros(2)
     return Element(link.motion.kind, parent, triad(axis), origin, q, v, values[place : place + 1], link.index)
 
