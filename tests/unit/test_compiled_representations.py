@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from model_states import model
+from support.model_states import model
 
 from symscrew.effects import Acting, ExternalWrench, Gravity
 from symscrew.program import Port

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
-from model_states import model
+from support.model_states import model
 
 import symscrew
 from symscrew.cli.parser import main

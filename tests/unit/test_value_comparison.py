@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from model_states import model
+from support.model_states import model
 
 from symscrew.generation.value_comparison import FLOOR, TOLERANCE, Results, compare_values, relative_difference
 
