@@ -192,7 +192,7 @@ class Parts:
         sign = -1 if cut.tip_is_parent else 1
         seen = closure_rate(replace(cut, rows=rows), system.linkage, system.twist)
         turning = [k for k, m in enumerate(motions) if m.revolute]
-        if len(turning) == 2:
+        if len(turning) == 2:  # of skew axes, each row sees a part of the other rate too: solve the two for both
             skew = system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))
             if skew is not system.tape.zero:
                 other = turning[1 - turning.index(freedom)]
