@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.geometry import UNITS, Pose, Rotation, Triple, about, product, triple, turned_inertia, unit
 from symscrew.formats.outline import Outline, RawBody, RawJoint
@@ -156,7 +157,7 @@ def _joint(joint: Element, name: str, poses: Mapping[str, Pose], driven: Sequenc
     parent, child = (attribute(_one(joint, end), "link") for end in ("parent", "child"))
     pose = poses[child]
     axes: tuple[Triple, ...] = ()
-    if TYPES[kind] in ("R", "P", "E"):
+    if JOINT_TYPES[TYPES[kind]].axes:
         found = list(elements(joint, "axis"))
         text = attribute(found[0], "xyz") if found else "1 0 0"
         axes = (pose.direction(unit(_triple(text, f"{label(joint)}, axis"), f"{label(joint)}, axis")),)
