@@ -84,10 +84,10 @@ class _Stepper:
         q_dot: list[Any] = [0] * self.nq
         for link in self.system.tree.links[1:]:
             rate = v[link.v.start : link.v.stop]
-            if link.motion.kind == "S":
+            if link.motion.spherical:
                 w, r = q[link.q.start], q[link.q.start + 1 : link.q.stop]
                 q_dot[link.q] = ca.vertsplit(ca.vertcat(-ca.dot(r, rate), w * rate + ca.cross(r, rate)) / 2)
-            elif link.v.stop > link.v.start:
+            elif link.motion.single:
                 q_dot[link.q.start] = rate[0]
         found = self.equations.effect_rates
         x_dot = symbolic_outputs(found, known)["x_dot"] if found else ca.SX(0, 1)
@@ -128,7 +128,7 @@ class _Stepper:
     def _closed(self, state: Any, p: Any) -> Any:
         q, v, x = state[: self.nq], state[self.nq : self.nq + self.nv], state[self.nq + self.nv :]
         for link in self.system.tree.links[1:]:
-            if link.motion.kind == "S":
+            if link.motion.spherical:
                 part = q[link.q.start : link.q.stop]
                 q[link.q.start : link.q.stop] = part / ca.sqrt(ca.dot(part, part))
         if "close_position" in self.programs:

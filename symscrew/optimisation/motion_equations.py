@@ -127,7 +127,7 @@ class PointEquations:
                 continue
             values.append(value * tape.constant(1.0 / system.length) if row.unit == "N" else value)
         for link in system.tree.links[1:]:
-            if link.motion.kind == "S" and {*range(link.q.start, link.q.stop)} & {*self.layout.z, *self.layout.y}:
+            if link.motion.spherical and {*range(link.q.start, link.q.stop)} & {*self.layout.z, *self.layout.y}:
                 values.append(sum((c * c for c in placed.inputs.q[link.q]), start=tape.zero) - tape.one)
         if len(values) != len(self.layout.z):
             raise DescriptionError(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from symscrew.description import JOINT_TYPES, to_toml
+from symscrew.description import to_toml
 from symscrew.display import TIME, Curve, draw_curves, empty_figure, save_figure
 from symscrew.optimisation.followed_motion import Replay
 from symscrew.optimisation.result import Trajectory
@@ -113,7 +113,7 @@ def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None
     curves = [Curve(label, samples.y_dot[:, k], unit) for k, label in enumerate(labels)]
     draw_curves(axes[1], samples.t, curves, title="Their rates", label=f"y_dot [{unit}/s]")
     system = trajectory.model.system
-    slides = {JOINT_TYPES[system.mechanism.joints[j].type].freedoms[k].kind == "P" for j, k in system.drives}
+    slides = {system.mechanism.joints[j].kind.freedoms[k].prismatic for j, k in system.drives}
     unit = ", ".join("N" if slide else "N m" for slide in sorted(slides, reverse=True))
     curves = [Curve(label, samples.u[:, k], unit) for k, label in enumerate(trajectory.drive_labels)]
     draw_curves(axes[2], samples.t, curves, title="Drives and their bounds", label=f"u  [{unit}]", columns=4)

@@ -120,7 +120,7 @@ def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, f
     """The given coordinates with quaternions of unit length; all four entries of one are given, or none."""
     target = dict(given)
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             continue
         named = [k for k in range(link.q.start, link.q.stop) if k in target]
         if not named:
@@ -173,9 +173,8 @@ def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[in
     """Newton's method by least squares onto the closed loops with the wanted coordinates; None where it fails."""
     moved = _turned(system, q, wanted)
     plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
-    column = {link.q.start: link.v.start for link in system.tree.links[1:] if link.motion.kind != "S"}
-    held = [k for link in system.tree.links[1:] if link.motion.kind == "S" and link.q.start in wanted
-            for k in range(link.v.start, link.v.stop)]  # fmt: skip
+    column = dict(system.tree.plain)
+    held = [k for in_q, in_v in system.tree.spheres if in_q in wanted for k in range(in_v, in_v + 3)]
     pick = np.zeros((len(plain) + len(held), len(closure.units)))
     for i, k in enumerate(plain):
         pick[i, column[k]] = 1.0
@@ -201,7 +200,7 @@ def _turned(system: System, q: np.ndarray, wanted: Mapping[int, float]) -> np.nd
     """q with the wanted quaternions put in."""
     moved = np.array(q)
     for link in system.tree.links[1:]:
-        if link.motion.kind == "S" and link.q.start in wanted:
+        if link.motion.spherical and link.q.start in wanted:
             value = np.array([wanted[k] for k in range(link.q.start, link.q.stop)])
             moved[link.q] = value / np.linalg.norm(value)
     return moved

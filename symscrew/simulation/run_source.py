@@ -83,8 +83,7 @@ def _vector(name: str, values: np.ndarray, storage: str = "static const") -> str
 def constants(plant: Plant) -> str:
     """Sizes, units and thresholds that the kernels read."""
     tree, sizes = plant.system.tree, plant.sizes
-    spheres = [(link.q.start, link.v.start) for link in tree.links[1:] if link.motion.kind == "S"]
-    plain = [(link.q.start, link.v.start) for link in tree.links[1:] if link.motion.kind not in "SF"]
+    spheres, plain = tree.spheres, tree.plain
     nq, nv, nx, nr = sizes["q"], sizes["v"], sizes["x"], len(plant.rows)
     passive = int(plant.works)
     numbers = {

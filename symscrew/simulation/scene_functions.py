@@ -39,10 +39,8 @@ class PlantFunctions:
         self.system = plant.system
         sizes = plant.sizes
         self.nq, self.nv, self.nx, self.nu = (sizes[k] for k in ("q", "v", "x", "u"))
-        self.spheres = [(li.q.start, li.v.start) for li in self.system.tree.links[1:] if li.motion.kind == "S"]
-        self.plain = np.array(
-            [(li.q.start, li.v.start) for li in self.system.tree.links[1:] if li.motion.kind not in "SF"], dtype=int
-        ).reshape(-1, 2)
+        self.spheres = self.system.tree.spheres
+        self.plain = np.array(self.system.tree.plain, dtype=int).reshape(-1, 2)
         self.evaluations = 0
         self._library = self._compiled() if compiled else None
 

@@ -63,6 +63,7 @@ def test_singular_positions_crossed_in_motion(integrator: dict) -> None:
     assert np.abs(run.q[:, labels["A0"]] - run.q[:, labels["A1"]]).max() < 1e-6  # no change of branch
 
 
+@pytest.mark.slow
 def test_without_following_the_branch_the_crossings_go_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     """The guard taken out, in both of its places: no step begins with care (CAREFUL), and a step that was repeated
     with care finds no zone to step over (ZONE). Either alone does: a step whose error is too large is repeated so.

@@ -9,6 +9,7 @@ from functools import cache
 
 import pytest
 from benchmarks.mechanisms import chain
+from support.marks import slow
 
 from symscrew.export.c import print_source
 from symscrew.model import Model, derive
@@ -40,7 +41,7 @@ def functions(found: Model) -> list[str]:
     return [name for name in found.programs if name not in SQUARE]
 
 
-@pytest.mark.parametrize("kind", ["loops", pytest.param("chain", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("kind", ["loops", slow("chain")])
 def test_every_step_adds_the_same_operations(kind: str) -> None:
     models = [sized(kind, size) for size in SIZES[kind]]
     for name in functions(models[0]):
