@@ -65,9 +65,8 @@ def run(options: argparse.Namespace) -> int:
             measured.append(measure(model, core, options.precision))
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
         files = generate(
-            model, options.out, targets,
-            precision=options.precision, measured=measured, hashes_only=options.hashes_only,
-        )  # fmt: skip
+            model, options.out, targets, precision=options.precision, measured=measured, hashes_only=options.hashes_only
+        )
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     print_table(("function", "operations"), rows)

@@ -37,15 +37,11 @@ from symscrew.algebra import (
     Node,
     Tape,
     TooLargeError,
-    Twist,
     Vector,
     Volume,
     dot,
-    helical,
-    prismatic,
     rank_of,
     reciprocal_factors,
-    revolute,
     sampled,
     scale,
     transform,
@@ -54,8 +50,8 @@ from symscrew.algebra import (
     volume,
     zeroed,
 )
-from symscrew.description import JOINT_TYPES
-from symscrew.kinematics import GROUND, Cut, Row, System, carry, carry_point, universal_axes
+from symscrew.description import Motion, rotation
+from symscrew.kinematics import GROUND, Cut, Row, System, carry, carry_point, pair_of, universal_axes
 
 LONG = 10  # limbs with more freedoms are not looked at from all of their links
 MOST_SUBSETS = 20  # sets of drives that get a margin of their own
@@ -157,7 +153,7 @@ def limbs(system: System) -> dict[str, tuple[str, ...]]:
 
 def _drive_name(system: System, index: int) -> str:
     joint, freedom = system.drives[index]
-    single = JOINT_TYPES[system.mechanism.joints[joint].type].freedom == 1
+    single = system.mechanism.joints[joint].kind.freedom == 1
     return joint if single else f"{joint}.{freedom}"
 
 
@@ -204,34 +200,32 @@ def _candidate_frames(links: Sequence[int]) -> list[int]:
     return found if len(found) <= LONG + 1 else [GROUND]
 
 
-Piece = tuple[int, str, Vector, Vector, object]
+Piece = tuple[int, Motion, Vector, Vector, object]
 
 
 def _pieces(system: System, name: str) -> list[Piece]:
-    """(link, kind, axis, point, pitch) of every freedom of a joint, in coordinates of a link."""
+    """(link, motion, axis, point, pitch) of every freedom of a joint, in coordinates of a link."""
     cut = next((c for c in system.cuts if c.joint.name == name), None)
     if cut is not None:
         return _cut_pieces(system, cut)
     result: list[Piece] = []
     for link in system.tree.links_of(name):
         frame = system.frames[link.index]
-        if link.motion.kind == "S":
-            result += [(link.index, "R", axis, ZERO, None) for axis in IDENTITY]
-        elif link.motion.kind == "P":
-            result.append((link.index, "P", frame.axis, ZERO, None))  # a slider keeps its parent's axes
-        elif link.motion.kind != "F":
-            result.append((link.index, link.motion.kind, (0, 0, 1), ZERO, frame.pitch))
+        if link.motion.spherical:
+            result += [(link.index, rotation(), axis, ZERO, None) for axis in IDENTITY]
+        elif link.motion.single:  # a slider keeps its parent's axes
+            axis = (0, 0, 1) if link.motion.turns else frame.axis
+            result.append((link.index, link.motion, axis, ZERO, frame.pitch))
     return result
 
 
 def _cut_pieces(system: System, cut: Cut) -> list[Piece]:
-    motions = JOINT_TYPES[cut.joint.type].motions
-    if any(m.kind == "S" for m in motions):
-        return [(cut.tip, "R", axis, cut.tip_point, None) for axis in IDENTITY]
-    universal = sum(m.kind == "R" for m in motions) == 2
-    axes = universal_axes(cut, system.tree, system.placed) if universal else cut.tip_axes
+    kind = cut.joint.kind
+    if kind.spherical:
+        return [(cut.tip, rotation(), axis, cut.tip_point, None) for axis in IDENTITY]
+    axes = universal_axes(cut, system.tree, system.placed) if kind.universal else cut.tip_axes
     pitch = system.geometry.scalar(cut.joint.pitch) if cut.joint.pitch is not None else None
-    return [(cut.tip, m.kind, axes[m.axis or 0], cut.tip_point, pitch) for m in motions]
+    return [(cut.tip, m, axes[m.axis or 0], cut.tip_point, pitch) for m in kind.motions]
 
 
 def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> list[Node]:
@@ -239,17 +233,17 @@ def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> l
 
     Joint after joint between the two, or with `known` from the poses, which all of a long limb's screws share.
     """
-    link, kind, axis, point, pitch = piece
+    link, motion, axis, point, pitch = piece
     tape, tree, placed = system.tape, system.tree, system.placed
     by_pose = known and frame == GROUND and link != GROUND
     pose = system.pose[link]
     axis = transform(pose.rotation, axis) if by_pose else carry(tree, placed, link, frame, axis)
-    if kind == "P":
-        twist: Twist = prismatic(axis)
+    if not motion.turns:
+        (twist,) = pair_of(motion).screws(axis, ZERO, pitch)
         linear = twist.linear
     else:
         at = pose.point(point) if by_pose else carry_point(tree, placed, link, frame, point)
-        twist = helical(axis, at, pitch) if kind == "H" else revolute(axis, at)
+        (twist,) = pair_of(motion).screws(axis, at, pitch)
         linear = scale(tape.constant(1 / system.length), twist.linear)
     return [tape.node(c) for c in (*twist.angular, *linear)]
 
@@ -305,7 +299,7 @@ class _Closure:
         for link in tree.links[1:]:
             below = {k for i in tree.path(link.parent) for k in range(tree.links[i].v.start, tree.links[i].v.stop)}
             own = set(range(link.v.start, link.v.stop))
-            if link.motion.kind == "S" and own <= private and not below & private:
+            if link.motion.spherical and own <= private and not below & private:
                 turning.append(link)
         if not turning:
             return
@@ -403,7 +397,7 @@ def _turned(system: System, grid: Grid) -> Grid | None:
     A constraint that passes through an axis of its limb acts on the joint only across that axis.
     """
     tape, tree = system.tape, system.tree
-    hubs = [link for link in tree.links[1:] if link.motion.kind == "S"]
+    hubs = [link for link in tree.links[1:] if link.motion.spherical]
     if len(grid[0]) != 3 or len(hubs) != 1:
         return None
     for link in tree.links[1:]:

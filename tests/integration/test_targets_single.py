@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import model
 
 from symscrew.cli.parser import main
@@ -29,7 +30,7 @@ def code(text: str) -> str:
     return re.sub(r'/\*.*?\*/|"[^"]*"', "", text, flags=re.DOTALL)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ["four_bar", "ur5", slow("three_ups_upu_s_physical")])
 def test_everything_is_float(name: str) -> None:
     for text in print_c(model(name), precision=SINGLE).values():
         assert not re.search(r"\bdouble\b", code(text))
