@@ -18,6 +18,7 @@ from symscrew.model import derive
 PACKAGE = Path(symscrew.__file__).parent
 
 
+@cache
 def the_map(package: Path = PACKAGE) -> list[str]:
     """Rooms in the order in which the package's docstring lists them, as dotted names without the package's."""
     text = ast.get_docstring(ast.parse((package / "__init__.py").read_text())) or ""
