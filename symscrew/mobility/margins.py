@@ -20,7 +20,6 @@ manifold, on the assembly branch of the reference configuration.
 
 from __future__ import annotations
 
-import copy
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -51,7 +50,7 @@ from symscrew.algebra import (
     zeroed,
 )
 from symscrew.description import Motion, rotation
-from symscrew.kinematics import GROUND, Cut, Row, System, carry, carry_point, pair_of, universal_axes
+from symscrew.kinematics import GROUND, Cut, Row, System, pair_of, universal_axes
 
 LONG = 10  # limbs with more freedoms are not looked at from all of their links
 MOST_SUBSETS = 20  # sets of drives that get a margin of their own
@@ -223,7 +222,7 @@ def _cut_pieces(system: System, cut: Cut) -> list[Piece]:
     kind = cut.joint.kind
     if kind.spherical:
         return [(cut.tip, rotation(), axis, cut.tip_point, None) for axis in IDENTITY]
-    axes = universal_axes(cut, system.tree, system.placed) if kind.universal else cut.tip_axes
+    axes = universal_axes(cut, system.linkage) if kind.universal else cut.tip_axes
     pitch = system.geometry.scalar(cut.joint.pitch) if cut.joint.pitch is not None else None
     return [(cut.tip, m, axes[m.axis or 0], cut.tip_point, pitch) for m in kind.motions]
 
@@ -234,15 +233,15 @@ def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> l
     Joint after joint between the two, or with `known` from the poses, which all of a long limb's screws share.
     """
     link, motion, axis, point, pitch = piece
-    tape, tree, placed = system.tape, system.tree, system.placed
+    tape = system.tape
     by_pose = known and frame == GROUND and link != GROUND
     pose = system.pose[link]
-    axis = transform(pose.rotation, axis) if by_pose else carry(tree, placed, link, frame, axis)
+    axis = transform(pose.rotation, axis) if by_pose else system.linkage.carry(link, frame, axis)
     if not motion.turns:
         (twist,) = pair_of(motion).screws(axis, ZERO, pitch)
         linear = twist.linear
     else:
-        at = pose.point(point) if by_pose else carry_point(tree, placed, link, frame, point)
+        at = pose.point(point) if by_pose else system.linkage.carry_point(link, frame, point)
         (twist,) = pair_of(motion).screws(axis, at, pitch)
         linear = scale(tape.constant(1 / system.length), twist.linear)
     return [tape.node(c) for c in (*twist.angular, *linear)]
@@ -278,7 +277,7 @@ class _Closure:
         self.by_length = tape.constant(1 / system.length)
         self.columns = [tape.constant(system.length) if c.kind == "length" else tape.one for c in system.tree.v]
         self.spins: set[int] = set()
-        self.turned = system
+        self.turned = system.closure
         self.cut_drives = system.cut_drives()
         self.rows = [self._entries(cut, cut.rows) for cut in system.cuts]
         known = [{k for row in rows for k in row} for rows in self.rows]
@@ -307,14 +306,14 @@ class _Closure:
         for link in turning:
             placed[link.index] = replace(placed[link.index], turn=IDENTITY)
             self.spins |= set(range(link.v.start, link.v.stop))
-        self.turned = copy.copy(self.system)
-        self.turned.placed = tuple(placed)
+        linkage = replace(self.system.linkage, placed=tuple(placed))
+        self.turned = replace(self.turned, linkage=linkage)
         self.rows = [self._entries(cut, cut.rows) for cut in self.system.cuts]
 
     def _entries(self, cut: Cut, rows: Sequence[Row]) -> list[dict[int, Node]]:
         """Rows of a cut joint without units."""
         given = replace(cut, rows=tuple(rows))
-        entries = self.system.cut_rows(given)
+        entries = self.system.closure.cut_rows(given)
         if self.spins:
             others = self.turned.cut_rows(given)
             entries = [{k: e for k, e in row.items() if k not in self.spins}
@@ -401,7 +400,7 @@ def _turned(system: System, grid: Grid) -> Grid | None:
     if len(grid[0]) != 3 or len(hubs) != 1:
         return None
     for link in tree.links[1:]:
-        axes = [carry(tree, system.placed, link.index, hubs[0].index, axis, before=True) for axis in IDENTITY]
+        axes = [system.linkage.carry(link.index, hubs[0].index, axis, before=True) for axis in IDENTITY]
         turned = trimmed(tape, [[tape.node(dot((row[0], row[1], row[2]), axis)) for axis in axes] for row in grid])
         if len(turned) == len(turned[0]) == len(grid):
             return turned

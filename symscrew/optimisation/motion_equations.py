@@ -88,7 +88,7 @@ class PointEquations:
         return Layout(y, tuple(k for k in range(len(self.system.tree.q)) if k not in y), False)
 
     @cached_property
-    def _placed(self) -> tuple[System, dict, Loops]:
+    def _placed(self) -> tuple[System, dict[int, tuple[Node, Node]], Loops]:
         """The system at q from y and z, cosines and sines that are known, and its loops."""
         if not self.layout.closed:
             return self.system, {}, self.loops

@@ -1,4 +1,7 @@
-"""A trajectory in files: .npz with everything, .csv as a table for a controller, a figure."""
+"""A trajectory in files: .npz with everything, .csv as a table for a controller, a figure.
+
+Trajectory --sample--> t, u, joints and their rates at equal times --> file, whole or not at all
+"""
 
 from __future__ import annotations
 
@@ -10,21 +13,23 @@ import numpy as np
 
 from symscrew.description import to_toml
 from symscrew.display import TIME, Curve, draw_curves, empty_figure, save_figure
+from symscrew.optimisation.followed_motion import Replay
 from symscrew.optimisation.result import Trajectory
 from symscrew.whole_files import replaced
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from symscrew.optimisation.followed_motion import Replay
-
-FINE = 501
+FINE = 501  # samples of a file without a rate
 
 
 def write_plan(trajectory: Trajectory, path: Path, *, rate: float | None = None) -> Path:
     """Write a trajectory to .npz or .csv; the file appears whole or not at all.
 
-    `rate`: samples per second of the table; default 501 samples.
+    Args:
+        trajectory: may be one that is not `ok`.
+        path: ends in .csv for a table of t, u and all joints' displacements and rates; else an archive of everything.
+        rate: samples per second; default 501 samples.
     """
     make = _table if path.suffix == ".csv" else _archive
     return replaced(path, lambda temporary: make(trajectory, temporary, rate))
@@ -85,7 +90,10 @@ def _saved(made: Figure, path: Path) -> None:
 
 
 def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> Path:
-    """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one."""
+    """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one.
+
+    Returns the path, whose file is written whole or not at all. Needs matplotlib.
+    """
     samples = trajectory.sample(count=401)
     made, axes = empty_figure(3, 1, width=7.0, height=2.2)
     tree = {c.label: c.unit for c in trajectory.model.system.tree.q}

@@ -24,7 +24,7 @@ from symscrew.report.study_pages import accuracy_section, bill_section
 from symscrew.studies import Bill, Times
 from symscrew.studies.workspace import Call
 
-LONG_SCREW = 160
+LONG_SCREW = 160  # characters of LaTeX: a longer screw does not fit the page, and is given by number
 SIGNIFICANT = ("inverse_dynamics", "forward_dynamics", "joint_reactions")
 
 
@@ -315,6 +315,8 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
             "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 "
             "is a singularity. Curves end where the loops cannot be closed."
         )
+        if rest := margin_maps.left_out(model):
+            text += f" Not drawn: {', '.join(rest)}."
         blocks.append(Picture("margins", svg(figure), text))
     elif rows:
         blocks.append(

@@ -16,8 +16,9 @@ from symscrew.cli.parser import main
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import SINGLE
 from symscrew.export.c_single import single_errors, single_inputs
+from symscrew.generation.c_target import STRICT
 from symscrew.runtime.compiled import find_compiler, load
-from symscrew.verification.regeneration import STRICT, check
+from symscrew.verification.regeneration import check
 
 COMPILER = find_compiler()
 compiled_code = pytest.mark.skipif(COMPILER is None, reason="no C compiler")

@@ -15,7 +15,7 @@ from symscrew.export.c import print_source
 from symscrew.model import Model, derive
 from symscrew.program.rank_revealing import RankRevealing
 from symscrew.program.straight_line import Iteration, Program
-from symscrew.simulation.native import source
+from symscrew.simulation.run_source import source
 from symscrew.simulation.state_programs import plant
 from symscrew.studies.accuracy.growth_study import four_bars
 

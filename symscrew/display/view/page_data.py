@@ -26,8 +26,8 @@ FUNCTIONS = (
 )  # fmt: skip
 MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
 ALL_DRIVES = "all drives"
-MAX_FRAMES = 1500
-MAX_VALUES = 400_000
+MAX_FRAMES = 1500  # of a motion in the page: 25 s at 60 a second; more are thinned evenly
+MAX_VALUES = 400_000  # of a motion in the page: 2 MB of text; mechanisms with many joints have fewer frames
 
 
 def functions_of(model: Model) -> tuple[str, ...]:
@@ -128,7 +128,8 @@ def _kind(joint: Joint, freedom: int) -> str:
 
 
 def _unit(vector: Array) -> list[float]:
-    return (vector / np.linalg.norm(vector)).tolist()
+    unit: list[float] = (vector / np.linalg.norm(vector)).tolist()
+    return unit
 
 
 def _limbs(mechanism: Mechanism) -> list[dict[str, Any]]:

@@ -7,9 +7,11 @@ has. Coordinates are ordered platform first, then limb by limb.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import sympy
 
 from symscrew.description import Joint, Mechanism
 from symscrew.kinematics import GROUND, Link, Tree, spanning_tree
@@ -90,7 +92,8 @@ class PinocchioTree:
 
     def _local(self, joint: int, point: Array) -> Array:
         axes, origin = self.frame(joint)
-        return axes.T @ (point - origin)
+        local: Array = axes.T @ (point - origin)
+        return local
 
     def states(self, q: Array, v: Array, a: Array) -> tuple[Array, Array, Array]:
         """Pinocchio's q, v, a of consistent states (states, n) of the tree."""
@@ -109,8 +112,8 @@ class PinocchioTree:
             qs.append(place)
             vs.append(rate)
             accelerations.append(change)
-        joined = (np.concatenate(parts, axis=1) for parts in (qs, vs, accelerations))
-        return tuple(np.ascontiguousarray(part) for part in joined)  # type: ignore[return-value]
+        joined = [np.ascontiguousarray(np.concatenate(parts, axis=1)) for parts in (qs, vs, accelerations)]
+        return joined[0], joined[1], joined[2]
 
 
 def pinocchio_tree(mechanism: Mechanism) -> PinocchioTree:
@@ -187,12 +190,12 @@ def _element(mechanism: Mechanism, tree: Tree, links: list[Link], parent: int) -
 def _inertia(mechanism: Mechanism, links: list[Link]) -> tuple[float, Array, Array]:
     """Mass, centre and inertia about it of the bodies of a group, absolute axes."""
     bodies = [mechanism.bodies[name] for link in links for name in link.bodies]
-    heavy = [body for body in bodies if body.mass is not None]
+    heavy = [(body, body.mass, body.com) for body in bodies if body.mass is not None and body.com is not None]
     if not heavy:
         return 0.0, np.zeros(3), np.zeros((3, 3))
-    (body,) = heavy
+    ((body, mass, com),) = heavy
     inertia = np.zeros((3, 3)) if body.inertia is None else np.array([_numbers(mechanism, r) for r in body.inertia])
-    return float(mechanism.number(body.mass)), _numbers(mechanism, body.com), inertia  # type: ignore[arg-type]
+    return float(mechanism.number(mass)), _numbers(mechanism, com), inertia
 
 
 def triad(axis: Array) -> Array:
@@ -206,8 +209,9 @@ def _rotations(quaternions: Array) -> Array:
     w, r = quaternions[:, 0], quaternions[:, 1:]
     cross = np.cross(np.eye(3)[None], r[:, None, :])
     outer = 2 * r[:, :, None] * r[:, None, :]
-    return outer + 2 * w[:, None, None] * cross + (w**2 - (r**2).sum(axis=1))[:, None, None] * np.eye(3)
+    turned: Array = outer + 2 * w[:, None, None] * cross + (w**2 - (r**2).sum(axis=1))[:, None, None] * np.eye(3)
+    return turned
 
 
-def _numbers(mechanism: Mechanism, values: tuple) -> Array:
+def _numbers(mechanism: Mechanism, values: Sequence[sympy.Expr]) -> Array:
     return np.array([float(mechanism.number(value)) for value in values])
