@@ -19,7 +19,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
-from symscrew.simulation import native, run_source
+from symscrew.simulation import run_source
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")

@@ -99,6 +99,7 @@ def straight(program: Program | Iteration) -> Program:
     return found
 
 
+@pytest.mark.slow
 def test_code_of_a_long_chain_grows_by_tables_only(everything_long: None) -> None:
     """Eight joints more add entries of tables and outputs, and three operations."""
     short, long = (print_source(derive(chain(n)).only(("inverse_dynamics",))) for n in (16, 24))

@@ -15,6 +15,7 @@ from symscrew.generation.folder import render
 TARGETS = ("c", "numpy", "external", "javascript", "fmu", "mjcf", "markdown")
 
 
+@pytest.mark.slow
 def test_what_is_generated_does_not_depend_on_the_processor(tmp_path: Path) -> None:
     """A second process without the vector units and with the linear algebra of an old processor."""
     units = [str(feature) for feature in np._core._multiarray_umath.__cpu_dispatch__]
