@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 from support.model_states import model
 
 from symscrew.generation.folder import render
