@@ -6,7 +6,8 @@ in the rates also follow from its derivatives (Christoffel symbols of the first 
     h_i = sum over j, k of (dM_ij / dq_k - 1/2 dM_jk / dq_i) v_j v_k,
 
 and only gravity and what acts are left for the recursion. For a short limb with few entries that is less work: a leg
-on a universal joint has a diagonal mass matrix, with three derivatives that are not zero.
+on a universal joint has a diagonal mass matrix, with three derivatives that are not zero. Which way is shorter is
+decided for every branch by itself; what the branches share with the rest of a function is for the caller to count.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
     if not given or acting.simplified or any(not is_zero(c) for c in acting.ground.omega):
         return result
     lean = acting.lean_inertia()
-    resting = rates(tree, system.frames, system.placed, still, still, acting.ground)
+    resting = rates(system.linkage, still, still, ground=acting.ground)
     weights = {k: inertial_wrench(lean[k], resting[k]) for k in range(1, len(lean))}
     weighed = balanced_forces(system, acting, still, weights)
     for places in _branches(system):

@@ -130,6 +130,7 @@ def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> Non
         assert alone > 0, place
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 def test_every_small_pivot_is_noticed_side_by_side() -> None:
     """A threshold above each pivot in turn, of whole packs and single ones: the status is that of limb after limb."""
@@ -191,6 +192,7 @@ def test_a_limb_along_an_axis_joins_the_others() -> None:
     assert evaluated(limbs, found, state) == expected
 
 
+@pytest.mark.slow
 def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
     """Though its first arm lies along an axis; before, arms 2 and 3 alone did not pay."""
     program = derive(catalogue.load("delta"), one_mode=True).programs[PLATFORM]

@@ -10,7 +10,7 @@ from collections.abc import Sequence, Set
 from dataclasses import dataclass
 
 from symscrew.algebra import ZERO, Node, Vector
-from symscrew.kinematics import GROUND, Cut, Link, Placement, System, carry_point, placements, seen_before
+from symscrew.kinematics import GROUND, Cut, Link, Linkage, System
 from symscrew.loops.limbs.crank_limbs import CrankLimb, RodLimb, crank_limb, rod_limb
 from symscrew.loops.limbs.planar_limbs import PlanarLimb, Turn, planar_limb
 from symscrew.loops.limbs.spoke_limbs import SpokeLimb, spoke_limb
@@ -90,8 +90,8 @@ def limb_coordinates(
     own = {link.index for limb in limbs for link in limb.links}
     turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
     for limb in limbs:
-        placed = placements(tape, system.tree, system.frames, q, turns)
-        found, slides = limb.solve(system, _target(system, placed, limb), near)
+        linkage = system.structure.linkage(q, turns)
+        found, slides = limb.solve(system, _target(linkage, limb), near)
         turns |= found
         for k, value in slides.items():
             q[k] = value
@@ -101,13 +101,13 @@ def limb_coordinates(
     return LimbCoordinates(tuple(q), turns)
 
 
-def _target(system: System, placed: Sequence[Placement], limb: Limb) -> Vector:
+def _target(linkage: Linkage, limb: Limb) -> Vector:
     """Where the platform holds the limb's tip, in the coordinates of the link that carries the limb; a crank's as it
     sees it."""
-    tree, cut, first = system.tree, limb.cut, limb.links[0]
+    cut, first = limb.cut, limb.links[0]
     if isinstance(limb, CrankLimb):
-        return seen_before(tree, placed, cut.hub, first.index, cut.hub_point)
-    return carry_point(tree, placed, cut.hub, first.parent, cut.hub_point)
+        return linkage.seen_before(cut.hub, first.index, cut.hub_point)
+    return linkage.carry_point(cut.hub, first.parent, cut.hub_point)
 
 
 def reference_nodes(system: System) -> tuple[Node, ...]:
