@@ -14,9 +14,9 @@ from support.marks import slow
 from symscrew.description.mechanism import Mechanism
 from symscrew.export import c_parts, c_repeats
 from symscrew.export.c import print_source
-from symscrew.export.c_function import Printed
 from symscrew.export.c_loops import Loop
 from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import Printed
 from symscrew.model import Model, derive
 from symscrew.program.rank_revealing import RankRevealing
 from symscrew.program.straight_line import Iteration, Port, Program

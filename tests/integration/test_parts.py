@@ -12,8 +12,8 @@ from support.model_states import model, relative
 
 from symscrew.export import c_parts
 from symscrew.export.c import print_source
-from symscrew.export.c_function import RUN, Printed
 from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import RUN, Printed
 from symscrew.model import Model
 from symscrew.program.straight_line import Program
 from symscrew.runtime.compiled import find_compiler, load
