@@ -1,4 +1,7 @@
-"""A mechanism as the chains of elementary joints that other formats want, with numbers as doubles."""
+"""A mechanism as the chains of elementary joints that other formats want, with numbers as doubles.
+
+Mechanism --chains--> tree of bodies from the ground, cut joints;   joint --steps--> R, P, H, S motions in order
+"""
 
 from __future__ import annotations
 
@@ -6,11 +9,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symscrew.description import JOINT_TYPES, Joint, Mechanism, Vector
 from symscrew.reference import plane_axes
 
-Array = np.ndarray
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,7 @@
 """Rigid displacements with 50 digits: from the angles and quaternions of a file to axes and points.
 
+    x_outer = R x_inner + t,   Pose(R, t) @ Pose(R', t') = Pose(R R', R t' + t)
+
 A file gives a body relative to its parent, with angles; a description wants absolute axes and points. They
 are computed with 50 digits and handed on with 25, and an entry of an elementary rotation within 5e-15 of
 0, 1/2, sqrt(1/2), sqrt(3)/2 or 1 counts as that number: it is how files write a right angle in 15 digits,
@@ -20,8 +22,19 @@ from symscrew.errors import DescriptionError
 CONTEXT = mpmath.mp.clone()
 CONTEXT.dps = 50
 DIGITS = 25
+"""Digits that are handed on: half of those that are computed with, more than any file has."""
 FLOOR = CONTEXT.mpf(10) ** -22
+"""Coordinates [m] and components of axes below this are zero: what sums of numbers of 25 digits leave. Larger ones, as
+a file's 1e-17 for zero, are kept; those of rotations are snapped."""
 SNAP = CONTEXT.mpf(5) * CONTEXT.mpf(10) ** -15
+"""An entry of an elementary rotation this close to a round value is that: half a unit of the 15th digit of a right
+angle in a file. Further off it stays what the file says, which is a different mechanism by that much."""
+NO_DIRECTION = CONTEXT.mpf(10) ** -12
+"""A vector shorter than this gives no direction: it is refused, since its digits would be rounding of a zero."""
+NO_QUATERNION = CONTEXT.mpf(10) ** -20
+"""Square of a quaternion's length below which it gives no rotation: it is refused."""
+NOTHING = CONTEXT.mpf(10) ** -20
+"""An entry of an inertia below this, relative to its largest, is zero: what the turning of a diagonal one leaves."""
 
 Real = Any
 """A number of CONTEXT."""
@@ -105,7 +118,7 @@ def length(a: Triple) -> Real:
 def unit(a: Triple, where: str) -> Triple:
     """a / |a|; refuses the zero vector."""
     size = length(a)
-    if size < CONTEXT.mpf(10) ** -12:
+    if size < NO_DIRECTION:
         raise DescriptionError(f"{where}: expected a direction, got a vector of length {mpmath.nstr(size, 5)}")
     return scaled(a, 1 / size)
 
@@ -139,10 +152,11 @@ def about(axis: Triple, angle: Real) -> Rotation:
     return snapped(transposed((columns[0], columns[1], columns[2])))
 
 
-def from_quaternion(w: Real, x: Real, y: Real, z: Real, where: str) -> Rotation:
-    """The rotation of a quaternion of any length but zero."""
+def from_quaternion(quaternion: Sequence[Real], where: str) -> Rotation:
+    """The rotation of a quaternion (w, x, y, z) of any length but zero."""
+    w, x, y, z = quaternion
     size = w * w + x * x + y * y + z * z
-    if size < CONTEXT.mpf(10) ** -20:
+    if size < NO_QUATERNION:
         raise DescriptionError(f"{where}: expected a quaternion, got one of length zero")
     return snapped(
         (
@@ -156,7 +170,7 @@ def from_quaternion(w: Real, x: Real, y: Real, z: Real, where: str) -> Rotation:
 def snapped(rotation: Rotation) -> Rotation:
     """A rotation whose entries near round values are these."""
     rows = [tuple(_snap(entry) for entry in row) for row in rotation]
-    return (rows[0], rows[1], rows[2])  # type: ignore[return-value]
+    return (rows[0], rows[1], rows[2])
 
 
 def _snap(entry: Real) -> Real:
@@ -181,5 +195,5 @@ def exact_vector(vector: Triple, floor: Real = FLOOR) -> list[Decimal]:
 def exact_matrix(matrix: Rotation) -> list[list[Decimal]]:
     """A symmetric matrix with 25 digits; entries below 1e-30, or 1e-20 of the largest, are 0."""
     largest = max(abs(entry) for row in matrix for entry in row)
-    floor = max(largest * CONTEXT.mpf(10) ** -20, CONTEXT.mpf(10) ** -30)
+    floor = max(largest * NOTHING, CONTEXT.mpf(10) ** -30)
     return [[exact((matrix[i][j] + matrix[j][i]) / 2, floor) for j in range(3)] for i in range(3)]

@@ -1,15 +1,24 @@
-"""What a file in another format keeps of a mechanism: the same names, joints and places, inertias to rounding."""
+"""What a file in another format keeps of a mechanism: the same names, joints and places, inertias to rounding.
+
+Mechanism --writer--> file --reader--> Mechanism --difference--> None, or the first thing that is not the same
+"""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symscrew.description import Joint, Mechanism
 from symscrew.reference import NumericMechanism, numeric
 
 PLACES = 1e-14
-INERTIA = 1.1e-9  # of the whole: what MJCF raises bodies without inertia to
+"""Of the mechanism's size, at least 1 m: what doubles in a file lose of a coordinate. More is another place."""
+INERTIA = 1.1e-9
+"""Of the whole: what MJCF raises bodies without inertia to (1e-9), and rounding. More is another inertia."""
 KEPT = ("R", "P", "fixed")
+"""Types of joints that every format has; others come back as chains of them where a format lacks them."""
+
+Array = NDArray[np.float64]
 
 
 def difference(written: Mechanism, read: Mechanism) -> str | None:
@@ -53,5 +62,5 @@ def _joint(a: NumericMechanism, b: NumericMechanism, one: Joint, other: Joint) -
     return None
 
 
-def _apart(first: np.ndarray, second: np.ndarray, size: float) -> bool:
+def _apart(first: Array, second: Array, size: float) -> bool:
     return bool(np.abs(first - second).max(initial=0.0) > PLACES * max(size, 1.0))

@@ -1,5 +1,7 @@
 """XML files read safely and written tidily; attributes as exact numbers.
 
+    Path --read--> Element --attribute, numbers--> exact decimals;   Element --text_of--> file
+
 Entities, document types and processing of other files are refused, so a short file cannot grow in memory or
 reach outside itself. Numbers keep all their decimals.
 """
@@ -17,6 +19,8 @@ import defusedxml.ElementTree
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
+# A file beyond these is refused before anything is made of it; the largest models that people publish have a few
+# thousand elements, nested to about thirty. Nesting also limits the readers' recursion, Python's being 1000 calls.
 MAX_BYTES = 20_000_000
 MAX_DEPTH = 300
 MAX_ELEMENTS = 100_000
@@ -40,7 +44,7 @@ def read(path: Path) -> Element:
     except OSError as error:
         raise DescriptionError(f"{path.name}: the file cannot be read: {error.strerror}") from error
     try:
-        root = defusedxml.ElementTree.fromstring(content, forbid_dtd=True)
+        root: Element = defusedxml.ElementTree.fromstring(content, forbid_dtd=True)
     except defusedxml.DefusedXmlException as error:
         raise DescriptionError(
             f"{path.name}: document types and entities are refused ({type(error).__name__}); remove the DOCTYPE"
