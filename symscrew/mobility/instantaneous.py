@@ -1,5 +1,7 @@
 """Instantaneous mobility by reciprocal screws, eqs. (10)-(18), for any mechanism.
 
+    loop rows A --null space--> motions --twist of a body--> its freedoms --reciprocal--> wrenches that hold it
+
 The closure of all loops is written in the joint rates; its null space are the instantaneous motions. The freedoms
 of a body are the image of the null space under the body's twist; what moves while the platform rests is
 internal. For a limb the null space of S_limb^T N is its constraint system, the union over the limbs is the
@@ -10,12 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import (  # fmt: skip
+    Real,
+    Screw,
     ScrewSystem,
     combine,
     eliminate,
@@ -33,7 +36,7 @@ class LimbMobility:
 
     name: str
     joints: tuple[str, ...]
-    screws: tuple[tuple, ...]
+    screws: tuple[Screw, ...]
     constraints: ScrewSystem
 
 
@@ -66,7 +69,7 @@ class Instantaneous:
     """
 
     closure: ScrewSystem
-    rows: tuple[tuple, ...]
+    rows: tuple[Screw, ...]
     kutzbach: int
     dof: int
     overconstraints: int
@@ -74,7 +77,7 @@ class Instantaneous:
     passive: tuple[str, ...]
 
     @property
-    def motions(self) -> tuple[tuple, ...]:
+    def motions(self) -> tuple[Screw, ...]:
         """Basis of the instantaneous motions, one rate per freedom."""
         return self.closure.basis
 
@@ -145,7 +148,7 @@ def moved_body(mechanism: Mechanism) -> str:
     return max(distance, key=lambda body: distance[body])
 
 
-def _to_metres(system: ScrewSystem, length: Any, *, twist: bool) -> ScrewSystem:
+def _to_metres(system: ScrewSystem, length: Real, *, twist: bool) -> ScrewSystem:
     """The basis in metres: twists have lengths in the second half, wrenches after scaling the force too."""
     basis = tuple((*s[:3], *(c * length for c in s[3:])) for s in system.basis)
     if not twist:

@@ -1,28 +1,55 @@
-"""The closure equations around one configuration: range, null space, self-stresses, second order, refinement."""
+"""The closure equations around one configuration: range, null space, self-stresses, second order, refinement.
+
+J = U S V^T at q: kernel (instantaneous motions) and dependent coordinates from V, self-stresses and range from U
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from symscrew.algebra import CONTEXT
+from symscrew.mobility.finite.tangent_cone import second_order
+from symscrew.mobility.finite.variety import Array, ClosureVariety
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.screw_systems import eliminate, null_space
-from symscrew.mobility.tangent_cone import second_order
-from symscrew.mobility.variety import Array, ClosureVariety
+from symscrew.mobility.screw_systems import Real, Screw, eliminate, null_space
 
 CLOSED = 1e-26
 """A residual below this, in units of the mechanism's size, is closed: as for ranks (`screw_systems`)."""
 
 STEPS = (0.05, 0.02, 0.005, 0.001, 2e-4)
+"""Sizes of the finite motion that is tried, in units of the mechanism's size: the largest on which Newton's method
+converges is taken, because a redundant equation that is off by a k-th power of the step shows best there. After
+the smallest a seventh power, 1e-26, would pass for closed; where none converges nothing is known (`Trial.solved`)."""
 SEED = 20230811
+"""Of the random directions: always the same, so that results repeat."""
 LIMITS_OF_RANK = (1e-7, 1e-5)
+"""Relative singular values below the first are zero and above the second are not; between them the widest gap decides.
+On a sphere of radius 0.02 singular values of a branch are of the order of the radius or its powers up to the third."""
 DISTINCT = 1e-11
+"""A relative singular value above this is perhaps not zero, and is looked at again after the point has been refined to
+60 digits; below it is rounding of double precision."""
 DEFINITE = 1e-6
-"""Smallest eigenvalue of a combination of unit forms that is worth proving definite."""
+"""Smallest eigenvalue of a combination of unit forms that is worth proving definite with 60 digits: far above
+rounding, far below what a definite form of a mechanism has."""
+ROUNDS = 300
+"""Rounds of the search for such a combination. It needs about (size / smallest eigenvalue)^2 of them; beyond it none
+is said to have been found, and the branches are sampled instead, which decides as well but proves less."""
+NO_GAIN = 1e-9
+"""All unit forms vanish on a motion, up to rounding: no combination is definite, so that the search can end."""
+ROUNDING = 1e-13
+"""Entries of the forms below this, relative to the largest, are what double precision leaves of zero."""
+CONVERGED = 1e-13
+"""Newton's method in double precision has ended: its step is rounding."""
+EXACT = 1e-52
+"""The closure residual of a point in 60 digits that is rounding."""
+REFINEMENTS = 12
+"""Steps to 60 digits: four do at a regular point (14 digits each); a double zero halves its error in each, and
+is given back with the residual that is left."""
+POSITIVE = CONTEXT.mpf(10) ** -20
+"""A pivot of a Cholesky decomposition in 60 digits above this, relative to the largest entry, is positive."""
 
 
 @dataclass(frozen=True)
@@ -46,20 +73,28 @@ class Local:
     @property
     def dof(self) -> int:
         """Number of instantaneous freedoms."""
-        return self.kernel.shape[1]
+        return int(self.kernel.shape[1])
 
 
 @dataclass(frozen=True)
 class Trial:
-    """A finite motion: does it close? `residual` after solving all equations but the redundant ones."""
+    """A finite motion: does it close? `residual` after solving all equations but the redundant ones.
+
+    The residual is not a number where no step was small enough for these to be solved: then nothing is known.
+    """
 
     closed: bool
     residual: float
     step: float
 
+    @property
+    def solved(self) -> bool:
+        """Whether the iteration converged at all."""
+        return not np.isnan(self.residual)
+
 
 def local_at(
-    variety: ClosureVariety, q: Array, *, motions: Sequence[Sequence] | None = None, rank: int | None = None
+    variety: ClosureVariety, q: Array, *, motions: Sequence[Screw] | None = None, rank: int | None = None
 ) -> Local:
     """The decomposition at q. The rank is that of the known `motions`, or given, or decided by the gap."""
     jacobian = variety.evaluate(q[None])[1][0]
@@ -103,12 +138,13 @@ def flatten(dof: int, count: int = 3) -> Iterator[Array]:
 
 
 def vanishes(
-    coarse: ClosureVariety, fine: ClosureVariety, here: Local, direction: Array, steps: Sequence[float] = STEPS
+    coarse: ClosureVariety, fine: ClosureVariety, here: Local, direction: Array, *, steps: Sequence[float] | None = None
 ) -> Trial:
     """The reduced closure g at one finite motion along `direction`: zero in 60 digits, or how far off.
 
     The step is reduced until the iteration for the dependent coordinates converges.
     """
+    steps = STEPS if steps is None else steps
     for step in steps:
         q = here.q + here.kernel @ (step * direction)
         solved = _solve_dependent(coarse, here, q)
@@ -129,7 +165,7 @@ def _solve_dependent(variety: ClosureVariety, here: Local, q: Array) -> Array | 
         q = q - step
         if np.linalg.norm(q - start) > size:
             return None
-        if np.linalg.norm(step) < 1e-13:
+        if np.linalg.norm(step) < CONVERGED:
             return q
     return None
 
@@ -142,10 +178,10 @@ def refine(coarse: ClosureVariety, fine: ClosureVariety, q: Array, rank: int) ->
     local = local_at(coarse, q, rank=rank)
     point = np.array([CONTEXT.mpf(float(c)) for c in q], dtype=object)
     best = float("inf")
-    for _ in range(12):
+    for _ in range(REFINEMENTS):
         residual = fine.residual(point).astype(float)
         size = float(np.linalg.norm(residual))
-        if size < 1e-52 or size > 0.5 * best:
+        if size < EXACT or size > 0.5 * best:
             return point, min(size, best)
         best = size
         point = point - np.array([CONTEXT.mpf(float(c)) for c in local.inverse @ residual], dtype=object)
@@ -177,7 +213,7 @@ def quadratic_forms(variety: ClosureVariety, here: Local) -> Array:
     """
     screws = variety.forward(here.q[None])[0][0]
     forms = second_order(variety.network, screws, here.stresses, here.kernel)
-    forms[np.abs(forms) < 1e-13 * max(1.0, float(np.abs(forms).max(initial=0.0)))] = 0.0
+    forms[np.abs(forms) < ROUNDING * max(1.0, float(np.abs(forms).max(initial=0.0)))] = 0.0
     return forms
 
 
@@ -193,20 +229,20 @@ def definite_stress(forms: Array) -> Array | None:
     weights = np.trace(stack, axis1=1, axis2=2)
     if not weights.any():
         weights = np.ones(len(stack))
-    for _ in range(300):
+    for _ in range(ROUNDS):
         values, vectors = np.linalg.eigh(np.tensordot(weights / np.linalg.norm(weights), stack, axes=1))
         if values[0] > DEFINITE:
             sizes = np.array([np.linalg.norm(form) or 1.0 for form in forms])
-            return weights / np.linalg.norm(weights) / sizes
+            return np.asarray(weights / np.linalg.norm(weights) / sizes)
         motion = vectors[:, 0]
         gain = np.einsum("i,kij,j->k", motion, stack, motion)
-        if np.linalg.norm(gain) < 1e-9:
+        if np.linalg.norm(gain) < NO_GAIN:
             return None
-        weights = weights + gain * np.linalg.norm(weights) / 4 / max(np.linalg.norm(gain), 1e-9)
+        weights = weights + gain * np.linalg.norm(weights) / 4 / max(np.linalg.norm(gain), NO_GAIN)
     return None
 
 
-def proved_definite(network: Network, motions: Sequence[Sequence], stress: Array) -> Any:
+def proved_definite(network: Network, motions: Sequence[Screw], stress: Array) -> Real | None:
     """Smallest pivot of a self-stress's form on the instantaneous motions, if it is positive definite in 60 digits.
 
     `stress` in double precision is replaced by the nearest combination of the self-stresses in 60 digits. The
@@ -224,7 +260,7 @@ def proved_definite(network: Network, motions: Sequence[Sequence], stress: Array
     smallest = None
     for k in range(len(form)):
         pivot = form[k, k] / largest
-        if pivot < CONTEXT.mpf(10) ** -20:
+        if pivot < POSITIVE:
             return None
         smallest = pivot if smallest is None else min(smallest, pivot)
         form = form - np.outer(form[:, k], form[k, :]) / form[k, k]

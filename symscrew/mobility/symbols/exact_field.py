@@ -1,5 +1,7 @@
 """Exact real numbers in which zero is decidable: a tower of square roots over Q or over Q(2 cos(2 pi / n)).
 
+    expressions --Field.read--> numbers of Q(theta)(sqrt r1)(sqrt r2) ..., theta = 2 cos(2 pi / n)
+
 A number is rational, or a polynomial of degree below d in a generator of degree d over the numbers below it. A
 square root is adjoined only after it has been proved that the field below has no such root, so every number has
 one normal form, and it is zero exactly when all its coefficients are. Whether a + b w (w^2 = r) is a square is
@@ -10,193 +12,41 @@ of integers Z[2 cos(2 pi / n)] where a root has integer coefficients of known si
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from math import gcd, isqrt, lcm
-from typing import Any
 
 import sympy
 
 from symscrew.algebra import CONTEXT
+from symscrew.mobility.symbols.exact_numbers import (
+    Exact,
+    Generator,
+    NotDecidableError,
+    Number,
+    expression,
+    generators_of,
+    inverse,
+    made,
+    value,
+)
 
-Exact = Any
-"""A `Fraction` or a `Number`."""
 MOST_ROOTS = 5
+"""Independent square roots in one field: its degree, and the length of every number, doubles with each, so five are
+degree 32. Beyond it ranks stand on 60 digits, and the result says why it is not exact."""
 HIGHEST_DEGREE = 8
-
-
-class NotDecidableError(ValueError):
-    """A number is not in such a field, or the field is too big; the text says which."""
-
-
-@dataclass(frozen=True, eq=False)
-class Generator:
-    """A generator: `modulus` are the low coefficients of its monic polynomial; `value` in 60 digits, `name` exact."""
-
-    level: int
-    modulus: tuple[Exact, ...]
-    value: Any
-    name: sympy.Expr
-    conjugates: tuple[Any, ...] = ()
-
-    @property
-    def degree(self) -> int:
-        """Degree over the numbers below."""
-        return len(self.modulus)
-
-
-class Number:
-    """coefficients[0] + coefficients[1] g + ..., not all but the first zero."""
-
-    __slots__ = ("coefficients", "generator")
-
-    def __init__(self, generator: Generator, coefficients: tuple[Exact, ...]) -> None:
-        self.generator, self.coefficients = generator, coefficients
-
-    def __bool__(self) -> bool:
-        return True
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Number) and self.generator is other.generator and (
-            self.coefficients == other.coefficients
-        )  # fmt: skip
-
-    def __hash__(self) -> int:
-        return hash(self.coefficients)
-
-    def __add__(self, other: Exact) -> Exact:
-        if not isinstance(other, Number) or other.generator.level < self.generator.level:
-            return Number(self.generator, (self.coefficients[0] + other, *self.coefficients[1:]))
-        if other.generator is self.generator:
-            return _made(
-                self.generator, tuple(a + b for a, b in zip(self.coefficients, other.coefficients, strict=True))
-            )
-        return other + self
-
-    __radd__ = __add__
-
-    def __neg__(self) -> Number:
-        return Number(self.generator, tuple(-c for c in self.coefficients))
-
-    def __sub__(self, other: Exact) -> Exact:
-        return self + -other
-
-    def __rsub__(self, other: Exact) -> Exact:
-        return -self + other
-
-    def __mul__(self, other: Exact) -> Exact:
-        if not other:
-            return Fraction(0)
-        if not isinstance(other, Number) or other.generator.level < self.generator.level:
-            return Number(self.generator, tuple(c * other for c in self.coefficients))
-        if other.generator is not self.generator:
-            return other * self
-        modulus, degree = self.generator.modulus, self.generator.degree
-        whole: list[Exact] = [Fraction(0)] * (2 * degree - 1)
-        for i, a in enumerate(self.coefficients):
-            if a:
-                for j, b in enumerate(other.coefficients):
-                    if b:
-                        whole[i + j] = whole[i + j] + a * b
-        for k in range(2 * degree - 2, degree - 1, -1):
-            if top := whole[k]:
-                for i, m in enumerate(modulus):
-                    if m:
-                        whole[k - degree + i] = whole[k - degree + i] - top * m
-        return _made(self.generator, tuple(whole[:degree]))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Exact) -> Exact:
-        return self * inverse(other)
-
-    def __rtruediv__(self, other: Exact) -> Exact:
-        return inverse(self) * other
-
-
-def _made(generator: Generator, coefficients: tuple[Exact, ...]) -> Exact:
-    return Number(generator, coefficients) if any(coefficients[1:]) else coefficients[0]
-
-
-def inverse(x: Exact) -> Exact:
-    """1 / x."""
-    if not isinstance(x, Number):
-        return 1 / Fraction(x)
-    if x.generator.degree == 2 and not x.generator.modulus[1]:
-        a, b = x.coefficients
-        norm = inverse(a * a + b * b * x.generator.modulus[0])
-        return _made(x.generator, (a * norm, -b * norm))
-    return _inverse_by_euclid(x)
-
-
-def _inverse_by_euclid(x: Number) -> Exact:
-    """Extended Euclid on the polynomial of x and the modulus of its generator."""
-    r0: list[Exact] = [*x.generator.modulus, Fraction(1)]
-    r1 = _trimmed(list(x.coefficients))
-    s0: list[Exact] = []
-    s1: list[Exact] = [Fraction(1)]
-    while len(r1) > 1:
-        quotient, rest = _divided(r0, r1)
-        subtracted: list[Exact] = [*s0] + [Fraction(0)] * (len(quotient) + len(s1))
-        for i, a in enumerate(quotient):
-            for j, b in enumerate(s1):
-                subtracted[i + j] = subtracted[i + j] - a * b
-        r0, r1, s0, s1 = r1, rest, s1, _trimmed(subtracted)
-    scale = inverse(r1[0])
-    padded = [c * scale for c in s1] + [Fraction(0)] * (x.generator.degree - len(s1))
-    return _made(x.generator, tuple(padded))
-
-
-def _divided(a: list[Exact], b: list[Exact]) -> tuple[list[Exact], list[Exact]]:
-    rest, quotient = list(a), [Fraction(0)] * (len(a) - len(b) + 1)
-    lead = inverse(b[-1])
-    for k in range(len(a) - len(b), -1, -1):
-        quotient[k] = factor = rest[k + len(b) - 1] * lead
-        if factor:
-            for i, c in enumerate(b):
-                rest[k + i] = rest[k + i] - factor * c
-    return quotient, _trimmed(rest[: len(b) - 1])
-
-
-def _trimmed(p: list[Exact]) -> list[Exact]:
-    while p and not p[-1]:
-        p.pop()
-    return p
-
-
-def value(x: Exact) -> Any:
-    """The number in 60 digits."""
-    if isinstance(x, Number):
-        total = CONTEXT.zero
-        for c in reversed(x.coefficients):
-            total = total * x.generator.value + value(c)
-        return total
-    x = Fraction(x)
-    return CONTEXT.mpf(x.numerator) / x.denominator
-
-
-def expression(x: Exact) -> sympy.Expr:
-    """The number as a SymPy expression."""
-    if isinstance(x, Number):
-        terms = (expression(c) * x.generator.name**k for k, c in enumerate(x.coefficients) if c)
-        return sympy.expand(sympy.Add(*terms))
-    x = Fraction(x)
-    return sympy.Rational(x.numerator, x.denominator)
-
-
-def generators_of(numbers: Iterable[Exact]) -> set[Generator]:
-    """The generators that the numbers use, with those below them."""
-    found: set[Generator] = set()
-    stack = list(numbers)
-    while stack:
-        x = stack.pop()
-        if isinstance(x, Number):
-            stack += x.coefficients
-            if x.generator not in found:
-                found.add(x.generator)
-                stack += x.generator.modulus
-    return found
+"""Of 2 cos(2 pi / n) over Q (n = 48 and 60 have it: angles in steps of 7.5 and 6 degrees). A root of a number is looked
+for among 2^(degree - 1) choices of signs of its conjugates. Beyond it ranks stand on 60 digits, as above."""
+LARGEST_SQUARED = 1000
+"""Squares of primes up to this are taken out of an integer under a root, which keeps coefficients short; a larger one
+may stay inside, which is as right."""
+LONGEST_SQUARE = CONTEXT.mpf(10) ** 30
+"""Numbers whose conjugates, times their denominator, are larger are not looked at for a root: with 60 digits their
+integer coefficients would not be certain."""
+CERTAIN_NORM = CONTEXT.mpf(10) ** 45
+"""A norm below this is known to the unit in 60 digits, so that it shows whether it is a square."""
+WHOLE = CONTEXT.mpf(10) ** -20
+"""A computed coefficient this close to an integer may be that; the candidate is then squared exactly."""
 
 
 class Field:
@@ -253,9 +103,9 @@ class Field:
             outside, inside = _reduced(x)
             level = self.generators[-1].level + 1 if self.generators else 0
             root = CONTEXT.sqrt(value(inside))
-            made = Generator(level, (-inside, Fraction(0)), root, sympy.sqrt(expression(inside)))
-            self.generators.append(made)
-            return Number(made, (Fraction(0), outside))
+            generator = Generator(level, (-inside, Fraction(0)), root, sympy.sqrt(expression(inside)))
+            self.generators.append(generator)
+            return Number(generator, (Fraction(0), outside))
         return found if value(found) >= 0 else -found
 
     def _convert(self, e: sympy.Expr) -> Exact:
@@ -339,7 +189,7 @@ class Field:
         if not b:
             found = self._root(a, level - 1)
             if found is None and (other := self._root(a / -minus_r, level - 1)) is not None:
-                found = _made(generator, (Fraction(0), other))
+                found = made(generator, (Fraction(0), other))
             return found
         norm = self._root(a * a + b * b * minus_r, level - 1)
         if norm is None:
@@ -347,7 +197,7 @@ class Field:
         for sign in (1, -1):
             s = self._root((a + sign * norm) * Fraction(1, 2), level - 1)
             if s:
-                return _made(generator, (s, b * inverse(2 * s)))
+                return made(generator, (s, b * inverse(2 * s)))
         return None
 
 
@@ -361,7 +211,7 @@ def _reduced(x: Exact) -> tuple[Fraction, Exact]:
     if isinstance(x, Number):
         return Fraction(1), x
     outside, inside = Fraction(1, x.denominator), x.numerator * x.denominator
-    for prime in sympy.primerange(2, 1000):
+    for prime in sympy.primerange(2, LARGEST_SQUARED):
         while inside % (prime * prime) == 0:
             inside //= prime * prime
             outside *= int(prime)
@@ -379,13 +229,13 @@ def _cyclotomic_root(x: Exact, generator: Generator) -> Exact | None:
     squares = [sum(value(c) * t**k for k, c in enumerate(coefficients)) for t in generator.conjugates]
     if min(squares) < 0:
         return None
-    if denominator * max(squares) > CONTEXT.mpf(10) ** 30:
+    if denominator * max(squares) > LONGEST_SQUARE:
         raise NotDecidableError("a square root of numbers that are too long")
     norm = CONTEXT.one
     for s in squares:
         norm *= s * denominator * denominator
     whole_norm = int(CONTEXT.nint(norm))
-    if norm < CONTEXT.mpf(10) ** 45 and isqrt(whole_norm) ** 2 != whole_norm:
+    if norm < CERTAIN_NORM and isqrt(whole_norm) ** 2 != whole_norm:
         return None  # the norm of a square is a square
     roots = [CONTEXT.sqrt(s) * denominator for s in squares]
     powers = CONTEXT.matrix([[t**k for k in range(degree)] for t in generator.conjugates])
@@ -394,8 +244,8 @@ def _cyclotomic_root(x: Exact, generator: Generator) -> Exact | None:
         signed = [roots[0], *(s * r for s, r in zip(signs, roots[1:], strict=True))]
         found = [sum(back[i, j] * signed[j] for j in range(degree)) for i in range(degree)]
         whole = [int(CONTEXT.nint(c)) for c in found]
-        if max(abs(c - w) for c, w in zip(found, whole, strict=True)) < CONTEXT.mpf(10) ** -20:
-            candidate = _made(generator, tuple(Fraction(w, denominator) for w in whole))
+        if max(abs(c - w) for c, w in zip(found, whole, strict=True)) < WHOLE:
+            candidate = made(generator, tuple(Fraction(w, denominator) for w in whole))
             if candidate * candidate == x:
                 return candidate
     return None

@@ -1,6 +1,8 @@
 """Limbs away from the reference configuration: constraints in the displacements of the limb's own joints.
 
-The screws of a serial chain depend on its own coordinates only: S_k = Ad(exp(S_1 q_1) ... exp(S_(k-1) q_(k-1))) S_k.
+    S_k(q) = Ad(exp(S_1 q_1) ... exp(S_(k-1) q_(k-1))) S_k --reciprocal--> constraints (f ; m) of q_2 ... q_(n-1)
+
+The screws of a serial chain depend on its own coordinates only.
 The first joint carries the whole limb, and the last nothing, so neither displacement matters in axes that move with
 the first joint: for the seed's UPU limb the second angle, the slider and the fourth angle are left, and eqs. (11)
 to (18) hold with symbols for all of them.
@@ -17,14 +19,16 @@ import sympy
 from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
 from symscrew.algebra import product as matrix_product
 from symscrew.description import JOINT_TYPES, Joint, Mechanism, Parameter
-from symscrew.mobility.generators import Generators, NotPolynomialError, Poly
-from symscrew.mobility.symbolic_loops import TooLargeError, null_vectors
-from symscrew.mobility.symbolic_screws import Locus, SymbolicScrews, Vector, expressions_of
+from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly
+from symscrew.mobility.symbols.loop_motions import FormulaTooLargeError, motions_by_minors
+from symscrew.mobility.symbols.polynomial_screws import Locus, SymbolicScrews, Vector, expressions_of
 
 LARGEST_SHOWN = 12
-"""Terms of a component."""
+"""Terms of a component of a wrench: a line. Where one is longer, fewer displacements get symbols, and at last none; a
+longer locus is left out. The result says both."""
 MOST_SYMBOLS = 3
-"""Displacements that are given symbols; where the result is too long, those nearest to the tip stay zero."""
+"""Displacements that are given symbols: all that a limb of five freedoms has between its first and its last joint. Of
+more, and where the result is too long, those nearest to the tip stay in the reference, and the result says so."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,7 @@ class LimbPose:
     """Constraints (f ; m) of a limb with its own joints displaced by `displacements` from the reference.
 
     `of`: joint and index of each displacement; the axes move with the limb's first joint `carried_by`.
+    `not_tried`: joints that have no symbol, and loci that are too long to be shown, a sentence each.
     """
 
     name: str
@@ -40,6 +45,7 @@ class LimbPose:
     carried_by: str
     constraints: tuple[Vector, ...]
     loci: tuple[Locus, ...]
+    not_tried: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -62,15 +68,19 @@ def limb_pose(mechanism: Mechanism, name: str) -> LimbPose | str:
         return "a spherical joint inside the limb has no angles to be symbols"
     if not inner:
         return "no displacement inside the limb: its constraints keep their form and move with its first joint"
-    reason = f"{len(inner)} displacements"
+    reason = f"more than {MOST_SYMBOLS} symbols"
     for count in range(min(len(inner), MOST_SYMBOLS), 0, -1):
         symbols = _symbols(mechanism, inner[:count])
         try:
-            return _posed(mechanism, name, chain, symbols)
+            found = _posed(mechanism, name, chain, symbols)
         except NotPolynomialError as error:
             return f"no symbols: {error}"
-        except TooLargeError as error:
+        except FormulaTooLargeError as error:
             reason = str(error)
+            continue
+        resting = ", ".join(f.joint.name for f in inner[count:])
+        left_out = (f"{name}: {resting} stays in the reference configuration, without a symbol: {reason}",)
+        return replace(found, not_tried=(*(left_out if resting else ()), *found.not_tried))
     return f"the closed form is not of reasonable size: {reason}"
 
 
@@ -110,12 +120,19 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
             raise NotPolynomialError("a helical joint has its angle both as such and in sines")
     work = SymbolicScrews(widened, Generators(widened, needed))
     screws = _displaced_screws(work, chain, symbols)
-    wrenches, dependent = null_vectors(work, [[*screw[3:], *screw[:3]] for screw in screws], 6)
+    solved = motions_by_minors(work, [[*screw[3:], *screw[:3]] for screw in screws], 6)
+    wrenches, dependent = solved.vectors, solved.dependent
     _check_size(wrenches)
+    parts = work.ring.factors(dependent)
+    shown = [part for part in parts if len(part.terms()) <= LARGEST_SHOWN]
+    not_tried = [
+        f"{name}: a locus of {len(part.terms())} terms, where its screws become dependent, is not shown"
+        for part in parts
+        if part not in shown
+    ]
     loci = [
         Locus("limb", name, _collected(work.ring.expression(part), symbols), "the screws of the limb become dependent")
-        for part in work.ring.factors(dependent)
-        if len(part.terms()) <= LARGEST_SHOWN
+        for part in shown
     ]
     for wrench in wrenches:
         for half, other, kind, meaning in (
@@ -134,6 +151,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
         first.joint.name,
         tuple(tuple(_collected(work.ring.expression(c), symbols) for c in wrench) for wrench in wrenches),
         tuple(loci),
+        tuple(not_tried),
     )  # fmt: skip
 
 
@@ -146,7 +164,7 @@ def _collected(expression: sympy.Expr, symbols: Sequence[sympy.Symbol]) -> sympy
 def _check_size(wrenches: list[list[Poly]]) -> None:
     longest = max((len(c.terms()) for wrench in wrenches for c in wrench if c), default=0)
     if longest > LARGEST_SHOWN:
-        raise TooLargeError(f"a component has {longest} terms")
+        raise FormulaTooLargeError(f"a component has {longest} terms")
 
 
 def _displaced_screws(work: SymbolicScrews, chain: list[_Freedom], symbols: list[sympy.Symbol]) -> list[list[Poly]]:
@@ -173,9 +191,9 @@ def _displaced_screws(work: SymbolicScrews, chain: list[_Freedom], symbols: list
             versine = 1 - scalars.read(sympy.cos(amount))
             step = _rotation(own[0][:3], sine, versine)
             point = tuple(scalars.read(c) for c in freedom.joint.point)
-            turned = transform(step, point)  # type: ignore[arg-type]
+            turned = transform(step, point)
             moved = tuple(a - b for a, b in zip(point, turned, strict=True))
-        translation = add(translation, transform(rotation, moved))  # type: ignore[arg-type]
+        translation = add(translation, transform(rotation, moved))
         rotation = matrix_product(rotation, step)
     return result
 

@@ -1,5 +1,7 @@
 """Passive spins split off: a chain of links between two spherical joints turns about the line of their centres.
 
+    S --links with two joints each-- S   =>   one spin about the line of centres + the network without it
+
 The spin acts freely on the configuration space near the reference, so the space is locally the product of a line
 and of the space without the spin, with the same dimension of the rest, branches and smooth points. Without spins
 there are fewer unknowns. The spherical joint at one end keeps the two rotations across the line.
@@ -10,8 +12,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symscrew.algebra import CONTEXT, IDENTITY, Vector, cross, dot, revolute, scale, subtract
-from symscrew.mobility.independent_parts import shifted
+from symscrew.mobility.finite.independent_parts import shifted
 from symscrew.mobility.joint_network import Edge, Network
+
+COINCIDE = CONTEXT.mpf(10) ** -12
+"""Two spherical joints closer together than this, in units of the mechanism's size, have no line of centres to spin
+about; the links between them keep all their freedoms, which is right and costs unknowns only."""
 
 
 def without_spins(network: Network) -> tuple[Network, int]:
@@ -44,7 +50,7 @@ def _spins(network: Network) -> dict[str, Vector]:
                 continue
             line = subtract(end.point, edge.point)
             size = CONTEXT.sqrt(dot(line, line))
-            if size > CONTEXT.mpf(10) ** -12:
+            if size > COINCIDE:
                 spins[edge.name] = scale(1 / size, line)
                 done |= passed
     return spins

@@ -11,22 +11,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from math import comb
-from typing import Any
 
 import sympy
 
 from symscrew.description import Mechanism
-from symscrew.mobility.generators import Fraction, NotPolynomialError, Poly
-from symscrew.mobility.joint_network import network_of
+from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.screw_systems import eliminate
-from symscrew.mobility.symbolic_screws import Locus, SymbolicScrews, Vector, symbolic_screws
+from symscrew.mobility.symbols.generators import NotPolynomialError, Poly, Quotient
+from symscrew.mobility.symbols.polynomial_screws import Locus, SymbolicScrews, Vector, symbolic_screws
 
 MOST_TERMS = 1500
-"""Terms of an intermediate polynomial; beyond it the closed form is not of reasonable size."""
+"""Terms of an intermediate polynomial; what comes of a longer one is no formula that anybody reads. Beyond it the
+result says so in place of the rates."""
 MOST_WORK = 12_000
-"""Products of terms in one elimination."""
+"""Products of terms in one elimination: a few seconds. Beyond it as above."""
 LARGEST_SHOWN = 60
+"""Terms of a component of a rate: three lines. Longer rates are given up, longer loci left out, and both are said."""
 MOST_MINORS = 200
+"""Determinants of full size whose common factor is looked for, the locus where the closure loses rank. Beyond it the
+locus is not looked for, and the result says so."""
 
 Row = list[Poly]
 
@@ -41,11 +44,11 @@ class Budget:
         """a b, not in normal form."""
         self.left -= len(a.terms()) * len(b.terms())
         if self.left < 0:
-            raise TooLargeError(f"more than {MOST_WORK} products of terms")
+            raise FormulaTooLargeError(f"more than {MOST_WORK} products of terms")
         return a * b
 
 
-class TooLargeError(ArithmeticError):
+class FormulaTooLargeError(ArithmeticError):
     """A closed form exists but is too long to be of use."""
 
 
@@ -54,7 +57,7 @@ class SymbolicLoops:
     """`rates`: joint rates of independent motions, `joints` their names (`joint` or `joint.i`).
 
     `freedoms`: twists (omega ; v) of `body` along the same motions, those that are not zero; `loci` where the
-    closure loses rank.
+    closure loses rank; `not_tried`: loci that were not looked for or are too long to be shown, a sentence each.
     """
 
     parameters: tuple[sympy.Symbol, ...]
@@ -63,6 +66,7 @@ class SymbolicLoops:
     body: str
     freedoms: tuple[Vector, ...]
     loci: tuple[Locus, ...]
+    not_tried: tuple[str, ...] = ()
 
 
 def symbolic_loops(mechanism: Mechanism, body: str) -> SymbolicLoops | str:
@@ -71,7 +75,7 @@ def symbolic_loops(mechanism: Mechanism, body: str) -> SymbolicLoops | str:
         return _loops(mechanism, symbolic_screws(mechanism), body)
     except NotPolynomialError as error:
         return f"no symbols: {error}"
-    except TooLargeError as error:
+    except FormulaTooLargeError as error:
         return f"the closed form is not of reasonable size: {error}"
 
 
@@ -82,35 +86,48 @@ def _loops(mechanism: Mechanism, work: SymbolicScrews, body: str) -> SymbolicLoo
     screws = {name: [screw for screw, _ in made] for name, made in scaled.items()}
     factors = [factor for name in network.edges for _, factor in scaled[name]]
     rows = [row for loop in network.loops() for row in _rows(network, screws, loop, ring.ring.zero)]
-    motions, dependent = null_vectors(work, rows, network.freedoms)
+    found = motions_by_minors(work, rows, network.freedoms)
     names = tuple(
         name if len(edge.screws) == 1 else f"{name}.{k}"
         for name, edge in network.edges.items()
         for k in range(len(edge.screws))
     )
     twist = _rows(network, screws, network.path(body), ring.ring.zero)
-    freedoms = []
-    for motion in motions:
-        moved = [ring.normal(sum((a * b for a, b in zip(row, motion, strict=True) if a and b), ring.ring.zero))
-                 for row in twist]  # fmt: skip
-        if any(moved):
-            freedoms.append(primitive(work, moved))
-    loci = [
-        Locus("closure", "loops", ring.expression(part), "the closure equations become dependent")
-        for part in ring.factors(dependent)
-        if len(part.terms()) <= LARGEST_SHOWN
+    freedoms = [moved for motion in found.vectors if (moved := _moved(work, twist, motion))]
+    parts = ring.factors(found.dependent)
+    shown = [part for part in parts if len(part.terms()) <= LARGEST_SHOWN]
+    not_tried = [
+        f"locus where the closure loses rank: a factor of {len(part.terms())} terms is not shown"
+        for part in parts
+        if part not in shown
     ]
+    if found.minors_left_out:
+        not_tried.append(
+            f"locus where the closure loses rank: not looked for, {found.minors_left_out} determinants are more than "
+            f"{MOST_MINORS}"
+        )
+    meaning = "the closure equations become dependent"
     return SymbolicLoops(
         tuple(ring.parameters),
         names,
-        tuple(_vector(work, _unit_rates(work, motion, factors)) for motion in motions),
+        tuple(_vector(work, _unit_rates(work, motion, factors)) for motion in found.vectors),
         body,
         tuple(_vector(work, twist) for twist in freedoms),
-        tuple(loci),
+        tuple(Locus("closure", "loops", ring.expression(part), meaning) for part in shown),
+        tuple(not_tried),
     )
 
 
-def _unit_rates(work: SymbolicScrews, motion: Row, factors: Sequence[Fraction]) -> Row:
+def _moved(work: SymbolicScrews, twist: Sequence[Row], motion: Row) -> Row | None:
+    """The twist of a body along a motion, without common factors; None where it rests."""
+    ring = work.ring
+    moved = [
+        ring.normal(sum((a * b for a, b in zip(row, motion, strict=True) if a and b), ring.ring.zero)) for row in twist
+    ]
+    return primitive(work, moved) if any(moved) else None
+
+
+def _unit_rates(work: SymbolicScrews, motion: Row, factors: Sequence[Quotient]) -> Row:
     """Rates of the unit screws, from those of screws that were multiplied by `factors`."""
     ring = work.ring
     multiple = ring.ring.one
@@ -127,11 +144,11 @@ def _unit_rates(work: SymbolicScrews, motion: Row, factors: Sequence[Fraction]) 
 def _vector(work: SymbolicScrews, vector: Sequence[Poly]) -> Vector:
     if any(len(c.terms()) > LARGEST_SHOWN for c in vector if c):
         longest = max(len(c.terms()) for c in vector if c)
-        raise TooLargeError(f"a component has {longest} terms")
+        raise FormulaTooLargeError(f"a component has {longest} terms")
     return tuple(work.ring.expression(c) for c in vector)
 
 
-def _rows(network: Any, screws: dict[str, list[Row]], steps: Sequence[tuple[str, int]], zero: Poly) -> list[Row]:
+def _rows(network: Network, screws: dict[str, list[Row]], steps: Sequence[tuple[str, int]], zero: Poly) -> list[Row]:
     rows = [[zero] * network.freedoms for _ in range(6)]
     for name, sign in steps:
         for column, screw in zip(network.edges[name].columns, screws[name], strict=True):
@@ -140,17 +157,30 @@ def _rows(network: Any, screws: dict[str, list[Row]], steps: Sequence[tuple[str,
     return rows
 
 
-def null_vectors(work: SymbolicScrews, rows: Sequence[Row], columns: int) -> tuple[list[Row], Poly]:
-    """(null space of the rows without poles, factor of the determinants whose zeros lose rank)."""
+@dataclass(frozen=True)
+class PolynomialMotions:
+    """`vectors`: null space of rows, without poles; `dependent`: common factor of the determinants of full size.
+
+    Where `dependent` is zero the rows lose rank; `minors_left_out`: number of determinants, where these were too many
+    to look for it (it is 1 then).
+    """
+
+    vectors: list[Row]
+    dependent: Poly
+    minors_left_out: int = 0
+
+
+def motions_by_minors(work: SymbolicScrews, rows: Sequence[Row], columns: int) -> PolynomialMotions:
+    """The null space of polynomial rows; raises FormulaTooLargeError."""
     ring = work.ring
     budget = Budget(work)
     left, solved = _constants_solved(work, [row for row in rows if any(row)], columns, budget)
     open_columns = [j for j in range(columns) if j not in dict(solved)]
     independent = work.independent_rows([[row[j] for j in open_columns] for row in left], len(open_columns))
     left = [left[i] for i in independent]
-    small, common = _cramer(work, left, open_columns, budget)
+    small = _cramer(work, left, open_columns, budget)
     vectors = []
-    for vector in small:
+    for vector in small.vectors:
         full = [ring.ring.zero] * columns
         for j, c in zip(open_columns, vector, strict=True):
             full[j] = c
@@ -159,7 +189,7 @@ def null_vectors(work: SymbolicScrews, rows: Sequence[Row], columns: int) -> tup
             total = sum(parts, ring.ring.zero)
             full[j] = -_limited(ring.normal(total)).mul_ground(1 / row[j].coeff(1))
         vectors.append(primitive(work, full))
-    return vectors, common
+    return PolynomialMotions(vectors, small.dependent, small.minors_left_out)
 
 
 def _constants_solved(
@@ -186,50 +216,55 @@ def _constants_solved(
         solved.append((j, pivot))
 
 
-def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int], budget: Budget) -> tuple[list[Row], Poly]:
+class _Minors:
+    """Determinants of the last rows of a matrix on chosen columns, each made once."""
+
+    def __init__(self, work: SymbolicScrews, matrix: list[Row], budget: Budget) -> None:
+        self.ring, self.matrix, self.budget = work.ring, matrix, budget
+        self._known: dict[tuple[tuple[int, ...], int], Poly] = {}
+
+    def __call__(self, chosen: tuple[int, ...], depth: int = 0) -> Poly:
+        """Of the rows from `depth` on."""
+        if not chosen:
+            return self.ring.ring.one
+        if (chosen, depth) not in self._known:
+            total = self.ring.ring.zero
+            for place, j in enumerate(chosen):
+                if self.matrix[depth][j]:
+                    part = self(chosen[:place] + chosen[place + 1 :], depth + 1)
+                    if part:
+                        term = self.budget.product(self.matrix[depth][j], part)
+                        total = total + term if place % 2 == 0 else total - term
+            self._known[chosen, depth] = _limited(self.ring.normal(total))
+        return self._known[chosen, depth]
+
+
+def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int], budget: Budget) -> PolynomialMotions:
     """Null vectors over `columns` by determinants, and the common factor of the determinants of full size."""
     ring = work.ring
     rank, count = len(rows), len(columns)
     matrix = [[row[j] for j in columns] for row in rows]
     if rank == 0:
-        return [
-            [ring.ring.one if i == j else ring.ring.zero for i in range(count)] for j in range(count)
-        ], ring.ring.one
-    minors: dict[tuple[tuple[int, ...], int], Poly] = {}
-
-    def minor(chosen: tuple[int, ...], depth: int) -> Poly:
-        """Determinant of the last rows from `depth` on the chosen columns."""
-        if not chosen:
-            return ring.ring.one
-        if (chosen, depth) not in minors:
-            total = ring.ring.zero
-            for place, j in enumerate(chosen):
-                if matrix[depth][j]:
-                    part = minor(chosen[:place] + chosen[place + 1 :], depth + 1)
-                    if part:
-                        term = budget.product(matrix[depth][j], part)
-                        total = total + term if place % 2 == 0 else total - term
-            minors[chosen, depth] = _limited(ring.normal(total))
-        return minors[chosen, depth]
-
+        unit = [[ring.ring.one if i == j else ring.ring.zero for i in range(count)] for j in range(count)]
+        return PolynomialMotions(unit, ring.ring.one)
+    minor = _Minors(work, matrix, budget)
     values = [[ring.number(c, work.somewhere) if c else 0 for c in row] for row in matrix]
     used = tuple(sorted(eliminate(values, count).pivots))
-    base = minor(used, 0)
+    base = minor(used)
     vectors = []
     for free in (j for j in range(count) if j not in used):
         vector = [ring.ring.zero] * count
         vector[free] = base
         for place, j in enumerate(used):
             order = tuple(sorted(free if k == j else k for k in used))
-            vector[j] = -((-1) ** (place + order.index(free))) * minor(order, 0)
+            vector[j] = -((-1) ** (place + order.index(free))) * minor(order)
         vectors.append(vector)
-    common = base
-    if comb(count, rank) <= MOST_MINORS:
-        found = (minor(chosen, 0) for chosen in combinations(range(count), rank))
-        common = ring.common_factor(m for m in found if m)
-    elif not base.is_ground:
-        common = ring.ring.one
-    return vectors, common
+    minors = comb(count, rank)
+    if minors <= MOST_MINORS:
+        found = (minor(chosen) for chosen in combinations(range(count), rank))
+        return PolynomialMotions(vectors, ring.common_factor(m for m in found if m))
+    # a determinant that is a number settles it: the rank is never lost
+    return PolynomialMotions(vectors, ring.ring.one, 0 if base.is_ground else minors)
 
 
 def primitive(work: SymbolicScrews, vector: Sequence[Poly]) -> Row:
@@ -242,5 +277,5 @@ def primitive(work: SymbolicScrews, vector: Sequence[Poly]) -> Row:
 
 def _limited(poly: Poly) -> Poly:
     if len(poly.terms()) > MOST_TERMS:
-        raise TooLargeError(f"an intermediate polynomial has more than {MOST_TERMS} terms")
+        raise FormulaTooLargeError(f"an intermediate polynomial has more than {MOST_TERMS} terms")
     return poly

@@ -1,5 +1,7 @@
 """Expressions of a description as polynomials over generators in which zero is decidable.
 
+    r (1 - cos theta) / sqrt(r^2 + H^2)  -->  (r w - r c w) / (r^2 + H^2),  w^2 = r^2 + H^2, c^2 + s^2 = 1
+
 Generators are the parameters, sine and cosine of each angle with c^2 + s^2 = 1, and a square root w with
 w^2 = its radicand. In lexicographic order with w before c before s before the parameters, these relations are a
 Groebner basis (their leading terms w^2, c^2 are coprime), so every polynomial has one normal form, and it is
@@ -20,14 +22,20 @@ from sympy.polys.rings import PolyRing
 
 from symscrew.algebra import CONTEXT, high_precision
 from symscrew.description import Mechanism
-from symscrew.mobility.exact_field import Field, NotDecidableError, Number
+from symscrew.mobility.symbols.atoms import atoms_of
+from symscrew.mobility.symbols.exact_field import Field
+from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number
 
 Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
 
 
 MOST_PRODUCTS = 12_000
-"""Products of terms that one ring makes."""
+"""Products of terms that one ring makes: a few seconds, and formulas of a page. The seed needs a third of it. Beyond it
+the symbols are given up with a sentence; numbers and ranks do not depend on them."""
+FLAT = 1e-12
+"""Eigenvalues of a quadratic form below this, relative to the largest, are zero: forms of a few rational coefficients.
+Wrong either way, a locus that no real parameters reach is shown, or hidden."""
 
 
 class NotPolynomialError(ValueError):
@@ -35,7 +43,7 @@ class NotPolynomialError(ValueError):
 
 
 @dataclass(frozen=True)
-class Fraction:
+class Quotient:
     """numerator / denominator, both in normal form."""
 
     numerator: Any
@@ -48,7 +56,7 @@ class Generators:
     def __init__(self, mechanism: Mechanism, expressions: Iterable[sympy.Expr]) -> None:
         self.values = {p.symbol: p.value for p in mechanism.parameters.values()}
         prepared = [sympy.expand_trig(e) for e in expressions]
-        parameters, every, roots = _atoms(prepared)
+        parameters, every, roots = atoms_of(prepared)
         angles = [angle for angle in every if angle.free_symbols]
         self.constants = _constants([e for e in prepared if len(angles) < len(every)])
         self.parameters = parameters
@@ -66,14 +74,14 @@ class Generators:
             low = (theta**k * QQ(c.numerator, c.denominator) for k, c in enumerate(modulus) if c)
             self._relations.append(theta ** len(modulus) + sum(low, self.ring.zero))
         self._spent = 0
-        self._places: dict[frozenset, list] = {}
-        self._replaced: dict[sympy.Expr, Fraction] = {}
+        self._places: dict[frozenset[tuple[sympy.Symbol, sympy.Expr]], list[Any]] = {}
+        self._replaced: dict[sympy.Expr, Quotient] = {}
         self._radicands: list[Poly] = [self.ring.one]
         self._roots: list[tuple[Poly, Poly]] = []
         for root in reversed(roots):
             self._define_root(root)
 
-    def read(self, expression: sympy.Expr) -> Fraction:
+    def read(self, expression: sympy.Expr) -> Quotient:
         """The expression as a fraction of normal forms."""
         return self._read(sympy.expand_trig(expression))
 
@@ -91,14 +99,14 @@ class Generators:
             raise NotPolynomialError("the closed forms are not of reasonable size")
         return self.normal(a * b) if a and b else self.ring.zero
 
-    def cancelled(self, top: Poly, bottom: Poly) -> Fraction:
+    def cancelled(self, top: Poly, bottom: Poly) -> Quotient:
         """top / bottom without their common factor."""
         if not top:
-            return Fraction(top, self.ring.one)
+            return Quotient(top, self.ring.one)
         if bottom.is_ground:
-            return Fraction(top.quo_ground(bottom.coeff(1)), self.ring.one)
+            return Quotient(top.quo_ground(bottom.coeff(1)), self.ring.one)
         common = top.gcd(bottom)
-        return Fraction(top, bottom) if common == 1 else Fraction(top.exquo(common), bottom.exquo(common))
+        return Quotient(top, bottom) if common == 1 else Quotient(top.exquo(common), bottom.exquo(common))
 
     def expression(self, poly: Poly) -> sympy.Expr:
         """The polynomial in the description's own words."""
@@ -205,7 +213,7 @@ class Generators:
         inner = self._read(root.base)
         square = self.product(inner.numerator, inner.denominator)  # sqrt(n/d) = sqrt(n d) / d, up to the sign of d
         if square.is_ground and (known := self._root_among_constants(square)) is not None:
-            self._replaced[root] = Fraction(known, inner.denominator)
+            self._replaced[root] = Quotient(known, inner.denominator)
             return
         coefficient, factors = square.factor_list()
         outside, rest = self.ring.one, self.ring.one
@@ -221,7 +229,7 @@ class Generators:
         if not rest.is_ground or not top.is_Rational:
             here = self.product(outside, self._root_of(rest, root))
         sign = 1 if self.number(here) * self.number(inner.denominator) >= 0 else -1
-        self._replaced[root] = Fraction(sign * here, inner.denominator)
+        self._replaced[root] = Quotient(sign * here, inner.denominator)
 
     def _root_among_constants(self, square: Poly) -> Poly | None:
         """The root of a rational number, where it is a polynomial in the cosine of the constants' field."""
@@ -265,16 +273,16 @@ class Generators:
                 raise NotPolynomialError("square roots that are products of each other")
         self._radicands += [products * radicand for products in self._radicands]
 
-    def _read(self, e: sympy.Expr) -> Fraction:
+    def _read(self, e: sympy.Expr) -> Quotient:
         one = self.ring.one
         if e.is_Rational:
-            return Fraction(self.ring.one * sympy.QQ(int(e.p), int(e.q)), one)
+            return Quotient(self.ring.one * sympy.QQ(int(e.p), int(e.q)), one)
         if e in self._replaced:
             return self._replaced[e]
         if e in self.atoms:
-            return Fraction(self.atoms[e], one)
+            return Quotient(self.atoms[e], one)
         if isinstance(e, (sympy.sin, sympy.cos)) and not e.free_symbols:
-            return Fraction(self._constant(self.constants.read(e)), one)
+            return Quotient(self._constant(self.constants.read(e)), one)
         if e.is_Add:
             parts = [self._read(a) for a in e.args]
             total = parts[0]
@@ -283,18 +291,18 @@ class Generators:
                 bottom = self.product(total.denominator, part.denominator)
                 if total.denominator == part.denominator:
                     top, bottom = total.numerator + part.numerator, total.denominator
-                total = Fraction(self.normal(top), bottom)
+                total = Quotient(self.normal(top), bottom)
             return total
         if e.is_Mul:
             top, bottom = one, one
             for part in map(self._read, e.args):
                 top, bottom = self.product(top, part.numerator), self.product(bottom, part.denominator)
-            return Fraction(top, bottom)
+            return Quotient(top, bottom)
         if e.is_Pow and e.exp.is_Rational and e.exp.q in (1, 2):
             base = self._read(e.base if e.exp.q == 1 else sympy.sqrt(e.base))
             power = abs(int(e.exp.p))
             top, bottom = self.normal(base.numerator**power), self.normal(base.denominator**power)
-            return Fraction(top, bottom) if e.exp > 0 else Fraction(bottom, top)
+            return Quotient(top, bottom) if e.exp > 0 else Quotient(bottom, top)
         raise NotPolynomialError(f"{e} is neither rational in the parameters nor a sine, cosine or square root")
 
 
@@ -316,7 +324,7 @@ def _definite(poly: Poly) -> bool:
         form[places[0], places[1]] += float(coefficient) / 2
         form[places[1], places[0]] += float(coefficient) / 2
     values = np.linalg.eigvalsh(form)
-    tiny = 1e-12 * np.abs(values).max()
+    tiny = FLAT * np.abs(values).max()
     return bool((values > -tiny).all() or (values < tiny).all()) and int((np.abs(values) > tiny).sum()) >= 2
 
 
@@ -326,30 +334,3 @@ def _constants(expressions: Iterable[sympy.Expr]) -> Field:
         return Field([atom for e in expressions for atom in e.atoms(sympy.sin, sympy.cos) if not atom.free_symbols])
     except NotDecidableError as error:
         raise NotPolynomialError(str(error)) from error
-
-
-def _atoms(expressions: Iterable[sympy.Expr]) -> tuple[list, list, list]:
-    """(parameters, angles, square roots, inner ones last) in the expressions, sorted by name."""
-    parameters: set = set()
-    angles: set = set()
-    roots: set = set()
-    stack = list(expressions)
-    while stack:
-        e = stack.pop()
-        if e.is_Symbol:
-            parameters.add(e)
-        elif isinstance(e, (sympy.sin, sympy.cos)):
-            angles.add(e.args[0])
-            parameters |= e.args[0].free_symbols
-        elif e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
-            roots.add(sympy.sqrt(e.base))
-            stack.append(e.base)
-        else:
-            stack += e.args
-    outer_first = sorted(roots, key=lambda root: (-_nesting(root), str(root)))
-    return sorted(parameters, key=str), sorted(angles, key=str), outer_first
-
-
-def _nesting(e: sympy.Expr) -> int:
-    own = int(e.is_Pow and e.exp.is_Rational and e.exp.q == 2)
-    return own + max((_nesting(a) for a in e.args), default=0)

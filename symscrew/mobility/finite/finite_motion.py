@@ -21,11 +21,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.mobility.branches import UndecidedError, find_branches
-from symscrew.mobility.independent_parts import blocks_of
-from symscrew.mobility.joint_network import Network
-from symscrew.mobility.local_solutions import (  # fmt: skip
+from symscrew.mobility.finite.branches import UndecidedError, find_branches
+from symscrew.mobility.finite.independent_parts import blocks_of
+from symscrew.mobility.finite.local_solutions import (  # fmt: skip
     Local,
+    Trial,
     definite_stress,
     flatten,
     local_at,
@@ -33,14 +33,16 @@ from symscrew.mobility.local_solutions import (  # fmt: skip
     quadratic_forms,
     vanishes,
 )
-from symscrew.mobility.passive_spins import without_spins
-from symscrew.mobility.screw_systems import null_space
-from symscrew.mobility.tangent_cone import continued
-from symscrew.mobility.variety import DIGITS_60, ClosureVariety
-from symscrew.mobility.witnesses import Witness
+from symscrew.mobility.finite.passive_spins import without_spins
+from symscrew.mobility.finite.tangent_cone import continued
+from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety
+from symscrew.mobility.finite.witnesses import Witness
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.screw_systems import Screw, null_space
 
 ORDERS = 6
-"""Highest order of the kinematic tangent cone that is tried."""
+"""Highest order of the kinematic tangent cone that is tried for a single motion. Known mechanisms stop at second to
+fourth order; where none up to this one stops it, the finite displacement decides, and the evidence is that."""
 
 
 @dataclass(frozen=True)
@@ -121,7 +123,7 @@ def _with_spins(found: FiniteMobility, spins: int) -> FiniteMobility:
     return replace(found, dof=(found.dof or 0) + spins, branches=branches, kind=kind, evidence=(text, *found.evidence))
 
 
-def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int) -> FiniteMobility:
+def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) -> FiniteMobility:
     coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
     if not motions:
         return _smooth(network, 0, "no instantaneous motion but the spins", proved=True)
@@ -137,8 +139,7 @@ def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int)
             f"of size {step:g} along all {dof} instantaneous freedoms: the redundant equations vanish identically",
             proved=False,
         )
-    worst = max(trials, key=lambda trial: trial.residual)
-    text = f"after a motion of size {worst.step:g} the redundant equations are off by {worst.residual:.1e}"
+    text = _missed(trials)
     if dof == 1:
         arc = continued(network, motions[0], ORDERS)
         if arc.order is not None:
@@ -147,6 +148,8 @@ def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int)
                 f"the one instantaneous motion cannot be continued at order {arc.order} of the kinematic tangent cone "
                 f"(screw brackets in 60 digits; a unit self-stress does work {arc.obstruction:.1e} there)",
             )
+        if all(trial.closed or not trial.solved for trial in trials):
+            raise UndecidedError(text)  # no residual was seen, so that nothing shows that the motion stops
         return _infinitesimal(
             network, f"{text}; an analytic function of one variable that does not vanish has isolated zeros"
         )
@@ -160,21 +163,32 @@ def _by_reduced_closure(network: Network, motions: Sequence[Sequence], dof: int)
                 "a self-stress has a positive definite quadratic form on the instantaneous motions (Cholesky in 60 "
                 f"digits, smallest pivot {float(pivot):.1e}): no second-order motion, prestress stable",
             )
-    return _singular(coarse, fine, here, forms, text)
+    return _singular(coarse, fine, here, forms, text=text)
 
 
-def _about_origin(variety: ClosureVariety, stress: np.ndarray) -> np.ndarray:
+def _missed(trials: Sequence[Trial]) -> str:
+    """By how much finite motions failed to close, in words."""
+    open_ = [trial for trial in trials if trial.solved and not trial.closed]
+    if not open_:
+        left = sum(1 for trial in trials if not trial.solved)
+        return (
+            f"{left} of {len(trials)} random finite motions could not be solved for the dependent coordinates, down to "
+            f"a size of {min(trial.step for trial in trials):g}: it is not known whether the loops close along them"
+        )
+    worst = max(open_, key=lambda trial: trial.residual)
+    return f"after a motion of size {worst.step:g} the redundant equations are off by {worst.residual:.1e}"
+
+
+def _about_origin(variety: ClosureVariety, stress: Array) -> Array:
     """A self-stress for screws about the variety's centre as one for screws at O: m_O . omega + f . v_O."""
     centre = np.array([float(c) for c in variety.centre])
-    result = stress.copy().reshape(-1, 6)
+    result: Array = stress.copy().reshape(-1, 6)
     # v_centre = v_O + omega x centre, so f . v_centre = f . v_O + omega . (centre x f)
     result[:, :3] += np.cross(centre, result[:, 3:])
     return result.ravel()
 
 
-def _singular(
-    coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: np.ndarray, text: str
-) -> FiniteMobility:
+def _singular(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: Array, *, text: str) -> FiniteMobility:
     found = find_branches(coarse, fine, here, forms)
     evidence = (text, *found.evidence)
     if not found.dimensions:

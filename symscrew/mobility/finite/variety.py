@@ -1,5 +1,7 @@
 """The closure variety: joint displacements that close all loops, evaluated for many points at once.
 
+    displacements q --exponentials of the screws--> poses --chords--> residual f(q) [6 per loop], Jacobian df/dq
+
 Every joint moves by the exponential of its reference screw, in absolute axes (product of exponentials), so no
 body frames are needed. A spherical joint's three coordinates are a rotation vector. The same code runs in double
 precision on a batch of points and in 60 digits on one: only the arithmetic differs.
@@ -10,17 +12,19 @@ derivative at a point of the variety are the signed screws of the displaced join
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT
+from symscrew.algebra import CONTEXT, IDENTITY, revolute
+from symscrew.mobility.finite.closure_residual import ClosureResidual
 from symscrew.mobility.joint_network import Edge, Network
-from symscrew.mobility.residual import ClosureResidual
+from symscrew.mobility.screw_systems import Real, Row, Screw
 
-Array = np.ndarray
+Array = np.ndarray[Any, Any]
+"""Doubles, or objects that are numbers of 60 digits."""
 Pose = tuple[Array, Array]
 Step = tuple[Array, Array, Array | None]
 
@@ -35,6 +39,7 @@ class Arithmetic:
     cos: Callable[[Array], Array]
     sqrt: Callable[[Array], Array]
     tiny: Any
+    """Square of an angle below which a rotation counts as none, so that nothing is divided by zero."""
 
     def array(self, values: Any) -> Array:
         """`values`, nested lists of 60-digit numbers or integers, as an array of these scalars."""
@@ -46,7 +51,10 @@ class Arithmetic:
 
 
 def _elementwise(function: Callable[[Any], Any]) -> Callable[[Array], Array]:
-    return np.frompyfunc(function, 1, 1)
+    def applied(values: Array) -> Array:
+        return np.asarray(np.frompyfunc(function, 1, 1)(values))
+
+    return applied
 
 
 DOUBLE = Arithmetic(float, float, np.sin, np.cos, np.sqrt, 1e-290)
@@ -123,7 +131,7 @@ class ClosureVariety:
         """The residual at one point."""
         if self._fixed is not None:
             return np.array(self._fixed(list(q)), dtype=object)
-        return self.evaluate(q[None])[0][0]
+        return np.asarray(self.evaluate(q[None])[0][0])
 
     def _jacobian(self, screws: Array) -> Array:
         result = self._zeros(len(screws), self.rows, self.columns)
@@ -189,7 +197,30 @@ class ClosureVariety:
         return result
 
 
-def _motions(edge: Edge, centre: list, arithmetic: Arithmetic) -> tuple[Motion, ...]:
+def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
+    """The network in the configuration with the displacements `point`, in 60 digits."""
+    screws, poses = fine.forward(point[None])
+    centre = fine.centre
+    edges: dict[str, Edge] = {}
+    for edge in network.edges.values():
+        rotation, translation = (part[0] for part in poses[edge.child])
+        local = np.array([edge.point[k] - centre[k] for k in range(3)], dtype=object)
+        moved = rotation @ local + translation
+        place = (moved[0] + centre[0], moved[1] + centre[1], moved[2] + centre[2])
+        rows = []
+        for kind, column in edge.motions:
+            if kind == "S":
+                rows += [tuple(CONTEXT.mpf(c) for c in revolute(axis, place).components) for axis in IDENTITY]
+            else:
+                w, v = screws[0, column, :3], screws[0, column, 3:]
+                shift = (centre[1] * w[2] - centre[2] * w[1], centre[2] * w[0] - centre[0] * w[2],
+                         centre[0] * w[1] - centre[1] * w[0])  # fmt: skip
+                rows.append((*w, *(a + b for a, b in zip(v, shift, strict=True))))
+        edges[edge.name] = replace(edge, point=place, screws=tuple(rows))
+    return replace(network, edges=edges)
+
+
+def _motions(edge: Edge, centre: Sequence[Real], arithmetic: Arithmetic) -> tuple[Motion, ...]:
     """The joint's motions with their screws moved to the centre."""
     point = [edge.point[k] - centre[k] for k in range(3)]
     result = []
@@ -205,7 +236,7 @@ def _motions(edge: Edge, centre: list, arithmetic: Arithmetic) -> tuple[Motion, 
     return tuple(result)
 
 
-def _moved(screw: tuple, centre: list) -> list:
+def _moved(screw: Screw, centre: Sequence[Real]) -> Row:
     """The same screw with its moment about `centre` instead of O: v - r x omega."""
     w, v, r = screw[:3], screw[3:], centre
     return [

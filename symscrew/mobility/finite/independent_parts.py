@@ -1,5 +1,7 @@
 """Blocks of a mechanism: parts whose loops share no joint, so that their motions are independent.
 
+    Network --biconnected components--> blocks; configuration space = product of those of the blocks
+
 The loops of a graph lie in its biconnected components. Two blocks have at most one body in common, so the
 configuration space is the product of those of the blocks; a joint in no loop is a block of its own.
 """

@@ -1,5 +1,7 @@
 """The closure residual with 60 digits in fixed-point integers, ten times faster than with floating 60-digit numbers.
 
+    displacements q --exponentials in integers / 2^BITS--> poses --chords--> six numbers a loop
+
 Lengths are in units of the mechanism's size about its centre, so all numbers are of order one and 256 bits after
 the point are 76 digits. Only sines, cosines and roots are taken in floating 60 digits.
 """
@@ -14,6 +16,7 @@ from symscrew.algebra import CONTEXT
 from symscrew.mobility.joint_network import Edge, Network
 
 BITS = 256
+"""Binary digits after the point: 76 decimal ones, so that the rounding of a few hundred products stays below 60."""
 ONE = 1 << BITS
 Vector = list[int]
 Matrix = list[list[int]]

@@ -11,12 +11,22 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from symscrew.mobility.variety import Array
+from symscrew.mobility.finite.variety import Array
 
 STARTS_PER_DIMENSION = 24
+"""Random starts on a linear space, times its dimension. A space of dimension d meets d - 1 or more quadrics in up to
+2^(d - 1) lines; of those the starts find most, and neighbours of the others stand in for them."""
 STEPS = 60
+"""Steps of Levenberg-Marquardt: simple zeros take ten, double ones a factor of two a step."""
 ZERO = 1e-10
+"""A direction in which all unit forms are below this is in the cone."""
 PER_KIND = 10
+"""Directions of every rank of the derivative that become starts, as far apart as possible."""
+RANK = 1e-6
+"""Singular values of the derivative below this are zero: where the directions are known to 1e-10, a double one to half
+the digits."""
+APART = 1e-3
+"""Unit directions that are closer together than this are one."""
 
 
 def cone_directions(forms: Array, generator: np.random.Generator) -> Array:
@@ -70,12 +80,12 @@ def _spread(u: Array, forms: Array) -> Iterator[Array]:
     if not len(u):
         return
     values = np.linalg.svd(2 * np.einsum("kij,nj->nki", forms, u), compute_uv=False)
-    ranks = (values > 1e-6).sum(axis=1)
+    ranks = (values > RANK).sum(axis=1)
     for rank in np.unique(ranks):
         members = u[ranks == rank]
         chosen = [members[0]]
         distance = _apart(members, chosen[0])
-        while len(chosen) < PER_KIND and distance.max() > 1e-3:
+        while len(chosen) < PER_KIND and distance.max() > APART:
             chosen.append(members[int(distance.argmax())])
             distance = np.minimum(distance, _apart(members, chosen[-1]))
         for direction in chosen:

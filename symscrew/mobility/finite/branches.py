@@ -1,5 +1,7 @@
 """Branches of the configuration space through a singular configuration.
 
+    random starts, cone directions --zeros of g on a sphere--> points --inwards--> those on a branch --> dimensions
+
 A branch through the configuration meets every small sphere around it. So: zeros of the reduced closure on spheres
 in the instantaneous motions, from random starts and from the directions of the second-order tangent cone, found on
 linear slices of every dimension; each zero is followed inwards to a much smaller sphere, which drops those that do
@@ -10,22 +12,54 @@ instantaneous freedoms than real ones everywhere on it) the dimension is that of
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.mobility.local_solutions import SEED, Local, coarse_rank, flatten, local_at, local_refined, vanishes
-from symscrew.mobility.quadric_cone import cone_directions
-from symscrew.mobility.reduced import ReducedClosure, Values, is_zero
-from symscrew.mobility.variety import Array, ClosureVariety
-from symscrew.mobility.witnesses import Witness
+from symscrew.mobility.finite.local_solutions import (
+    SEED,
+    Local,
+    coarse_rank,
+    flatten,
+    local_at,
+    local_refined,
+    vanishes,
+)
+from symscrew.mobility.finite.quadric_cone import cone_directions
+from symscrew.mobility.finite.reduced_closure import ReducedClosure, Values, is_zero
+from symscrew.mobility.finite.variety import Array, ClosureVariety
+from symscrew.mobility.finite.witnesses import Witness
 
 RADII = (0.1, 0.02)
+"""Spheres on which zeros are looked for, in units of the mechanism's size: on a large one zeros are told from rounding
+better, a small one misses no branch that bends away soon. Zeros beyond the larger one are of no concern here."""
 INWARDS = 6
+"""Times that a zero is followed to half the radius: down to 1/64, where a branch that passes by at a distance of a few
+hundredths of the radius is left behind."""
 KEPT = 8
+"""Zeros of each kind (equally many instantaneous freedoms) that are followed, as far apart as possible; the evidence
+says how many. More cost more and have shown no other dimension."""
+APART = 1e-3
+"""Zeros closer together than this part of the radius are one."""
+ASTRAY = 0.4
+"""A zero that is followed inwards must stay this near to the ray, in radii; else it has gone over to another branch."""
 UNDECIDED = 0
+"""Stands for the dimension of a branch whose zeros could not be classified."""
 SIGNAL = 1e-10
-"""g must be this large at random points of a sphere for a zero in double precision to mean something."""
+"""g must be this large at random points of a sphere for a zero in double precision to mean something; a smaller sphere
+is left out, and the evidence says so. Where all are, the mobility is not decided."""
+DEPTH = 2
+"""How often a zero may lie where branches meet and hand over to a neighbour, on a sphere ten times smaller."""
+SPREAD = 0.05
+"""Directions to neighbours count as spanning a further dimension if their spread there is this part of the distance:
+rounding and the curvature of a branch over a tenth of the radius stay below it."""
+CLASSIFIED = 3
+"""Zeros of each kind whose branch gets its dimension."""
+SHAKY = 1e-7
+"""|g|, relative, of zeros around one on a shaky branch: they are double, and known to half the digits only."""
+LEAST_SCALE = 1e-12
+"""The size of g around a zero is taken to be at least this."""
 
 
 @dataclass(frozen=True)
@@ -58,9 +92,14 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
     found: dict[int, BranchPoint] = {}
     known: set[int] = set()
     evidence = []
+    left_out = []
     for radius in RADII:
         scale = _scale(reduced, starts, radius)
         if not scale > SIGNAL:
+            left_out.append(
+                f"no zeros were looked for on a sphere of radius {radius:g}: the redundant equations are of size "
+                f"{scale:.0e} there, which double precision does not tell from zero"
+            )
             continue
         zeros = _representatives(coarse, reduced.zeros_on_sphere(radius * starts, radius, scale), radius, scale)
         kept, reached = _followed(reduced, starts, zeros, radius)
@@ -69,10 +108,13 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
             f"directions of the second-order cone on linear slices: {len(zeros.u)} kept for their variety, "
             f"{len(kept)} of them lead to the configuration (followed down to {reached:.1e})"
         )
-        for dimension, point in _dimensions(coarse, fine, kept, radius, known).items():
+        groups = _kinds(coarse, kept)
+        for dimension, point in _dimensions(coarse, fine, groups, radius=radius, known=known).items():
             found.setdefault(dimension, point)
+        known |= set(groups)
     if set(found) - {UNDECIDED}:
-        found.pop(UNDECIDED, None)
+        if found.pop(UNDECIDED, None) is not None:
+            left_out.append("another zero could not be classified: a branch of a further dimension is not excluded")
     elif found:
         raise UndecidedError(
             "real motion leads away from this singular configuration, but in double precision its "
@@ -82,7 +124,7 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
         raise UndecidedError("the reduced closure is too small on all spheres to find its zeros in double precision")
     points = [found[d] for d in sorted(found)]
     witnesses = (Witness(coarse.network, "branch", p.dimension, p.instantaneous, p.q) for p in points)
-    return Branches(tuple(sorted(found)), (*evidence, *(p.text for p in points)), tuple(witnesses))
+    return Branches(tuple(sorted(found)), (*evidence, *left_out, *(p.text for p in points)), tuple(witnesses))
 
 
 def _starts(dof: int, forms: Array) -> tuple[Array, int]:
@@ -103,7 +145,7 @@ def _representatives(variety: ClosureVariety, values: Values, radius: float, sca
         members = index[freedoms == kind]
         picked = [members[0]]
         distance = np.linalg.norm(values.u[members] - values.u[members[0]], axis=1)
-        while len(picked) < KEPT and distance.max() > 1e-3 * radius:
+        while len(picked) < KEPT and distance.max() > APART * radius:
             picked.append(members[int(distance.argmax())])
             distance = np.minimum(distance, np.linalg.norm(values.u[members] - values.u[picked[-1]], axis=1))
         chosen += picked
@@ -121,7 +163,7 @@ def _followed(reduced: ReducedClosure, starts: Array, zeros: Values, radius: flo
         guess = reduced.here.q + (now.q - reduced.here.q) / 2
         inner = reduced.zeros_on_sphere(now.u / 2, radius, scale, guess=guess)
         index = is_zero(inner, radius, scale)
-        index = index[np.linalg.norm(inner.u[index] - now.u[index] / 2, axis=1) < 0.4 * radius]
+        index = index[np.linalg.norm(inner.u[index] - now.u[index] / 2, axis=1) < ASTRAY * radius]
         kept, now = kept[index], inner.at(index)
     return kept, radius
 
@@ -131,26 +173,34 @@ def _scale(reduced: ReducedClosure, starts: Array, radius: float) -> float:
     return float(np.median(np.abs(values.g[values.solved]).max(axis=1))) if values.solved.any() else 0.0
 
 
-def _dimensions(
-    coarse: ClosureVariety, fine: ClosureVariety, zeros: Array, radius: float, known: set[int]
-) -> dict[int, BranchPoint]:
-    """Dimension of the branch at each kind of zero, with how it was decided; of `known` kinds one zero is enough.
-
-    A kind are the zeros with equally many instantaneous freedoms; those found are added to `known`.
-    """
+def _kinds(coarse: ClosureVariety, zeros: Array) -> dict[int, list[Array]]:
+    """Number of instantaneous freedoms -> the zeros that have it."""
     groups: dict[int, list[Array]] = {}
     for q in zeros:
         groups.setdefault(local_at(coarse, q).dof, []).append(q)
+    return groups
+
+
+def _dimensions(
+    coarse: ClosureVariety,
+    fine: ClosureVariety,
+    groups: Mapping[int, Sequence[Array]],
+    *,
+    radius: float,
+    known: Set[int],
+) -> dict[int, BranchPoint]:
+    """Dimension of the branch at each kind of zero, with how it was decided; of `known` kinds one zero is enough."""
     found: dict[int, BranchPoint] = {}
     for kind, points in sorted(groups.items()):
-        for q in points[:: max(1, len(points) // 3)][: 1 if kind in known else 3]:
+        for q in points[:: max(1, len(points) // CLASSIFIED)][: 1 if kind in known else CLASSIFIED]:
             point = _dimension_at(coarse, fine, q, radius)
             found.setdefault(point.dimension, point)
-        known.add(kind)
     return found
 
 
-def _dimension_at(coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float, depth: int = 0) -> BranchPoint:
+def _dimension_at(
+    coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius: float, *, depth: int = 0
+) -> BranchPoint:
     """The configuration space at a generic point of a branch."""
     there, point, residual = local_refined(coarse, fine, q)
     instantaneous = there.dof
@@ -160,16 +210,16 @@ def _dimension_at(coarse: ClosureVariety, fine: ClosureVariety, q: Array, radius
         text = f"{manifold} the closure equations are independent; {gap}"
         return BranchPoint(instantaneous, instantaneous, point, text)
     steps = tuple(radius / k for k in (10, 30, 100))
-    trials = [vanishes(coarse, fine, there, direction, steps) for direction in flatten(instantaneous, 2)]
+    trials = [vanishes(coarse, fine, there, direction, steps=steps) for direction in flatten(instantaneous, 2)]
     if all(trial.closed for trial in trials):
         text = f"{manifold} finite motions along all {instantaneous} instantaneous freedoms close in 60 digits; {gap}"
         return BranchPoint(instantaneous, instantaneous, point, text)
     zeros = _zeros_around(coarse, there, radius / 10)
     likely = sorted(zeros, key=lambda q: float(coarse_rank(coarse, q)), reverse=True)[:3]
     fewest = min(((local_refined(coarse, fine, q)[0].dof, k) for k, q in enumerate(likely)), default=(instantaneous, 0))
-    if depth < 2 and fewest[0] < instantaneous:
+    if depth < DEPTH and fewest[0] < instantaneous:
         # the zero lies where branches meet; a neighbour shows one of them
-        return _dimension_at(coarse, fine, likely[fewest[1]], radius / 10, depth + 1)
+        return _dimension_at(coarse, fine, likely[fewest[1]], radius / 10, depth=depth + 1)
     dimension = _spanned(zeros, there, radius / 10)
     if dimension and dimension == _spanned(_zeros_around(coarse, there, radius / 30), there, radius / 30):
         text = f"a branch of dimension {dimension}, shaky all along: {instantaneous} instantaneous freedoms on it"
@@ -181,9 +231,9 @@ def _zeros_around(variety: ClosureVariety, there: Local, radius: float) -> Array
     """Displacements of zeros of the closure on a sphere around a zero."""
     starts = np.array(list(flatten(there.dof, 16 + 4 * there.dof)))
     reduced = ReducedClosure(variety, there)
-    scale = max(_scale(reduced, starts, radius), 1e-12)
+    scale = max(_scale(reduced, starts, radius), LEAST_SCALE)
     values = reduced.zeros_on_sphere(radius * starts, radius, scale)
-    return values.q[is_zero(values, radius, scale, 1e-7)]
+    return np.asarray(values.q[is_zero(values, radius, scale, SHAKY)])
 
 
 def _spanned(zeros: Array, there: Local, radius: float) -> int:
@@ -192,4 +242,4 @@ def _spanned(zeros: Array, there: Local, radius: float) -> int:
         return 0
     directions = (zeros - there.q) @ there.kernel / radius
     spread = np.linalg.svd(directions, compute_uv=False) / np.sqrt(len(zeros))
-    return int((spread > 0.05).sum())
+    return int((spread > SPREAD).sum())

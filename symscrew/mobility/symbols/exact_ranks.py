@@ -1,5 +1,7 @@
 """Ranks decided in an exact field: those that mobility in the reference configuration rests on.
 
+    rank modulo p <= rank <= number of rows or columns;  equal ends decide, else elimination over the field
+
 A homomorphism to a field of p elements never raises a rank, so a rank modulo p is a proved lower bound; where it
 is the number of rows or columns, it is the rank. Other ranks are found by elimination over the field itself, as
 long as that is of reasonable size.
@@ -7,98 +9,27 @@ long as that is of reasonable size.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 import sympy
 
-from symscrew.algebra import IDENTITY, cross, dot, scale, subtract
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
-from symscrew.mobility.exact_field import Exact, Field, NotDecidableError, Number, inverse
-from symscrew.mobility.joint_network import Network
+from symscrew.mobility.symbols.exact_field import Field
+from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError, Number, inverse
+from symscrew.mobility.symbols.exact_screws import Row
 
 MOST_WORK = 200_000
+"""Products of rational numbers in one elimination: some seconds. Beyond it the rank stands on 60 digits alone, and the
+result says so."""
 LONGEST = 6000
-"""Bits of a number; beyond it elimination stops."""
+"""Bits of a number; beyond it elimination stops: its numbers double in length with every pivot from there."""
 FIRST_PRIME = 2**61
+"""Of the primes for lower bounds: an accident (a minor that is divisible by it) has the odds of 1 : 2^61, and
+products still fit the fast integers of most machines twice over. It would only cost an elimination."""
 
-Row = list[Exact]
 
-
-class TooLargeError(NotDecidableError):
+class EliminationTooLongError(NotDecidableError):
     """Elimination over the field would take too long."""
-
-
-@dataclass(frozen=True)
-class ExactSystem:
-    """Exact screws (directions of any length) of every joint's freedoms, at O, in metres; their field."""
-
-    field: Field
-    screws: Mapping[str, tuple[tuple[Exact, ...], ...]]
-
-
-def exact_system(mechanism: Mechanism) -> ExactSystem:
-    """The screws of all joints in the reference configuration; raises NotDecidableError where there is no field."""
-    number = mechanism.number
-    points = {name: [number(c) for c in joint.point] for name, joint in mechanism.joints.items()}
-    axes = {name: [[number(c) for c in axis] for axis in joint.axes] for name, joint in mechanism.joints.items()}
-    pitches = {name: number(j.pitch) for name, j in mechanism.joints.items() if j.pitch is not None}
-    every = [*(c for p in points.values() for c in p), *(c for a in axes.values() for x in a for c in x),
-             *pitches.values()]  # fmt: skip
-    field = Field(every)
-    directions = {name: [field.direction(axis) for axis in given] for name, given in axes.items()}
-    screws = {}
-    for name, joint in mechanism.joints.items():
-        pitch = field.read(pitches[name]) if name in pitches else Fraction(0)
-        # only the line matters: any of its points will do, and the pure direction of a slider needs none
-        kinds = {motion.kind for motion in JOINT_TYPES[joint.type].motions}
-        point = [field.read(c) for c in points[name]] if kinds - {"P"} else [Fraction(0)] * 3
-        screws[name] = _screws(joint, point, directions[name], pitch)
-    return ExactSystem(field, screws)
-
-
-def _screws(joint: Joint, point: Sequence, axes: Sequence[Sequence], pitch: Exact) -> tuple[tuple[Exact, ...], ...]:
-    place = (point[0], point[1], point[2])
-    triad: Sequence = axes
-    if joint.type == "E":
-        triad = across(axes[0], [bool(c) for c in axes[0]])
-    elif joint.type == "free":
-        triad = IDENTITY
-    result = []
-    for motion in JOINT_TYPES[joint.type].motions:
-        directions = IDENTITY if motion.kind == "S" else (triad[motion.axis or 0],)
-        for d in directions:
-            direction = (d[0], d[1], d[2])
-            if motion.kind == "P":
-                result.append((Fraction(0), Fraction(0), Fraction(0), *direction))
-                continue
-            moment = cross(place, direction)
-            if motion.kind == "H":
-                moment = tuple(a + pitch * b for a, b in zip(moment, direction, strict=True))  # type: ignore[assignment]
-            result.append((*direction, *moment))
-    return tuple(result)
-
-
-def across(normal: Sequence, present: Sequence[bool]) -> tuple:
-    """Two directions across the normal and the normal, mutually perpendicular, over any scalars, without roots.
-
-    `present`: which components of the normal are not zero.
-    """
-    n = (normal[0], normal[1], normal[2])
-    nearest = IDENTITY[min(range(3), key=lambda k: present[k])]
-    first = subtract(scale(dot(n, n), nearest), scale(dot(nearest, n), n))
-    return (first, cross(n, first), n)
-
-
-def loop_rows(network: Network, system: ExactSystem, loop: Sequence[tuple[str, int]]) -> list[Row]:
-    """Six rows over all joint freedoms: the signed screws of the joints on the way."""
-    rows: list[Row] = [[Fraction(0)] * network.freedoms for _ in range(6)]
-    for name, sign in loop:
-        for column, screw in zip(network.edges[name].columns, system.screws[name], strict=True):
-            for i in range(6):
-                rows[i][column] = sign * screw[i]
-    return rows
 
 
 def exact_rank(rows: Sequence[Row], field: Field) -> int:
@@ -131,12 +62,12 @@ def reduced(rows: Sequence[Row], field: Field) -> tuple[list[Row], list[int]]:
         row = [c * factor if c else c for c in row]
         support = [j for j, c in enumerate(row) if c]
         if max(_length(row[j]) for j in support) > LONGEST:
-            raise TooLargeError("the numbers of the elimination grow too long")
+            raise EliminationTooLongError("the numbers of the elimination grow too long")
         for other in (*matrix, *done):
             if factor := other[lead]:
                 work += len(support) * field.degree**2
                 if work > MOST_WORK:
-                    raise TooLargeError(f"elimination over {field} is too long")
+                    raise EliminationTooLongError(f"elimination over {field} is too long")
                 for j in support:
                     other[j] = other[j] - factor * row[j]
         done.append(row)
@@ -191,7 +122,7 @@ def _rank_of_residues(matrix: list[list[int]], p: int) -> int:
     return rank
 
 
-def _homomorphisms(field: Field):  # type: ignore[no-untyped-def]
+def _homomorphisms(field: Field) -> Iterator[tuple[int, dict[object, int]]]:
     """(p, images of the generators) for primes at which all generators have one."""
     unit = field.unit
     p = FIRST_PRIME // unit * unit + 1

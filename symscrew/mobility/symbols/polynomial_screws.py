@@ -1,5 +1,7 @@
 """Constraints and freedoms of limbs and platform in the description's parameters, eqs. (11)-(18) with symbols.
 
+    limb --screws--> polynomials S --Cramer--> wrenches (S^T N w = 0) --union, Cramer--> freedoms of the platform
+
 Null vectors come from minors (Cramer), so they are polynomial in the generators and have no poles; common factors
 are taken out. What the factors mean is reported as loci: where a limb's screws become dependent (limb
 singularity), where the union of the constraints loses rank (constraint singularity), where a force becomes a
@@ -18,13 +20,14 @@ import sympy
 
 from symscrew.algebra import IDENTITY, as_vector, high_precision
 from symscrew.description import Joint, Mechanism
-from symscrew.mobility.exact import across
-from symscrew.mobility.generators import Fraction, Generators, NotPolynomialError, Poly
 from symscrew.mobility.joint_network import motion_screws
-from symscrew.mobility.screw_systems import eliminate
+from symscrew.mobility.screw_systems import Screw, eliminate
+from symscrew.mobility.symbols.exact_screws import across
+from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly, Quotient
 
 Vector = tuple[sympy.Expr, ...]
 SEED = 840
+"""Of the place in general position at which rows and columns are chosen: always the same, so that results repeat."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +120,7 @@ class SymbolicScrews:
         """Screws of a joint as polynomials: each times its common denominator."""
         return [screw for screw, _ in self.scaled_screws(joint)]
 
-    def scaled_screws(self, joint: Joint) -> list[tuple[list[Poly], Fraction]]:
+    def scaled_screws(self, joint: Joint) -> list[tuple[list[Poly], Quotient]]:
         """(screw as polynomials, what the unit screw was multiplied by) for each freedom of the joint."""
         return [self.scalars().cleared(screw) for screw in self.unit_screws(joint)]
 
@@ -135,7 +138,7 @@ class SymbolicScrews:
         elif joint.type == "free":
             axes = IDENTITY
         pitch = scalars.read(joint.pitch) if joint.pitch is not None else None
-        made = motion_screws(joint, point, axes, pitch)  # type: ignore[arg-type]
+        made = motion_screws(joint, point, axes, pitch)
         return [twist.components for _, twists in made for twist in twists]
 
     def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:
@@ -210,11 +213,11 @@ class Scalars:
         """The expression as a fraction with arithmetic."""
         return _Scalar(self.ring, self.ring.read(expression))
 
-    def cleared(self, components: Sequence[Any]) -> tuple[list[Poly], Fraction]:
+    def cleared(self, components: Sequence[Any]) -> tuple[list[Poly], Quotient]:
         """(the components times their common denominator, without common factors; what they were multiplied by)."""
         ring = self.ring
         one = ring.ring.one
-        given = [c.value if isinstance(c, _Scalar) else Fraction(one * c, one) for c in components]
+        given = [c.value if isinstance(c, _Scalar) else Quotient(one * c, one) for c in components]
         denominators: list[Poly] = []
         for fraction in given:
             if fraction.numerator and fraction.denominator not in denominators and fraction.denominator != 1:
@@ -226,16 +229,16 @@ class Scalars:
             ring.product(f.numerator, multiple.exquo(f.denominator)) if f.numerator else ring.ring.zero for f in given
         ]
         common = ring.common_factor(c for c in cleared if c)
-        return [c.exquo(common) if c else c for c in cleared], Fraction(multiple, common)
+        return [c.exquo(common) if c else c for c in cleared], Quotient(multiple, common)
 
 
 class _Scalar:
-    def __init__(self, ring: Generators, value: Fraction) -> None:
+    def __init__(self, ring: Generators, value: Quotient) -> None:
         self.ring, self.value = ring, value
 
-    def _other(self, other: Any) -> Fraction:
+    def _other(self, other: Any) -> Quotient:
         one = self.ring.ring.one
-        return other.value if isinstance(other, _Scalar) else Fraction(one * other, one)
+        return other.value if isinstance(other, _Scalar) else Quotient(one * other, one)
 
     def __add__(self, other: Any) -> _Scalar:
         a, b = self.value, self._other(other)
@@ -257,7 +260,7 @@ class _Scalar:
         return self + _Scalar(self.ring, self._other(other)) * -1
 
     def __rsub__(self, other: Any) -> _Scalar:
-        return self * -1 + other
+        return _Scalar(self.ring, self._other(other)) + self * -1
 
 
 def _independent(rows: Sequence[Sequence[Any]], columns: int = 6) -> list[int]:
@@ -269,6 +272,6 @@ def _independent(rows: Sequence[Sequence[Any]], columns: int = 6) -> list[int]:
     return chosen
 
 
-def numbers_at(vectors: Sequence[Vector], mechanism: Mechanism) -> list[tuple]:
+def numbers_at(vectors: Sequence[Vector], mechanism: Mechanism) -> list[Screw]:
     """Symbolic vectors at the parameters' values, 60 digits."""
     return [tuple(high_precision(mechanism.number(c)) for c in vector) for vector in vectors]

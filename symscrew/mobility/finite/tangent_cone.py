@@ -1,5 +1,7 @@
 """Higher-order closure by screw brackets: the kinematic tangent cone, order by order.
 
+    V(t) = sum of S_k(t) u_k(t) before the joint,  dS/dt = [V, S],  closure: sum of signed S_k(t) u_k(t) = 0
+
 A joint screw is carried by the bodies before it, dS/dt = [V, S], so along rates given as power series in t all
 screws, twists and closures follow as power series with brackets only: no differences, any arithmetic.
 (A. Mueller, Higher-order local analysis of kinematic loops, J. Mechanisms Robotics 8, 2016, 021016.)
@@ -10,8 +12,10 @@ lambda . Q(x, x) = 0. Order k: the equation for the k-th coefficient of the rate
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -20,7 +24,18 @@ from symscrew.algebra import CONTEXT
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import null_space
 
-Array = np.ndarray
+Array = np.ndarray[Any, Any]
+
+NO_WORK = 1e-25
+"""Work of a unit self-stress, relative to what it acts on, that counts as none: the coefficients are solved to 1e-56
+and pass through a few orders of brackets. A real obstruction is a number of the geometry, of order one."""
+CUT_OFF = 1e-11
+"""Singular values below this, relative, are left out of the inverse in double precision: the rank has been decided
+in 60 digits, and the redundant rows have values of 1e-16. A well-posed closure has none between."""
+SOLVED = 1e-56
+"""Residual of a linear system that is rounding of 60 digits: further steps gain nothing."""
+STEPS = 6
+"""Steps of refinement with an inverse in double precision: each adds about 14 digits, so five give 60."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +76,7 @@ def second_order(network: Network, screws: Array, stresses: Array, motions: Arra
             for name, sign in loop:
                 for column in network.edges[name].columns:
                     forms[k] = forms[k] + sign * np.outer(part @ rates[column], motions[column])
-    return (forms + np.swapaxes(forms, 1, 2)) / 2
+    return np.asarray((forms + np.swapaxes(forms, 1, 2)) / 2)
 
 
 def continued(network: Network, direction: Sequence[Any], orders: int = 5) -> Arc:
@@ -75,7 +90,7 @@ def continued(network: Network, direction: Sequence[Any], orders: int = 5) -> Ar
         return Arc(None, 0.0)
     jacobian = np.array(rows, dtype=object)
     stresses = np.array(null_space(jacobian.T.tolist(), len(rows)).basis, dtype=object)
-    inverse = np.linalg.pinv(jacobian.astype(float), rcond=1e-11)
+    inverse = np.linalg.pinv(jacobian.astype(float), rcond=CUT_OFF)
     series = _Series(network, np.array(direction, dtype=object))
     for order in range(2, orders + 1):
         known = series.advance()
@@ -83,7 +98,7 @@ def continued(network: Network, direction: Sequence[Any], orders: int = 5) -> Ar
         for stress in stresses:
             size = CONTEXT.sqrt(sum(c * c for c in stress))
             work = max(work, float(abs(stress @ known) / size))
-        if work > 1e-25 * max(1.0, max(float(abs(c)) for c in known)):
+        if work > NO_WORK * max(1.0, max(float(abs(c)) for c in known)):
             return Arc(order, work)
         series.correct(_solved(jacobian, inverse, -known))
     return Arc(None, 0.0)
@@ -102,9 +117,9 @@ class _Series:
         """The next coefficient of the closure velocities, without the next rates."""
         m = len(self.rates)
         twists = [self._carried(a) for a in range(m)]
-        total = sum(_crossed(twists[a], self.screws[m - 1 - a]) for a in range(m))
+        total = _total(_crossed(twists[a], self.screws[m - 1 - a]) for a in range(m))
         self.screws.append(total / CONTEXT.mpf(m))
-        return self._closure(sum(self.screws[m - b] * self.rates[b][:, None] for b in range(m)))
+        return self._closure(_total(self.screws[m - b] * self.rates[b][:, None] for b in range(m)))
 
     def correct(self, rates: Array) -> None:
         """Sets the next rates."""
@@ -112,7 +127,7 @@ class _Series:
 
     def _carried(self, order: int) -> Array:
         """Coefficient `order` of the twist that carries each screw."""
-        flow = sum(self.screws[order - b] * self.rates[b][:, None] for b in range(order + 1))
+        flow = _total(self.screws[order - b] * self.rates[b][:, None] for b in range(order + 1))
         result = _zeros(object, *flow.shape)
         for column, before in enumerate(self.carriers):
             for other, sign in before:
@@ -162,6 +177,10 @@ def _cross(a: Array, b: Array) -> Array:
     return np.stack([x, y, z], axis=1)
 
 
+def _total(terms: Iterable[Array]) -> Array:
+    return reduce(add, terms)
+
+
 def _zeros(dtype: Any, *shape: int) -> Array:
     result = np.empty(shape, dtype=dtype)
     result[...] = CONTEXT.zero if np.dtype(dtype).hasobject else 0.0
@@ -171,9 +190,9 @@ def _zeros(dtype: Any, *shape: int) -> Array:
 def _solved(jacobian: Array, inverse: Array, right: Array) -> Array:
     """x with jacobian x = right, which has a solution; every step of the double-precision inverse adds 14 digits."""
     x = _zeros(object, jacobian.shape[1])
-    for _ in range(6):
+    for _ in range(STEPS):
         left = (right - jacobian @ x).astype(float)
-        if np.abs(left).max() < 1e-56:
+        if np.abs(left).max() < SOLVED:
             break
         x = x + np.array([CONTEXT.mpf(float(c)) for c in inverse @ left], dtype=object)
     return x

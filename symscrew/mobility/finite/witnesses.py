@@ -12,17 +12,24 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.algebra import CONTEXT
-from symscrew.mobility.configuration import moved
+from symscrew.mobility.finite.local_solutions import CLOSED, flatten, local_at
+from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
+from symscrew.mobility.finite.tangent_cone import continued
+from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.local_solutions import CLOSED, flatten, local_at
-from symscrew.mobility.reduced import ReducedClosure, is_zero
 from symscrew.mobility.screw_systems import null_space
-from symscrew.mobility.tangent_cone import continued
-from symscrew.mobility.variety import DIGITS_60, Array, ClosureVariety
 
 ORDERS = 4
+"""Order up to which power series must close; the evidence says so. A redundant equation that fails at a higher order
+only would have been seen by the finite motions, by which the claim was found."""
 RADIUS = 0.02
+"""Of the sphere on which an isolated configuration must have no zeros: the smaller one of the search for branches."""
 CLOSED_IN_DOUBLE = 1e-13
+"""Closure residual of a zero in double precision."""
+MOTIONS = 2
+"""Random motions whose power series are looked at."""
+STARTS, STARTS_PER_FREEDOM = 24, 8
+"""Random directions, each with its opposite, from which zeros around an isolated configuration are looked for."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +46,9 @@ class Witness:
     dimension: int
     instantaneous: int
     point: Array | None = None
+
+    def __repr__(self) -> str:
+        return f"<Witness: {self.kind}, dimension {self.dimension}, of {self.network!r}>"
 
 
 def recheck(witness: Witness) -> tuple[str, bool, str]:
@@ -60,12 +70,16 @@ def recheck(witness: Witness) -> tuple[str, bool, str]:
     if len(motions) != witness.instantaneous:
         return claim, False, f"{closed}{len(motions)} instantaneous freedoms instead of {witness.instantaneous}"
     matrix = np.array(motions, dtype=object)
-    for weights in flatten(len(motions), 2) if motions else ():
+    for weights in flatten(len(motions), MOTIONS) if motions else ():
         rates = np.array([CONTEXT.mpf(float(w)) for w in weights], dtype=object) @ matrix
         arc = continued(network, rates, ORDERS)
         if arc.order is not None:
             return claim, False, f"{closed}a motion stops at order {arc.order}"
-    return claim, True, f"{closed}power series of {min(2, len(motions))} motions by brackets close up to order {ORDERS}"
+    return (
+        claim,
+        True,
+        f"{closed}power series of {min(MOTIONS, len(motions))} motions by brackets close up to order {ORDERS}",
+    )
 
 
 def _isolated(witness: Witness) -> tuple[str, bool, str]:
@@ -73,7 +87,7 @@ def _isolated(witness: Witness) -> tuple[str, bool, str]:
     motions = null_space(witness.network.loop_rows(), witness.network.freedoms).basis
     here = local_at(variety, np.zeros(variety.columns), motions=motions)
     reduced = ReducedClosure(variety, here)
-    starts = np.array([d * sign for d in flatten(here.dof, 24 + 8 * here.dof) for sign in (1, -1)])
+    starts = np.array([d * sign for d in flatten(here.dof, STARTS + STARTS_PER_FREEDOM * here.dof) for sign in (1, -1)])
     values = reduced.evaluate(RADIUS * starts)
     scale = float(np.median(np.abs(values.g[values.solved]).max(axis=1)))
     ends = reduced.zeros_on_sphere(RADIUS * starts, RADIUS, scale)

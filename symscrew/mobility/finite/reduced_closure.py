@@ -1,5 +1,7 @@
 """The reduced closure g(u) = 0 around a configuration, for many points at once (Lyapunov-Schmidt).
 
+    g(u) = stresses . f(q(u)),   q(u) = q0 + kernel u + dependent w(u),   range_rows . f = 0 defines w(u)
+
 q = q0 + kernel u + dependent w. All equations but the redundant ones are solved for w(u); the components on the
 self-stresses that remain are g(u). Zeros of g are the configurations that the mechanism really reaches.
 """
@@ -10,10 +12,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.mobility.local_solutions import Local
-from symscrew.mobility.variety import Array, ClosureVariety
+from symscrew.mobility.finite.local_solutions import Local
+from symscrew.mobility.finite.variety import Array, ClosureVariety
 
 STEPS = 80
+"""Steps of Levenberg-Marquardt: a simple zero takes about ten, one at which g vanishes to third order gains a factor of
+two or three a step. What has not arrived by then is no zero (`is_zero`), so that fewer zeros are found."""
+SOLVES = 9
+"""Steps of Newton's method for the dependent coordinates; quadratic from points on a sphere, so five do. Points at
+which it does not end are left out (`Values.solved`)."""
+SOLVED = 1e-12
+"""Its last step: rounding of double precision times the condition of the equations that are not redundant."""
+NEGLIGIBLE = 4e-16
+"""|g| below this is rounding, whatever the size of g at other points."""
+ON_SPHERE = 1e-6
+"""A zero lies on the sphere if its radius is right to this part: the equation of the sphere is solved to 1e-11."""
+DAMPING = 1e7
+"""Where Levenberg-Marquardt's damping has grown beyond this, from 1e-3 by factors of five, no step helps: a local
+minimum that is no zero."""
 
 
 @dataclass(frozen=True)
@@ -45,14 +61,14 @@ class ReducedClosure:
             q = q + (guess - here.q) @ here.dependent @ here.dependent.T
         size = np.linalg.norm(u, axis=1)
         solved = np.zeros(len(u), dtype=bool)
-        for _ in range(9):
+        for _ in range(SOLVES):
             residuals, jacobians = self.variety.evaluate(q)
             square = here.range_rows @ jacobians @ here.dependent
             step = _solve(square, residuals @ here.range_rows.T)
             norm = np.linalg.norm(step, axis=1)
-            usable = np.isfinite(norm) & (norm < 2 * size + 1e-12)
+            usable = np.isfinite(norm) & (norm < 2 * size + SOLVED)
             q = q - np.where(usable[:, None], step, 0.0) @ here.dependent.T
-            solved = usable & (norm < 1e-12)
+            solved = usable & (norm < SOLVED)
             if (solved | ~usable).all():
                 break
         residuals, jacobians = self.variety.evaluate(q)
@@ -72,7 +88,7 @@ class ReducedClosure:
         for _ in range(STEPS):
             error, gradient = _equations(now, radius, scale)
             square = np.where(now.solved, (error * error).sum(axis=1), np.inf)
-            active = np.flatnonzero((square > enough) & (damping < 1e7) & now.solved)
+            active = np.flatnonzero((square > enough) & (damping < DAMPING) & now.solved)
             if not len(active):
                 break
             step = _damped_step(gradient[active], error[active], damping[active])
@@ -88,8 +104,8 @@ class ReducedClosure:
 
 def is_zero(values: Values, radius: float, scale: float, tolerance: float = 1e-9) -> Array:
     """Which points are zeros of g on the sphere; `scale` is the size of g at random points of the sphere."""
-    small = np.abs(values.g).max(axis=1) < max(tolerance * scale, 4e-16)
-    on_sphere = np.abs(np.linalg.norm(values.u, axis=1) - radius) < 1e-6 * radius
+    small = np.abs(values.g).max(axis=1) < max(tolerance * scale, NEGLIGIBLE)
+    on_sphere = np.abs(np.linalg.norm(values.u, axis=1) - radius) < ON_SPHERE * radius
     return np.flatnonzero(small & on_sphere & values.solved)
 
 
@@ -124,6 +140,6 @@ def _solve(matrices: Array, vectors: Array) -> Array:
 
 def _solve_matrix(matrices: Array, right: Array) -> Array:
     try:
-        return np.linalg.solve(matrices, right)
+        return np.asarray(np.linalg.solve(matrices, right))
     except np.linalg.LinAlgError:
-        return np.linalg.pinv(matrices) @ right
+        return np.asarray(np.linalg.pinv(matrices) @ right)
