@@ -74,7 +74,6 @@ class Instantaneous:
     dof: int
     overconstraints: int
     dof_drives_locked: int | None
-    passive: tuple[str, ...]
 
     @property
     def motions(self) -> tuple[Screw, ...]:
@@ -91,13 +90,7 @@ def instantaneous_mobility(network: Network) -> Instantaneous:
     if network.driven:
         driven = [[motion[column] for motion in closure.basis] for column in network.driven]
         locked = dof - eliminate(driven, dof).rank
-    moving = {column for motion in closure.basis for column, rate in enumerate(motion) if rate}
-    passive = tuple(
-        edge.name for edge in network.edges.values() if edge.screws and not moving.intersection(edge.columns)
-    )
-    return Instantaneous(
-        closure, tuple(map(tuple, rows)), network.kutzbach, dof, dof - network.kutzbach, locked, passive
-    )
+    return Instantaneous(closure, tuple(map(tuple, rows)), network.kutzbach, dof, dof - network.kutzbach, locked)
 
 
 def body_freedoms(network: Network, found: Instantaneous, body: str) -> BodyFreedoms:

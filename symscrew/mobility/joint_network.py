@@ -156,11 +156,6 @@ def network_of(mechanism: Mechanism) -> Network:
     return Network(mechanism.ground, bodies, edges, tree, chords, length, driven)
 
 
-def joint_screws(mechanism: Mechanism, joint: Joint) -> list[Screw]:
-    """Unit screws (omega ; v) of a joint's freedoms at O in the reference configuration [1, m], 60 digits."""
-    return _screws(mechanism, joint, CONTEXT.one)[2]
-
-
 def screw_axes(
     joint: Joint, given: Sequence[Vector], root: Callable[[Real], Real], size: Callable[[Real], Real]
 ) -> tuple[Vector, ...]:
