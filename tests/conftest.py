@@ -31,7 +31,7 @@ def compiled_quickly() -> Iterator[None]:
 def hard_cases_compiled_more_quickly(request: pytest.FixtureRequest, compiled_quickly: None) -> Iterator[None]:
     """Hard cases run for milliseconds, each with a loop of its own: compiling at -O0 takes half the time."""
     with pytest.MonkeyPatch.context() as changed:
-        if request.module.__name__.startswith("test_hard_"):
+        if request.path.parent.name == "hard":
             changed.setattr(native, "NATIVE_FLAGS", (*native.NATIVE_FLAGS, "-O0"))
         yield
 

@@ -17,13 +17,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra.nodes import Node, Tape
+from symscrew.algebra.traversal import count_operations, evaluation_order
 
 Direction = str
 Vertex = int | tuple[str, int | Direction]
 Edges = dict[Vertex, Node]
 ORDERS = ("forward", "reverse", "markowitz")
-WAITS = frozenset(("reciprocal", "sqrt"))
-WAIT = 8  # operations that a machine does while a division waits for another one
 PROMISING = 1.3  # an order is built and counted exactly if its rough count is within this factor of the best
 
 
@@ -92,19 +91,6 @@ def linearise(tape: Tape, outputs: Sequence[Node], seeds: Mapping[Node, Mapping[
     return graph
 
 
-def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
-    """Nodes behind the outputs down to the given ones; arguments come first."""
-    found: dict[int, Node] = {}
-    stack = list(outputs)
-    while stack:
-        node = stack.pop()
-        if node.index not in found and node.value is None:
-            found[node.index] = node
-            if node.index not in given and node.op != "symbol":
-                stack.extend(node.args)
-    return [found[index] for index in sorted(found)]
-
-
 def _successors(into: Mapping[Vertex, Edges]) -> dict[Vertex, set[Vertex]]:
     out: dict[Vertex, set[Vertex]] = {}
     for vertex, edges in into.items():
@@ -161,36 +147,6 @@ def _partials(tape: Tape, node: Node) -> Iterator[tuple[Node, Node]]:
         raise ValueError(f"no derivative is known of the operation {op!r}")
 
 
-def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:
-    """The nodes with inputs replaced by other nodes, folded anew."""
-    done = {node.index: other for node, other in replaced.items()}
-    stack = list(nodes)
-    while stack:
-        node = stack[-1]
-        if node.index in done:
-            stack.pop()
-            continue
-        args = () if node.value is not None or node.op == "symbol" else node.args
-        missing = [a for a in args if a.index not in done]
-        if missing:
-            stack.extend(missing)
-        else:
-            new = [done[a.index] for a in args]
-            done[node.index] = (
-                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
-            )
-    return [done[node.index] for node in nodes]
-
-
-def remade(tape: Tape, op: str, args: Sequence[Node]) -> Node:
-    """An operation on other arguments, folded anew."""
-    if op == "sub":
-        return args[0] - args[1]
-    if op in ("add", "mul", "neg", "reciprocal"):
-        return getattr(tape, op)(*args)
-    return tape.function(op, *args)
-
-
 # -- elimination ---------------------------------------------------------------------------------------------
 
 
@@ -229,41 +185,6 @@ def _promising(graph: Graph) -> list[str]:
     """Orders whose operations, counted without what equal nodes save, are not far above the fewest."""
     counts = {name: _simulate(graph, None if name == "markowitz" else _sequence(graph, name))[1] for name in ORDERS}
     return [name for name in ORDERS if counts[name] <= PROMISING * min(counts.values())]
-
-
-def needed(results: Sequence[Node]) -> set[Node]:
-    """Operations that the results need, themselves included."""
-    return {node for node in _reached(results) if node.value is None and node.op != "symbol"}
-
-
-def inputs_of(results: Sequence[Node]) -> set[Node]:
-    """Inputs on which the results depend."""
-    return {node for node in _reached(results) if node.op == "symbol"}
-
-
-def _reached(results: Sequence[Node]) -> set[Node]:
-    found: set[Node] = set()
-    stack = list(results)
-    while stack:
-        node = stack.pop()
-        if node not in found:
-            found.add(node)
-            if node.value is None and node.op != "symbol":
-                stack.extend(node.args)
-    return found
-
-
-def count_operations(results: Sequence[Node]) -> int:
-    """How many operations the results take."""
-    return len(needed(results))
-
-
-def cost(results: Sequence[Node]) -> int:
-    """Operations of the results, and what divisions and roots take that wait for each other."""
-    chain: dict[Node, int] = {}
-    for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
-        chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
-    return len(chain) + WAIT * max(chain.values(), default=0)
 
 
 def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int]:

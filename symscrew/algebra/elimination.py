@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.algebra.differentiation import needed
 from symscrew.algebra.nodes import Node, Tape
 from symscrew.algebra.screws import Vector, cross, dot
+from symscrew.algebra.traversal import needed
 
 NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
 SAFE = 0.03  # a row whose best pivot is smaller than this, without units, waits for the others

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from symscrew.description import JOINT_TYPES, Mechanism
-from symscrew.display.plots import COLOURS, curve_style, symbol
+from symscrew.display.plots import COLOURS, curve_style, indexed_symbol
 from symscrew.display.shape import along, body_points, numbers, plate
 
 Array = np.ndarray
@@ -146,7 +146,7 @@ def _labels(axes: Axes, view: Camera, mechanism: Mechanism, length: float) -> No
         size = float(np.linalg.norm(away))
         outwards = away / size if size > 0.12 * length else np.array([-0.75, -0.65 if at[1] < middle[1] else 0.65])
         axes.annotate(
-            symbol(name),
+            indexed_symbol(name),
             xy=_pair(at),
             xytext=_pair(11.0 * outwards),
             textcoords="offset points",

@@ -65,7 +65,7 @@ class Rod:
 
 def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
     """The rods of a system by the index of their cut joints: nothing but gravity and other bodies acts on them."""
-    if "no_gyroscopic_terms" in acting.simplifications:  # part of a rod's rate of momentum is left out then
+    if not acting.keeps_gyroscopic_moments:  # part of a rod's rate of momentum is left out then
         return {}
     taken = {*acting.joint_forces, *acting.reflected_inertia, *system.drive_rows()}
     driven = system.cut_drives()

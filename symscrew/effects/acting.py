@@ -40,6 +40,18 @@ class Acts(Protocol):
     def prepare(self, acting: Acting) -> None:
         """Before anything acts."""
 
+    @property
+    def simplifies(self) -> str:
+        """What it leaves out, in words; empty: nothing."""
+
+    @property
+    def keeps_motion(self) -> bool:
+        """Whether rates and accelerations enter the inertial forces."""
+
+    @property
+    def keeps_gyroscopic_moments(self) -> bool:
+        """Whether omega x J omega does."""
+
     def act(self, acting: Acting) -> None:
         """Add what it contributes."""
 
@@ -66,7 +78,9 @@ class Acting(Parts):
         self.powers: dict[str, Node] = {}
         self.states: list[State] = []
         self.state_rates: dict[str, Node] = {}
-        self.simplifications: set[str] = set()
+        self.simplified = any(effect.simplifies for effect in effects)
+        self.keeps_motion = all(effect.keeps_motion for effect in effects)
+        self.keeps_gyroscopic_moments = all(effect.keeps_gyroscopic_moments for effect in effects)
         self.transmissions: dict[int, Transmission] = {}
         self.needs_reactions = False
         self.passes = 1
@@ -96,7 +110,7 @@ class Acting(Parts):
         """Rates of every link for given accelerations of the tree, the ground's motion and gravity included."""
         system = self.system
         v = system.inputs.v
-        if "quasi_static" in self.simplifications:
+        if not self.keeps_motion:
             a = v = (system.tape.zero,) * len(system.tree.v)
         return rates(system.tree, system.frames, system.placed, v, a, self.ground)
 
@@ -109,7 +123,7 @@ class Acting(Parts):
 
     def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
-        if "no_gyroscopic_terms" not in self.simplifications:
+        if self.keeps_gyroscopic_moments:
             return inertial_wrench(inertia, moving[link])
         true = self.system.inertia[link]
         if true.mass is self.system.tape.zero:
@@ -137,7 +151,7 @@ class Acting(Parts):
     def known_forces(self, a: Sequence[Node]) -> dict[int, Node]:
         """Generalised forces along freedoms of the tree, those of reflected inertias at accelerations a included."""
         known = dict(self.joint_forces)
-        if "quasi_static" not in self.simplifications:
+        if self.keeps_motion:
             for index, inertia in self.reflected_inertia.items():
                 known[index] = known.get(index, self.system.tape.zero) - inertia * a[index]
         return known
@@ -255,7 +269,7 @@ class Acting(Parts):
         place = system.local_point(link, system.geometry.vector(point.at))
         f, m = (tuple(dot(column, v) for column in zip(*back, strict=True)) for v in (force, moment))
         placed = system.placed[link]
-        self._load(link, placed.before(f), placed.before(add(m, cross(place, f))))  # type: ignore[arg-type]
+        self._load(link, placed.before(f), placed.before(add(m, cross(place, f))))
 
     def drive(self, joint: str, freedom: int, force: Node) -> None:
         """A generalised force on a joint's freedom, like a drive: > 0 pushes the child along its screw."""

@@ -29,9 +29,9 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.description import JOINT_TYPES, Joint
-from symscrew.kinematics.link_frames import Frame, Geometry
-from symscrew.kinematics.recursion import Placement, Rates
+from symscrew.description import Joint
+from symscrew.kinematics.geometry_nodes import Geometry
+from symscrew.kinematics.link_quantities import Frame, Placement, Rates
 from symscrew.kinematics.tree import GROUND, Tree
 
 
@@ -114,8 +114,7 @@ def _cut(
     triad = _triad(geometry, joint, tip_axes)
     parent_axes = frames[tip if tip_is_parent else hub].axes
     reference = geometry.settle_matrix(product(transpose(frames[hub].axes), frames[tip].axes))
-    slides = any(m.kind in "PH" for m in JOINT_TYPES[joint.type].motions)
-    contact = carry_point(tree, placed, tip, hub, tip_point) if slides else hub_point
+    contact = carry_point(tree, placed, tip, hub, tip_point) if joint.kind.slides else hub_point
     cut = Cut(
         joint,
         tip,
@@ -135,7 +134,7 @@ def _cut(
 
 def _triad(geometry: Geometry, joint: Joint, axes: tuple[Vector, ...]) -> Matrix:
     """Rows: two unit vectors across the joint's single axis, then the axis; the tip's axes if there is none."""
-    if joint.type in ("E",):
+    if len(axes) == 3:
         return (axes[0], axes[1], axes[2])
     if len(axes) != 1:
         return IDENTITY
@@ -151,9 +150,7 @@ def reciprocal_rows(cut: Cut, geometry: Geometry, tree: Tree, placed: Sequence[P
     across d; a couple along d to translations and to rotations about axes across d. A helical joint adds
     the wrench (e ; -h e).
     """
-    motions = JOINT_TYPES[cut.joint.type].motions
-    kinds = [m.kind for m in motions]
-    sliding = [m.axis or 0 for m in motions if m.kind == "P"]
+    kind = cut.joint.kind
     a, b, axis = cut.triad
     rows: list[Row] = []
 
@@ -163,19 +160,19 @@ def reciprocal_rows(cut: Cut, geometry: Geometry, tree: Tree, placed: Sequence[P
     def moment(direction: Vector, name: str) -> None:
         rows.append(Row(f"{cut.joint.name}.m{name}", "N m", ZERO, direction))
 
-    if not sliding and "H" not in kinds:
+    if not kind.slides:
         for direction, name in zip(IDENTITY, "xyz", strict=True):
             force(direction, name)
-    elif len(sliding) == 2:
+    elif len(kind.sliding) == 2:
         force(axis, "z")
     else:
         force(a, "x")
         force(b, "y")
-    if "H" in kinds:
+    if kind.helical:
         pitch = geometry.scalar(cut.joint.pitch)
         rows.append(Row(f"{cut.joint.name}.fz", "N", axis, scale(-pitch, axis)))
-    turning = sum(1 for k in kinds if k in "RH")
-    if turning == 0 and "S" not in kinds:
+    turning = len(kind.turning)
+    if turning == 0 and not kind.spherical:
         for direction, name in zip(IDENTITY, "xyz", strict=True):
             moment(direction, name)
     elif turning == 1:
@@ -189,17 +186,17 @@ def reciprocal_rows(cut: Cut, geometry: Geometry, tree: Tree, placed: Sequence[P
 
 def drive_row(cut: Cut, freedom: int, tree: Tree, placed: Sequence[Placement]) -> Row:
     """The unit wrench of a drive on a freedom of a cut joint: a force along, or a couple about its axis."""
-    motions = JOINT_TYPES[cut.joint.type].freedoms
-    motion = motions[freedom]
-    if motion.kind == "S":
-        axis = cut.parent_axes[freedom - motions.index(motion)]
+    kind = cut.joint.kind
+    motion = kind.freedoms[freedom]
+    if motion.spherical:
+        axis = cut.parent_axes[freedom - kind.freedoms.index(motion)]
         axis = axis if cut.tip_is_parent else carry(tree, placed, cut.hub, cut.tip, axis)
-    elif sum(m.kind == "R" for m in motions) == 2:
+    elif kind.universal:
         axis = universal_axes(cut, tree, placed)[motion.axis or 0]
     else:
         axis = cut.tip_axes[motion.axis or 0]
     name = f"{cut.joint.name}.drive{freedom}"
-    return Row(name, "N", axis, ZERO) if motion.kind == "P" else Row(name, "N m", ZERO, axis)
+    return Row(name, "N", axis, ZERO) if motion.prismatic else Row(name, "N m", ZERO, axis)
 
 
 def universal_axes(cut: Cut, tree: Tree, placed: Sequence[Placement]) -> tuple[Vector, Vector]:
@@ -316,15 +313,14 @@ def closure_bias(
     omega = subtract(seen(hub.omega), tip.omega)
     alpha = subtract(subtract(seen(hub.alpha), tip.alpha), cross(tip.omega, omega))
     linear = subtract(at_contact, tip.at(cut.tip_point))
-    if any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions):
+    if cut.joint.kind.slides:
         # the hub's point that is now at the tip's point slides relative to it
         slide = subtract(seen(twist[cut.hub].velocity_at(cut.contact)), twist[cut.tip].velocity_at(cut.tip_point))
         linear = subtract(linear, cross(add(scale(2, tip.omega), omega), slide))
     result = []
-    turning = sum(1 for m in JOINT_TYPES[cut.joint.type].motions if m.kind == "R")
     for row in cut.rows:
         value = dot(row.force, linear) + dot(row.couple, alpha)
-        if turning == 2 and row.unit == "N m":
+        if cut.joint.kind.universal and row.unit == "N m":
             first, second = universal_axes(cut, tree, placed)
             moving = cross(first, cross(omega, second)) if cut.tip_is_parent else cross(cross(omega, first), second)
             value = value + dot(moving, omega)
@@ -342,7 +338,7 @@ def _arm(tree: Tree, placed: Sequence[Placement], cut: Cut) -> Vector | None:
         return None
     hub = tree.links[cut.hub]
     limb = tree.path(cut.tip)
-    if hub.motion.kind != "S" or cut.hub in limb or hub.parent not in (GROUND, *limb):
+    if not hub.motion.spherical or cut.hub in limb or hub.parent not in (GROUND, *limb):
         return None
     return subtract(cut.tip_point, carry_point(tree, placed, hub.parent, cut.tip, placed[cut.hub].offset))
 
@@ -365,7 +361,7 @@ def _hub_acceleration(cut: Cut, tree: Tree, placed: Sequence[Placement], hub: Ra
     if cut.arm is not None:
         origin, spin, gain = (carry(tree, placed, cut.hub, cut.tip, x) for x in (hub.origin, hub.omega, hub.alpha))
         return add(origin, add(cross(gain, cut.arm), cross(spin, cross(spin, cut.arm))))
-    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":
+    if cut.hub == GROUND or not tree.links[cut.hub].motion.spherical:
         return carry(tree, placed, cut.hub, cut.tip, hub.at(cut.contact))
     turn = placed[cut.hub].turn
     before = add(transform(turn, hub.origin), transform(product(turn, hub.matrix), cut.contact))
@@ -375,7 +371,7 @@ def _hub_acceleration(cut: Cut, tree: Tree, placed: Sequence[Placement], hub: Ra
 def closure_rate(cut: Cut, tree: Tree, placed: Sequence[Placement], twist: Sequence[Twist]) -> tuple[Node, ...]:
     """w_k . (V_tip - V_hub) per row, from twists of the links at their origins in their axes."""
     hub, tip = twist[cut.hub], twist[cut.tip]
-    if cut.hub == GROUND or tree.links[cut.hub].motion.kind != "S":
+    if cut.hub == GROUND or not tree.links[cut.hub].motion.spherical:
         velocity = carry(tree, placed, cut.hub, cut.tip, hub.velocity_at(cut.contact))
         omega = carry(tree, placed, cut.hub, cut.tip, hub.angular)
     else:
@@ -396,8 +392,8 @@ def closure_residual(
     tape = geometry.tape
     back = transpose(pose[cut.tip].rotation)
     gap = transform(back, subtract(pose[cut.tip].point(cut.tip_point), pose[cut.hub].point(cut.hub_point)))
-    motions = JOINT_TYPES[cut.joint.type].motions
-    turning = sum(1 for m in motions if m.kind in "RH")
+    kind = cut.joint.kind
+    turning = len(kind.turning)
     values = [dot(row.force, gap) for row in cut.rows if row.unit == "N"]
     if turning == 1:
         a, b, _ = cut.triad
@@ -408,9 +404,9 @@ def closure_residual(
         reference = geometry.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))
         opening = dot(first, second) - reference
         values.append(opening if cut.tip_is_parent else -opening)
-    elif not any(m.kind == "S" for m in motions):
+    elif not kind.spherical:
         values += _rotation_gap(cut, tree, placed, geometry)
-    if any(m.kind == "H" for m in motions):
+    if kind.helical:
         index = next(i for i, row in enumerate(cut.rows) if row.label.endswith(".fz"))
         values[index] = values[index] + geometry.scalar(cut.joint.pitch) * hub_angle(cut, tree, placed, geometry)
     return tuple(tape.node(v) for v in values)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.algebra import Node, Vector, cross, dot, product, subtract, transform, transpose
-from symscrew.description import JOINT_TYPES, Joint
+from symscrew.description import Joint
 from symscrew.kinematics.cut_joints import Cut, carry, hub_angle, relative_rotation
 from symscrew.kinematics.system import System
 
@@ -51,11 +51,11 @@ def matrix_rotation_vector(system: System, m: Sequence[Vector]) -> list[Node]:
 def cut_displacement(system: System, cut: Cut) -> list[Node]:
     """Displacements of a cut joint from the relative pose of its bodies."""
     tape, tree, placed = system.tape, system.tree, system.placed
-    motions = JOINT_TYPES[cut.joint.type].motions
-    kinds = [m.kind for m in motions]
+    kind = cut.joint.kind
+    motions = kind.motions
     references = cut.joint.reference or (0,) * len(motions)
     offset = [system.geometry.scalar(r) if r != 0 else tape.zero for r in references]
-    if kinds == ["S"]:
+    if kind.ball:
         relative = relative_rotation(cut, tree, placed)
         reference_axes = system.frames[cut.tip].axes
         in_body = product(product(reference_axes, relative), transpose(reference_axes))
@@ -63,12 +63,12 @@ def cut_displacement(system: System, cut: Cut) -> list[Node]:
     gap = _gap_child_from_parent(system, cut)
     sign = 1 if cut.tip_is_parent else -1
     values: list[Node] = []
-    turns = iter(_universal_angles(system, cut) if kinds.count("R") == 2 else [])
+    turns = iter(_universal_angles(system, cut) if kind.universal else [])
     axes = cut.tip_axes
     for position, m in enumerate(motions):
-        if m.kind == "P":
+        if m.prismatic:
             value = dot(axes[m.axis or 0], gap)
-        elif kinds.count("R") == 2:
+        elif kind.universal:
             value = next(turns)
         else:
             value = sign * hub_angle(cut, tree, placed, system.geometry)

@@ -11,7 +11,6 @@ import copy
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -22,19 +21,19 @@ from symscrew.algebra import (
     Twist,
     Vector,
     add,
-    cos,
     cross,
-    dot,
     least_norm,
-    sin,
     subtract,
     transform,
     transpose,
 )
-from symscrew.description import JOINT_TYPES, Mechanism
+from symscrew.description import Mechanism
 from symscrew.kinematics.cut_joints import Cut, Row, closure_bias, closure_residual, cuts, drive_row, on_hub
-from symscrew.kinematics.link_frames import Frame, Geometry, link_frames
-from symscrew.kinematics.recursion import Inertia, Placement, Rates, link_inertias, placements, poses, rates, twists
+from symscrew.kinematics.geometry_nodes import Geometry
+from symscrew.kinematics.link_frames import link_frames
+from symscrew.kinematics.link_inertias import link_inertias
+from symscrew.kinematics.link_quantities import Frame, Inertia, Placement, Rates
+from symscrew.kinematics.recursion import placements, poses, rates, twists
 from symscrew.kinematics.tree import Tree, spanning_tree
 from symscrew.program import Function, Port, evaluate, lower
 
@@ -142,10 +141,11 @@ class System:
     def virtual_directions(self) -> tuple[tuple[Vector, ...], tuple[Vector, ...]]:
         """Directions of forces and couples reciprocal to the virtual joint: it must not transmit them."""
         joint = self.tree.joints[self.tree.virtual] if self.tree.virtual else None
-        if joint is None or joint.type == "free":
+        if joint is None or joint.kind.unconstrained:
             return (), ()
-        first, second, normal = self.geometry.motion_axes(joint)
-        return (normal,), (first, second)
+        axes = list(enumerate(self.geometry.motion_axes(joint)))
+        forces = tuple(axis for k, axis in axes if k not in joint.kind.sliding)
+        return forces, tuple(axis for k, axis in axes if k not in joint.kind.turning)
 
     def cut_drives(self) -> dict[int, list[tuple[int, Row]]]:
         """Cut joint -> (index into u, unit drive wrench on its child, tip axes), for drives of cut joints."""
@@ -220,14 +220,7 @@ class System:
         below: dict[int, Wrench] = {}
         while True:
             link, frame, placed = self.tree.links[index], self.frames[index], self.placed[index]
-            if link.motion.kind == "F":
-                values: tuple[Any, ...] = ()
-            elif link.motion.kind == "S":
-                values = moment
-            elif link.motion.kind == "P":
-                values = (dot(frame.axis, force),)
-            else:
-                values = (moment[2] + frame.pitch * force[2] if frame.pitch is not None else moment[2],)
+            values = link.pair.powers(frame, force, moment)
             for k, value in zip(range(link.v.start, link.v.stop), values, strict=True):
                 entries[k] = entries.get(k, self.tape.zero) + sign * self.tape.node(value)
             force = transform(placed.rotation, force)
@@ -253,19 +246,16 @@ class System:
 
     def joint_rates(self, v: Sequence[Node]) -> list[Node]:
         """w from v: spherical rates turned into the axes before the rotation."""
-        return self._turned(v, inverse=False)
+        result = list(v)
+        for link in self.tree.links[1:]:
+            result[link.v] = link.pair.joint_rates(self.placed[link.index], v[link.v])
+        return result
 
     def tree_rates(self, w: Sequence[Node]) -> list[Node]:
         """v from w."""
-        return self._turned(w, inverse=True)
-
-    def _turned(self, values: Sequence[Node], *, inverse: bool) -> list[Node]:
-        result = list(values)
+        result = list(w)
         for link in self.tree.links[1:]:
-            if link.motion.kind == "S":
-                turn = self.placed[link.index].turn
-                x, y, z = values[link.v]
-                result[link.v] = transform(transpose(turn) if inverse else turn, (x, y, z))
+            result[link.v] = link.pair.tree_rates(self.placed[link.index], w[link.v])
         return result
 
     # -- consistent states at which pivots are chosen --------------------------------------------------------
@@ -275,12 +265,9 @@ class System:
         """q in the reference configuration, shape (nq,)."""
         q = np.zeros(len(self.tree.q))
         for link in self.tree.links[1:]:
-            joint = self.tree.joints[link.joint]
-            if link.motion.kind == "S":
-                q[link.q.start] = 1.0
-            elif joint.reference:
-                position = JOINT_TYPES[joint.type].motions.index(link.motion)
-                q[link.q.start] = float(self.mechanism.number(joint.reference[position]))
+            given = self.tree.joints[link.joint].reference
+            value = float(self.mechanism.number(given[link.position])) if link.position < len(given) else 0.0
+            q[link.q] = link.pair.reference(value)
         return q
 
     @cached_property
@@ -330,10 +317,7 @@ class System:
         """q moved along joint rates w (spherical: rotation vector in the axes before the rotation)."""
         moved = np.array(q, dtype=float)
         for link in self.tree.links[1:]:
-            if link.motion.kind == "S":
-                moved[..., link.q] = _rotated(q[..., link.q], step[..., link.v])
-            else:
-                moved[..., link.q] = q[..., link.q] + step[..., link.v]
+            moved[..., link.q] = link.pair.moved(q[..., link.q], step[..., link.v])
         return moved
 
     @cached_property
@@ -421,13 +405,3 @@ def characteristic_length(mechanism: Mechanism) -> float:
     size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
     # Rounded, so that the same description gives the same bytes on every machine.
     return float(f"{size:.6g}") if size > 0 else 1.0
-
-
-def _rotated(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """exp(vector) * quaternion, vector in parent axes; shapes (..., 4), (..., 3)."""
-    angle = np.linalg.norm(vector, axis=-1, keepdims=True)
-    half = np.where(angle > 1e-12, sin(angle / 2) / np.where(angle > 1e-12, angle, 1.0), 0.5)
-    c, d = cos(angle / 2), half * vector
-    w, r = quaternion[..., :1], quaternion[..., 1:]
-    scalar = c * w - (d * r).sum(axis=-1, keepdims=True)
-    return np.concatenate([scalar, c * r + w * d + np.cross(d, r)], axis=-1)

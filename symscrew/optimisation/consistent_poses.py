@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from symscrew.optimisation.casadi_graph import numeric
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.constraints import closure_rows, condition_rows
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.point import point_symbols
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Row
 
@@ -53,8 +56,22 @@ class Kinematics:
     def _pivots(self) -> ca.Function:
         return numeric(self.model.equations.pivots)
 
+    @cached_property
+    def _closure(self) -> ca.Function:
+        return numeric(self.model.equations.closure)
+
     def _with_parameters(self, *arguments: np.ndarray) -> list[np.ndarray]:
         return [*arguments, self.parameters] if len(self.parameters) else list(arguments)
+
+    def columns(self, *arrays: np.ndarray) -> list[np.ndarray]:
+        """Arrays (n, size) as CasADi takes them, a column per sample, the parameters after them."""
+        many = [a.T for a in arrays]
+        return [*many, np.repeat(self.parameters[:, None], len(arrays[0]), 1)] if len(self.parameters) else many
+
+    def closure(self, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """q (n, nq) from y (n, d) and z (n, nz) as they are, and how far the loops are open (n, nz), without units."""
+        q, opening = self._closure(*self.columns(y, z))
+        return np.array(q).T, np.array(opening).T
 
     def assemble(self, y: np.ndarray, guess: np.ndarray) -> np.ndarray | None:
         """q (nq,) with independent coordinates y near the guess; None where Newton's method finds none."""
@@ -124,10 +141,10 @@ class Kinematics:
 
     def place(self, conditions: Conditions, where: str, near: np.ndarray) -> Placement:
         """A configuration near another that meets conditions (rates left aside), by damped least squares."""
-        blocks = self.model.blocks(moving=False)
-        at = self.model.state(blocks)
+        blocks = point_symbols(self.model, moving=False)
+        at = MotionQuantities(self.model, blocks)
         labels = self.model.equations.labels
-        rows = [*at.closure_rows(), *at.condition_rows(_still(conditions), where)]
+        rows = [*closure_rows(at), *condition_rows(at, replace(conditions, rates={}, at_rest=False), where)]
         rows += [
             Row(f"{label} at {where}", blocks["y"][k], conditions.coordinates[label], conditions.coordinates[label])
             for k, label in enumerate(labels)
@@ -169,15 +186,8 @@ class Kinematics:
 
     def _limbs(self, q: np.ndarray) -> bool:
         """Put the limbs' coordinates by the closed forms into q; whether they are real."""
-        function = numeric(self.model.equations.closure)
-        found = np.array(function(*self._with_parameters(q[list(self.layout.y)], q[list(self.layout.z)]))[0]).ravel()
+        found = self.closure(q[None, list(self.layout.y)], q[None, list(self.layout.z)])[0][0]
         if not np.isfinite(found).all():
             return False
         q[:] = found
         return self.assemble(q[list(self.layout.y)], q) is not None
-
-
-def _still(conditions: Conditions) -> Conditions:
-    from dataclasses import replace
-
-    return replace(conditions, rates={}, at_rest=False)

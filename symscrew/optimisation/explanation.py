@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from symscrew.optimisation.layout import Unknowns
 from symscrew.optimisation.sparse import Program
+from symscrew.optimisation.unknowns import Unknowns
 
 STATUS = {
     "Solve_Succeeded": "optimal: all constraints hold and no better motion is near",

@@ -12,8 +12,12 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
+from symscrew.optimisation.casadi_graph import run
 from symscrew.optimisation.consistent_poses import Kinematics
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.objectives import objectives_by_type
+from symscrew.optimisation.point import point_symbols
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Scales
 
@@ -79,9 +83,9 @@ class Guess:
         result = {"y": y, "y_1": y_1, "y_2": second, "z": z, "u": u, "T": np.array([self.duration])}
         states = np.array([s.initial for s in model.equations.acting.states])
         result["x"] = np.repeat(states[None], len(mesh), 0)
-        weights = next((o.weights for o in model.problem.objectives if o.type == "peak"), {})
-        sizes = [np.abs(u[:, k]).max() / weights.get(label, 1.0) for k, label in enumerate(model.drive_labels)]
-        result["peak"] = np.array([max(sizes, default=1.0)])
+        for made, objective in objectives_by_type(model):
+            if made.whole:
+                result[made.whole.name] = np.array([made.whole.start(model, objective, u)])
         names = model.parameter_names
         result["p"] = np.array([kinematics.parameters[names.index(n)] for n in model.design])
         for k, (tau, _) in enumerate(observed(model)):
@@ -186,11 +190,9 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     """(T, tau, y, y_1, y_2, z) -> residual at u = 0 and its matrix by u."""
-    from symscrew.optimisation.casadi_graph import run
-
-    blocks = model.blocks(moving=True)
+    blocks = point_symbols(model, moving=True)
     duration = ca.SX.sym("duration")
-    at = model.state({**blocks, "T": duration} if model.problem.free_duration else blocks)
+    at = MotionQuantities(model, {**blocks, "T": duration} if model.problem.free_duration else blocks)
     found = run(model.equations.dynamics, at.known)["residual"]
     slope = ca.jacobian(found, blocks["u"])
     states = ca.DM([s.initial for s in model.equations.acting.states])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from symscrew.description import JOINT_TYPES, to_toml
-from symscrew.display import TIME, Curve, draw_curves, figure, save_figure
+from symscrew.display import TIME, Curve, draw_curves, empty_figure, save_figure
 from symscrew.optimisation.result import Trajectory
 from symscrew.whole_files import replaced
 
@@ -87,7 +87,7 @@ def _saved(made: Figure, path: Path) -> None:
 def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> Path:
     """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one."""
     samples = trajectory.sample(count=401)
-    made, axes = figure(3, 1, width=7.0, height=2.2)
+    made, axes = empty_figure(3, 1, width=7.0, height=2.2)
     tree = {c.label: c.unit for c in trajectory.model.system.tree.q}
     labels = trajectory.labels
     units = sorted({tree[label] for label in labels})

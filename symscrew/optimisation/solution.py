@@ -14,19 +14,25 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.motion_equations import PointEquations
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refined
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
 from symscrew.optimisation.sparse import Program, assemble, cost_of
-from symscrew.optimisation.transcription import Collocation, Transcribed
+from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
 Progress = Callable[[str], None]
+METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
+    "radau": Collocation,
+    "gauss": Collocation,
+    "shooting": Shooting,
+}
 MOST_REFINEMENTS = 6
 # IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
@@ -136,9 +142,7 @@ def _clock() -> np.ndarray:
 
 def transcribe(model: PointModel) -> Transcribed:
     """The transcription that the problem asks for."""
-    if model.problem.transcription.method == "shooting":
-        return Shooting(model).transcribed()
-    return Collocation(model).transcribed()
+    return METHODS[model.problem.transcription.method](model).transcribed()
 
 
 def _once(

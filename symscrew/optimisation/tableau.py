@@ -14,6 +14,7 @@ methods for second and higher order systems", Autonomous Robots 48, 2024).
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from math import comb
@@ -23,7 +24,6 @@ from numpy.polynomial import legendre, polynomial
 
 from symscrew.errors import DescriptionError, did_you_mean
 
-FAMILIES = ("gauss", "radau")
 HIGHEST_DEGREE = 9
 
 
@@ -87,11 +87,11 @@ class Tableau:
 @cache
 def tableau(family: str, degree: int, second_order: bool = True) -> Tableau:
     """The scheme with `degree` nodes of a family: "gauss" (Legendre-Gauss) or "radau" (Legendre-Gauss-Radau)."""
-    if family not in FAMILIES:
-        raise DescriptionError(f"transcription: unknown collocation {family!r}; {did_you_mean(family, FAMILIES)}")
+    if family not in NODES:
+        raise DescriptionError(f"transcription: unknown collocation {family!r}; {did_you_mean(family, NODES)}")
     if not 1 <= degree <= HIGHEST_DEGREE:
         raise DescriptionError(f"transcription: expected a degree from 1 to {HIGHEST_DEGREE}, got {degree}")
-    nodes = _gauss(degree) if family == "gauss" else _radau(degree)
+    nodes = NODES[family](degree)
     once = _integrated(_lagrange(nodes))
     rate = _powers(nodes, degree + 1) @ once
     end_rate = (_powers(np.ones(1), degree + 1) @ once)[0]
@@ -119,6 +119,9 @@ def _radau(degree: int) -> np.ndarray:
         roots = roots - legendre.legval(roots, series) / slope
     roots[-1] = 1.0
     return (1 + roots) / 2
+
+
+NODES: Mapping[str, Callable[[int], np.ndarray]] = {"gauss": _gauss, "radau": _radau}
 
 
 def _lagrange(nodes: np.ndarray) -> np.ndarray:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from symscrew.optimisation.layout import Unknowns
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.sparse import Program
 from symscrew.optimisation.transcription import Transcribed
+from symscrew.optimisation.unknowns import Unknowns
 
 JOINING = "continuity of"
 
@@ -27,9 +27,8 @@ def carried_unknowns(warm: Trajectory, transcribed: Transcribed) -> dict[str, np
     layout = transcribed.model.equations.layout
     result = {**inside, "z": q[:, list(layout.z)]}
     result |= {name: at_mesh[name] for name in ("y", "y_1", "x")}
-    for name in ("T", "p", "peak", *(n for n in warm.arrays if n.startswith("observed_"))):
-        if name in warm.arrays:
-            result[name] = warm.arrays[name]
+    # what a motion has once: duration, design, peak, coordinates where conditions are observed
+    result |= {name: array for name, array in warm.arrays.items() if name not in result}
     if "T" not in result:
         result["T"] = np.array([warm.duration])
     return result

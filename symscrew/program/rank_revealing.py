@@ -19,7 +19,8 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from symscrew.program.straight_line import Program, evaluate
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Program
 
 RANK = 1e-9  # singular values of the closure below this part of the largest, at least of 1, count as zero
 SWITCH = 1e-5  # a pivot below this, without units, hands over to the second path

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.display import TIME, Curve, curve_style, draw_curves, figure, save_figure
+from symscrew.display import TIME, Curve, curve_style, draw_curves, empty_figure, save_figure
 from symscrew.simulation.motion import Run
 from symscrew.simulation.run_file import labels
 from symscrew.whole_files import replaced
@@ -23,7 +23,7 @@ MOST, FLOOR = 12, 1e-18
 def plot_run(run: Run, path: Path) -> Path:
     """Draw a run: a frame for each kind of coordinate, rate and drive, for the energies and for the errors."""
     frames = [*_frames(run), _energies(run), _errors(run)]
-    made, axes = figure(-(-len(frames) // 2), 2, width=10.0, height=2.3)
+    made, axes = empty_figure(-(-len(frames) // 2), 2, width=10.0, height=2.3)
     for place, (title, label, curves, logarithmic) in zip(axes, frames, strict=False):
         draw_curves(place, run.t, curves, title=title, label=label, columns=4)
         if len(curves) > MOST and (legend := place.get_legend()) is not None:

@@ -61,7 +61,7 @@ class RecordedMotion:
                 )
 
 
-def read(name_or_path: str) -> tuple[Mechanism, RecordedMotion | None]:
+def read_mechanism_and_motion(name_or_path: str) -> tuple[Mechanism, RecordedMotion | None]:
     """A mechanism by its name or file, or a recorded motion (.npz) and the mechanism that moved.
 
     Raises:

@@ -35,7 +35,7 @@ def functions_of(model: Model) -> tuple[str, ...]:
     return tuple(name for name in FUNCTIONS if name in model.programs)
 
 
-def scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
+def page_scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
     """The page's data for a model, with a recorded motion if there is one.
 
     Raises:

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
 from symscrew.display import Progress
-from symscrew.effects import Effect, known_effects
+from symscrew.effects import Effect, simplifications
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 from symscrew.reference import newton_euler
@@ -22,11 +22,6 @@ from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code
 from symscrew.studies.accuracy.measuring import Point, Setup, Stopwatch, Study, measured
 from symscrew.studies.accuracy.states import Subject, body_states_of, inputs_of
 
-SIMPLIFICATIONS = {
-    "massless limbs": "massless_limbs",
-    "no gyroscopic terms": "no_gyroscopic_terms",
-    "quasi-static": "quasi_static",
-}
 FUNCTIONS = {"inverse_dynamics": "drives", "forward_dynamics": "accelerations"}
 PASSES = 20
 
@@ -34,17 +29,16 @@ PASSES = 20
 def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float) -> Study:
     """Errors of drives and accelerations against operations and time."""
     watch, model, states = Stopwatch(), subject.model, subject.states
-    variants: dict[str, tuple[str, ...]] = {"whole model": ()}
-    names = list(SIMPLIFICATIONS)
+    known = simplifications()
+    variants: dict[str, tuple[Effect, ...]] = {"whole model": ()}
     for count in (1, 2):
-        for chosen in itertools.combinations(names, count):
-            variants[" + ".join(chosen)] = chosen
+        for names in itertools.combinations(known, count):
+            variants[" + ".join(names)] = tuple(known[name] for name in names)
     setups: list[Setup] = []
     failed: list[Point] = []
     for text, chosen in progress.bar(list(variants.items()), "effects: derive"):
         try:
-            acting = (*model.effects, *_simplifying(chosen))
-            made = watch("derive", derive, model.mechanism, acting) if chosen else model
+            made = watch("derive", derive, model.mechanism, (*model.effects, *chosen)) if chosen else model
         except DescriptionError as error:
             failed.append(Point("drives", text, None, None, str(error)))
             continue
@@ -70,10 +64,6 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         (),
         (f"States: {states.text}. Times: {timed}. Lengths are divided by the characteristic length.",),
     )
-
-
-def _simplifying(names: Sequence[str]) -> tuple[Effect, ...]:
-    return tuple(known_effects()[SIMPLIFICATIONS[name]]() for name in names)
 
 
 def _setup(model, made, function, states, names, watch) -> Setup:  # type: ignore[no-untyped-def]

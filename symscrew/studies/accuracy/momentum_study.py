@@ -21,7 +21,7 @@ import numpy as np
 from symscrew.display import Progress
 from symscrew.errors import DescriptionError
 from symscrew.model import Model
-from symscrew.program import Program
+from symscrew.program import Program, evaluate
 from symscrew.reference import newton_euler
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code, one_file, pointer
@@ -140,7 +140,7 @@ def _screws(model: Model) -> Program:
 
 def momenta_of(model: Model, q: Array, v: Array) -> Array:
     """Momentum screws of all bodies (n, 6 bodies)."""
-    return _screws(model)(q, v)[0]
+    return evaluate(_screws(model), [q, v])[0][0]
 
 
 def _second(model: Model, q: Array, v: Array, a: Array) -> Array:
@@ -306,18 +306,22 @@ def _compiled_setups(model: Model, states: States, error_of: Callable[[Array], f
 def _numpy_setups(model: Model, states: States, error_of: Callable[[Array], float]) -> list[Setup]:
     """One state at a time on NumPy, as a script has it."""
     one = States(states.q[:1], states.v[:1], states.a[:1], states.text)
-    setups, screws = [], _screws(model)
+    setups, program = [], _screws(model)
+
+    def screws(q: Array, v: Array) -> Array:
+        return evaluate(program, [q, v])[0][0]
+
     for h in (1e-1, 1e-3, 1e-5, 1e-7, 1e-9):
         (q0, v0), (q1, v1) = neighbour(model, states, 0.0), neighbour(model, states, h)
         b, c = neighbour(model, one, 0.0), neighbour(model, one, h)
 
         def run(b=b, c=c, h=h) -> float:  # type: ignore[no-untyped-def]
             start = time.thread_time()
-            _ = (screws(*c)[0] - screws(*b)[0]) / h
+            _ = (screws(*c) - screws(*b)) / h
             return time.thread_time() - start
 
         def error(q0=q0, v0=v0, q1=q1, v1=v1, h=h) -> float:  # type: ignore[no-untyped-def]
-            return error_of((screws(q1, v1)[0] - screws(q0, v0)[0]) / h)
+            return error_of((screws(q1, v1) - screws(q0, v0)) / h)
 
         setups.append(Setup("first-order difference, NumPy", f"h = {h:.1e} s", run, error, 1.0, {"h": h}))
 

@@ -23,7 +23,7 @@ from symscrew.errors import DescriptionError
 from symscrew.functions import TWIST_LABELS, TWIST_UNITS, Motion, function, kinematic_functions, q_port
 from symscrew.kinematics import Link, System
 from symscrew.model import Model
-from symscrew.program import Port, Program, lower
+from symscrew.program import Port, Program, evaluate, lower
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code, one_file, pointer
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch, Study, measured
@@ -284,7 +284,7 @@ def _library(model: Model, system: System, closed: bool, watch: Stopwatch):  # t
     whole = "\n".join([*head, text, *(adapters if closed else adapters[:1]), kernel])
     library = watch("compile", compiled, whole)
     displacements = lower(functions["joint_displacements"])
-    return library, system, lambda q: displacements(q)[0]
+    return library, system, lambda q: evaluate(displacements, [q])[0][0]
 
 
 def _layout(system: System, labels: tuple[str, ...]) -> list[str]:

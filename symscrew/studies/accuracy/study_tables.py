@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
-from symscrew.display import table
+from symscrew.display import aligned_table
 from symscrew.studies.accuracy.measuring import Point, Study
 from symscrew.studies.timing import Times
 
@@ -31,12 +31,12 @@ def study_markdown(
     for study in studies:
         lines += [f"## {study.title}", "", *about(study), "", points_table(study.points, study), ""]
         for title, (header, rows) in study.tables.items():
-            lines += [f"**{title}**", "", table(header, rows), ""]
+            lines += [f"**{title}**", "", aligned_table(header, rows), ""]
         lines += [f"![{study.title}]({p})" for p in pictures if p.startswith(study.name) and p.endswith(".png")]
         lines.append("")
     if left_out:
         lines += ["## Left out", "", *(f"- {reason}" for reason in left_out), ""]
-    lines += ["## Machine", "", table(("part", "found"), list(machine.items())), ""]
+    lines += ["## Machine", "", aligned_table(("part", "found"), list(machine.items())), ""]
     return "\n".join(lines)
 
 
@@ -60,7 +60,7 @@ def points_table(points: Sequence[Point], study: Study) -> str:
     counted = any("operations" in p.facts for p in points)
     header = ["curve", "setting", "error", f"cost [{unit}] (quartiles)", "repeats"]
     header += ["operations"] if counted else []
-    return table(header, [_row(p, unit, counted) for p in points])
+    return aligned_table(header, [_row(p, unit, counted) for p in points])
 
 
 def _row(point: Point, unit: str, counted: bool) -> list[str]:
@@ -106,7 +106,7 @@ def study_summary(studies: Sequence[Study]) -> str:
             failed = [p for p in points if p.failure]
             if failed and len(failed) == len(points):
                 rows.append([study.name, curve, f"{len(failed)} settings", _failed(failed[0]), "-"])
-    return table(("study", "curve", "setting", "error", "cost"), rows)
+    return aligned_table(("study", "curve", "setting", "error", "cost"), rows)
 
 
 def front(points: Sequence[Point], most: int = 4) -> list[Point]:

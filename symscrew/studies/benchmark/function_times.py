@@ -22,7 +22,7 @@ from symscrew.studies.benchmark.peers import PEERS
 from symscrew.studies.benchmark.timed_code import MOST_ARRAYS, Compiled, Measure, difference, pointer, pointers, states
 from symscrew.studies.timing import Times, interleaved
 
-USUAL = (
+USUAL_FUNCTIONS = (
     "inverse_dynamics",
     "inverse_dynamics_platform",
     "joint_reactions",
@@ -92,7 +92,7 @@ def batch(compiled: Compiled, name: str, count: int, *, columns: bool) -> tuple[
     return measure, [r.T for r in results] if columns else results
 
 
-def run(
+def time_functions(
     model: Model, functions: Sequence[str], peers: Sequence[str] = (), *, repeats: int = 25, run_time: bool = False
 ) -> tuple[list[Row], list[str]]:
     """Rows of all variants of all functions, and what could not be compared.

@@ -3,7 +3,7 @@
     description --derive--> model --C compiler--> functions
     scene + functions --> motion --> drives A (momentum screws), reactions; drives B (Newton-Euler)
 
-`run` computes, `symscrew.studies.demo.paper_figures` shows.
+`study_paper` computes, `symscrew.studies.demo.paper_figures` shows.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ class Demo:
         return all(case.agrees for case in self.cases)
 
 
-def run(
+def study_paper(
     names: Sequence[str] = SEED,
     scene: Scene = SECTION_5,
     *,

@@ -66,7 +66,7 @@ class PlanHolder:
         return 0
 
 
-def prepare(plan: Plan) -> Prepared:
+def prepare_sweep(plan: Plan) -> Prepared:
     """The model of a plan.
 
     Raises:
@@ -79,7 +79,7 @@ def prepare(plan: Plan) -> Prepared:
 
 def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     """All results of a piece: name -> values (cases)."""
-    made = prepare(plan)
+    made = prepare_sweep(plan)
     model, call = made.model, made.call
     values = plan.cases(chunk)
     y, p = _wanted(plan, made, values, plan.deviations(chunk))
