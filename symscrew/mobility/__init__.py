@@ -31,7 +31,7 @@ if TYPE_CHECKING:
         sections,
     )
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
-    from symscrew.mobility.margins import FORMS, Margin, actuation_margins, constraint_margins, limb_margins
+    from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.screw_systems import ScrewSystem
 
 __all__ = [
@@ -40,6 +40,7 @@ __all__ = [
     "Check",
     "LimbMobility",
     "Margin",
+    "Margins",
     "Mobility",
     "ScrewSystem",
     "actuation_margins",
