@@ -138,7 +138,8 @@ def turn_to(direction: Triple, where: str) -> Rotation:
     normal = cross(UNITS[2], goal)
     if length(normal) < ALREADY_THERE:
         return UNITS if goal[2] > 0 else about(UNITS[0], CONTEXT.pi)
-    return about(unit(normal, where), CONTEXT.atan2(length(normal), goal[2]))
+    sine = length(normal)  # it may be as small as rounding: `unit` would refuse it
+    return about(scaled(normal, 1 / sine), CONTEXT.atan2(sine, goal[2]))
 
 
 def settings(root: Element) -> tuple[Settings, list[str]]:
