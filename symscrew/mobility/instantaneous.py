@@ -39,6 +39,9 @@ class LimbMobility:
     screws: tuple[Screw, ...]
     constraints: ScrewSystem
 
+    def __repr__(self) -> str:
+        return f"<LimbMobility {self.name}: {len(self.screws)} freedoms, {len(self.constraints.basis)} constraints>"
+
 
 @dataclass(frozen=True)
 class BodyFreedoms:
@@ -48,6 +51,9 @@ class BodyFreedoms:
     freedoms: ScrewSystem
     constraints: ScrewSystem
     rotations: int
+
+    def __repr__(self) -> str:
+        return f"<BodyFreedoms of {self.body}: {self.dof}, type {self.type}>"
 
     @property
     def dof(self) -> int:
@@ -74,6 +80,9 @@ class Instantaneous:
     dof: int
     overconstraints: int
     dof_drives_locked: int | None
+
+    def __repr__(self) -> str:
+        return f"<Instantaneous: {self.dof} freedoms, Kutzbach {self.kutzbach}, {self.overconstraints} redundant>"
 
     @property
     def motions(self) -> tuple[Screw, ...]:

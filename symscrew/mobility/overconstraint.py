@@ -37,6 +37,9 @@ class Overconstraints:
     wrenches: dict[str, tuple[Screw, ...]]
     cure: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        return f"<Overconstraints: {self.count}, reactions of {len(self.wrenches)} joints not unique>"
+
     @property
     def statically_indeterminate(self) -> tuple[str, ...]:
         """Joints whose reaction is not unique."""

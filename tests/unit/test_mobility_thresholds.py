@@ -261,6 +261,10 @@ def test_results_have_short_representations() -> None:
     margin = next(iter(limb_margins(system_of(catalogue.load("ur5")))))
     assert repr(found) == "<Mobility of four_bar: 1 instantaneous, 1 finite, rocker 1R, 3 redundant constraints>"
     assert repr(found.network) == "<Network: 4 bodies, 4 joints, 1 loops>"
+    assert repr(found.first_order) == "<Instantaneous: 1 freedoms, Kutzbach -2, 3 redundant>"
+    assert repr(found.platform) == "<BodyFreedoms of rocker: 1, type 1R>"
+    assert repr(analysed("three_ups_upu_s").limbs[0]) == "<LimbMobility limb1: 5 freedoms, 1 constraints>"
+    assert repr(found.redundant) == "<Overconstraints: 3, reactions of 4 joints not unique>"
     assert repr(found.platform.freedoms).startswith("<ScrewSystem: 1 vector, rank ")
     assert repr(margin) == ("<Margin limb (arm): signed volume; 0: joint screws of arm become dependent>")
     assert len(repr(found.finite)) < 600 and len(repr(dataclasses.replace(found, closed_to=1.0))) < 120

@@ -19,8 +19,8 @@ from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError, Nu
 from symscrew.mobility.symbols.exact_screws import Row
 
 MOST_WORK = 200_000
-"""Products of rational numbers in one elimination: some seconds. Beyond it the rank stands on 60 digits alone, and the
-result says so."""
+"""Products of rational numbers in one elimination: a few seconds at most. Beyond it the rank stands on 60 digits alone,
+and the result says so."""
 LONGEST = 6000
 """Bits of a number; beyond it elimination stops: its numbers double in length with every pivot from there."""
 FIRST_PRIME = 2**61

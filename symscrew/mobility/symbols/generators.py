@@ -31,8 +31,9 @@ Poly = Any
 
 
 MOST_PRODUCTS = 12_000
-"""Products of terms that one ring makes: a few seconds, and formulas of a page. The seed needs a third of it. Beyond it
-the symbols are given up with a sentence; numbers and ranks do not depend on them."""
+"""Products of terms that one ring makes: a few seconds, formulas of a page. The seed needs a quarter of it, a Stewart
+platform three quarters, and for the loci of its drives more. Beyond it the symbols, or these loci, are given up with a
+sentence; numbers and ranks do not depend on them."""
 FLAT = 1e-12
 """Eigenvalues of a quadratic form below this, relative to the largest, are zero: forms of a few rational coefficients.
 Wrong either way, a locus that no real parameters reach is shown, or hidden."""
