@@ -7,6 +7,7 @@ nodes               the tape: hash-consed nodes with their values at sample stat
 operations          what each operation means: in NumPy, in SymPy and with 60 digits
 elementary          sines, cosines and the like with the same bits on every machine
 from_text           expressions of a description as nodes
+sympy_form          nodes as SymPy expressions
 traversal           what stands behind nodes: operations, inputs, counts; substitution
 differentiation     analytic derivatives
 elimination         linear systems in an order fixed by sparsity, with guarded pivots
@@ -71,6 +72,7 @@ from symscrew.algebra.screws import (
     transform,
     transpose,
 )
+from symscrew.algebra.sympy_form import sympy_expression
 from symscrew.algebra.traversal import (
     cost,
     count_operations,
@@ -141,6 +143,7 @@ __all__ = [
     "solve_for",
     "substitute",
     "subtract",
+    "sympy_expression",
     "transform",
     "transpose",
     "trimmed",

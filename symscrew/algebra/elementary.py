@@ -15,10 +15,12 @@ import mpmath
 import numpy as np
 
 EXACT = mpmath.ctx_mp.MPContext()
-EXACT.dps = 400  # reduces the largest double by multiples of pi
-LARGEST = 2.0**19  # the parts of pi/2 below are exact in their products up to 2^20
+EXACT.dps = 400  # reduces the largest double, 1.8e308, by multiples of pi to 90 digits
+# The parts of pi/2 below are exact in their products up to 2^20 quarter turns; larger angles are reduced in many digits
+LARGEST = 2.0**19
+# pi/2 in four parts of 33 bits each but the last, and the coefficients of fdlibm's polynomials, lowest power first
 HALF_PI = (1.57079632673412561417, 6.07710050630396597660e-11, 2.02226624871116645580e-21, 8.47842766036889956997e-32)
-TURNS = 2.0 / np.pi
+TURNS = 2.0 / np.pi  # quarter turns of a radian
 SINE = (
     -1.66666666666666324348e-01,
     8.33333333332248946124e-03,
@@ -36,6 +38,7 @@ COSINE = (
     -1.13596475577881948265e-11,
 )
 LOG_2 = (6.93147180369123816490e-01, 1.90821492927058770002e-10)
+BEYOND = 1000.0  # exp of more overflows, of less than minus that is 0: so are those of these ends
 EXPONENTIAL = (
     1.66666666666666019037e-01,
     -2.77777777770155933842e-03,
@@ -84,7 +87,7 @@ def tan(x: Any) -> Any:
 def exp(x: Any) -> Any:
     """Exponential of an array or a number."""
     x = np.asarray(x, dtype=float)[()]
-    bounded = np.clip(x, -1000.0, 1000.0)  # beyond both ends the result is 0 or infinite
+    bounded = np.clip(x, -BEYOND, BEYOND)
     count = np.rint(bounded / (LOG_2[0] + LOG_2[1]))
     high, low = bounded - count * LOG_2[0], count * LOG_2[1]
     rest = high - low

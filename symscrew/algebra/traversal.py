@@ -10,11 +10,13 @@ from collections.abc import Mapping, Sequence
 from symscrew.algebra.nodes import Node, Tape
 
 WAITS = frozenset(("reciprocal", "sqrt"))
-WAIT = 8  # operations that a machine does while a division waits for another one
+# Operations that a machine does while a division waits for another one: a division or root takes 13 to 20 cycles, and
+# about every second one finds something else to do. With 0, `cost` would prefer few operations in one long chain.
+WAIT = 8
 
 
 def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
-    """Nodes behind the outputs down to the given ones; arguments come first."""
+    """Nodes behind the outputs, constants apart, down to the given ones (by index); arguments come first."""
     found: dict[int, Node] = {}
     stack = list(outputs)
     while stack:
@@ -54,7 +56,7 @@ def count_operations(results: Sequence[Node]) -> int:
 
 
 def cost(results: Sequence[Node]) -> int:
-    """Operations of the results, and what divisions and roots take that wait for each other."""
+    """Operations of the results, and `WAIT` for each division or root in the longest chain of them."""
     chain: dict[Node, int] = {}
     for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
         chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
@@ -81,7 +83,7 @@ def uses(roots: Sequence[Node]) -> dict[int, int]:
 
 
 def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:
-    """The nodes with inputs replaced by other nodes, folded anew."""
+    """The nodes with some nodes behind them replaced by others, all that reads these folded anew."""
     done = {node.index: other for node, other in replaced.items()}
     stack = list(nodes)
     while stack:
@@ -106,5 +108,6 @@ def remade(tape: Tape, op: str, args: Sequence[Node]) -> Node:
     if op == "sub":
         return args[0] - args[1]
     if op in ("add", "mul", "neg", "reciprocal"):
-        return getattr(tape, op)(*args)
+        made: Node = getattr(tape, op)(*args)
+        return made
     return tape.function(op, *args)

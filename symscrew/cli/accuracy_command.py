@@ -27,8 +27,8 @@ EXAMPLES = (
     "symscrew accuracy examples/benchmarks/n_four_bar.toml --study growth --out growth",
 )
 USUAL_OF_A_SCENE = ("forward",)
-REPEATS, SECONDS = 9, 12.0  # of every setting of a study: enough for quartiles, in a minute or two for all studies
-FULL_REPEATS, FULL_SECONDS = 25, 120.0  # with `--full`: quartiles that two runs agree on
+REPEATS, SECONDS = 9, 12.0  # repeats of every setting, as far as these seconds a study allow
+FULL_REPEATS, FULL_SECONDS = 25, 120.0  # with `--full`
 
 
 def add_options(command: argparse.ArgumentParser) -> None:

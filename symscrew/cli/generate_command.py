@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
-from symscrew.generation import SINGLE_TARGETS, TARGETS, USUAL
+from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
 if TYPE_CHECKING:
     from symscrew.display import Progress
@@ -43,6 +43,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     command.add_argument("--one-mode", action="store_true", help=text)
+    text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
+    command.add_argument("--hashes-only", action="store_true", help=text)
     text = "these functions only; default: all, which README.md of the output describes"
     command.add_argument("--functions", nargs="+", metavar="NAME", help=text)
 
@@ -62,7 +64,9 @@ def run(options: argparse.Namespace) -> int:
         with progress.step(f"measure on {core}"):
             measured.append(measure(model, core, options.precision))
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
-        files = generate(model, options.out, targets, precision=options.precision, measured=measured)
+        files = generate(
+            model, options.out, targets, precision=options.precision, measured=measured, hashes_only=options.hashes_only
+        )
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     print_table(("function", "operations"), rows)
@@ -75,11 +79,12 @@ def chosen_targets(options: argparse.Namespace) -> list[str]:
     """The targets to write, in the order of the table; those that the other options exclude are an error."""
     single = options.precision == "single"
     targets = [t for t in TARGETS if t in (options.target or (["c"] if single else USUAL))]
-    if options.embedded and not {"c", "external"} & set(targets):
+    if options.embedded and "c" not in with_brought(targets):
         raise UsageError("--embedded measures C; add it to --target")
-    doubles = [t for t in targets if t not in SINGLE_TARGETS]
+    possible = printable(options.precision)
+    doubles = [t for t in targets if t not in possible]
     if single and doubles:
-        raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(SINGLE_TARGETS)}")
+        raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(possible)}")
     return targets
 
 

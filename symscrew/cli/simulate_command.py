@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from symscrew.scene import load_scene
-    from symscrew.simulation import FORMATS, emit, prepare, run_summary, simulate, write_run
+    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run
 
     out = destination(options.out, FORMATS, "--out") if options.out is not None else None
     picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         need_matplotlib("--plot needs")
     scene = load_scene(options.scene)
     if options.emit_c:
-        for path in emit(scene, Path(options.emit_c)):
+        for path in write_loop(scene, Path(options.emit_c)):
             print(path)
         if not (out or picture or options.json):
             return DONE

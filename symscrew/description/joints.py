@@ -155,6 +155,16 @@ class JointType:
         return len(self.motions) == 1 and self.spherical
 
     @property
+    def hinge(self) -> bool:
+        """Whether a rotation about an axis is all it has."""
+        return len(self.motions) == 1 and self.motions[0].revolute
+
+    @property
+    def slider(self) -> bool:
+        """Whether a translation along an axis is all it has."""
+        return len(self.motions) == 1 and self.motions[0].prismatic
+
+    @property
     def universal(self) -> bool:
         """Whether it turns about two axes, the first on the parent and the second on the child."""
         return sum(m.revolute for m in self.motions) == 2

@@ -59,7 +59,7 @@ STYLE: dict[str, Any] = {
     "axes.formatter.useoffset": False,
     "axes.formatter.limits": (-4, 5),
 }
-DPI = 200
+DPI = 200  # of pictures: sharp in print
 
 
 def curve_style() -> Any:

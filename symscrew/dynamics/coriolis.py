@@ -6,7 +6,8 @@ in the rates also follow from its derivatives (Christoffel symbols of the first 
     h_i = sum over j, k of (dM_ij / dq_k - 1/2 dM_jk / dq_i) v_j v_k,
 
 and only gravity and what acts are left for the recursion. For a short limb with few entries that is less work: a leg
-on a universal joint has a diagonal mass matrix, with three derivatives that are not zero.
+on a universal joint has a diagonal mass matrix, with three derivatives that are not zero. Which way is shorter is
+decided for every branch by itself; what the branches share with the rest of a function is for the caller to count.
 """
 
 from __future__ import annotations

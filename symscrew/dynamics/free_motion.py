@@ -78,7 +78,11 @@ class Admissible:
         return min(self.ways(acting), key=lambda way: self.loops.operations(way[1]))
 
     def ways(self, acting: Acting) -> list[Accelerations]:
-        """By the columns of N and handed on from rate to rate; both again with thin rods as masses at their ends."""
+        """By the columns of N and handed on from rate to rate; both again with thin rods as masses at their ends.
+
+        Handed on, the forces at rest accelerations are those of each branch's shorter way, or all the recursion's: by
+        branches alone these are shorter, but the recursion's share more with the rest of a Stewart platform.
+        """
         if not self.system.cuts and len(self.system.tree.v) > LONG:
             a, guards = articulated_accelerations(self.system, acting)
             gains = self.system.joint_rates(a)
@@ -86,13 +90,14 @@ class Admissible:
         system, tree = self.system, mass_matrix(self.system, self.reflected)
         ways = [self._by_columns(tree, lambda a: generalised_forces(system, acting, a))]
         if system.cuts and len(system.tree.v) <= SMALL:
+            still = [system.tape.zero] * len(system.tree.v)
             ways.append(self._handed_on(tree, still_forces(system, acting, tree)))
             rods = thin_rods(system, acting)
             if rods:
                 lean = rod_matrix(system, rods, self.reflected)
-                still = rod_forces(system, acting, rods, [system.tape.zero] * len(system.tree.v))
                 ways.append(self._by_columns(lean, lambda a: rod_forces(system, acting, rods, a)))
-                ways.append(self._handed_on(lean, still))
+                ways.append(self._handed_on(lean, rod_forces(system, acting, rods, still)))
+            ways.append(self._handed_on(tree, generalised_forces(system, acting, still)))
         return ways
 
     def _by_columns(self, tree: Matrix, forces: Callable[[Sequence[Node]], list[Node]]) -> Accelerations:

@@ -1,5 +1,7 @@
 """What the effects of a scene put on a mechanism: motion of the ground, wrenches on links, joint forces, states.
 
+    effects --push, drive, store, feed, state, input, ...--> Acting --read--> dynamics, functions, simulation
+
 Effects write into an `Acting` through its methods, the dynamics read it. Wrenches are kept per link, in the
 axes before the link's motion, at its origin: where the recursions take them.
 """
@@ -85,12 +87,16 @@ class Acting(Parts):
         self.needs_reactions = False
         self.passes = 1
         self._reactions = reactions
-        for effect in effects:
+        for effect in effects:  # all of them first: gravity has to know the attitude that another effect gives the base
             effect.prepare(self)
         for effect in effects:
             effect.act(self)
         forgotten = [s.name for s in self.states if s.name not in self.state_rates]
         assert not forgotten, f"effects give no rate of their states {forgotten}"
+
+    def __repr__(self) -> str:
+        names = [port.name for port, _ in self.inputs]
+        return f"Acting({self.system.mechanism.name}: {len(self.loads)} loads, inputs {', '.join(names) or 'none'})"
 
     # -- what the ground does -----------------------------------------------------------------------------
 
@@ -128,6 +134,8 @@ class Acting(Parts):
         true = self.system.inertia[link]
         if true.mass is self.system.tape.zero:
             return inertial_wrench(inertia, moving[link])
+        # omega x J omega with J about the centre of mass: second moments about the link's origin, less those of the
+        # mass at its centre (Steiner); the rest of the rate of momentum stays
         spread = scale(1 / true.mass, true.first)
         own = tuple(
             tuple(true.second[i][j] - true.first[i] * self.system.tape.node(spread[j]) for j in range(3))
@@ -278,6 +286,7 @@ class Acting(Parts):
             index = system.tree.velocity_indices(joint)[freedom]
             self.joint_forces[index] = self.joint_forces.get(index, system.tape.zero) + force
             return
+        # a joint that closes a loop has no rate of its own in v: its force acts as a pair of wrenches on tip and hub
         cut = next(c for c in system.cuts if c.joint.name == joint)
         row = drive_row(cut, freedom, system.tree, system.placed)
         factor = -force if cut.tip_is_parent else force

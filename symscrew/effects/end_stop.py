@@ -11,7 +11,7 @@ from symscrew.effects.records import Contact
 from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
 
-EXPONENTS = (1, 1.5, 2)
+EXPONENTS = (1, 1.5, 2)  # of a depth without calling pow: linear, Hertz's for spheres, and the square
 
 
 @dataclass(frozen=True, repr=False)

@@ -162,7 +162,7 @@ def _plain(value: Any) -> Any:
 
 
 def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:
-    """Refuse effects that do not fit the mechanism.
+    """Refuse effects that do not fit the mechanism, by letting them act on it once.
 
     Raises:
         DescriptionError: names the effect, what was expected, what came, and the cure.

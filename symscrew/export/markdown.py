@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy
 
-from symscrew.description import JOINT_TYPES, Mechanism, Vector, to_text
+from symscrew.description import Mechanism, Vector, to_text
 from symscrew.export.latex import markdown, matrix_latex
 from symscrew.export.listing import banner, plain
 from symscrew.functions import Quantities, Quantity
@@ -57,7 +57,7 @@ def _joints(mechanism: Mechanism) -> list[str]:
     rows = [
         [
             joint.name,
-            JOINT_TYPES[joint.type].name,
+            joint.kind.name,
             f"{joint.parent} to {joint.child}",
             _vector(joint.point),
             "; ".join(_vector(axis) for axis in joint.axes),

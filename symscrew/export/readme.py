@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 import numpy as np
@@ -14,17 +14,6 @@ from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
 SHOWN = ("inverse_dynamics_platform", "inverse_dynamics", "inverse_dynamics_independent")
-FILES = {
-    "c": "`{0}.h`, `{0}.c`: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from",
-    "casadi": "`*.casadi`: CasADi functions, one per file",
-    "numpy": "`{0}_numpy.py`: NumPy functions on batches of states, without this tool",
-    "external": "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi",
-    "javascript": "`{0}.js`: JavaScript for a page or Node",
-    "fmu": "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only",
-    "mjcf": "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints",
-    "urdf": "`{0}.urdf`: URDF",
-    "markdown": "`model.md`: screws, momentum screws, equations and symbols to read",
-}
 ALWAYS = (
     "`manifest.json`: functions, arguments, units and labels; `ops.json`: operation counts",
     "`test_vectors.json`: inputs and results of every function; `mechanism.toml`: the description",
@@ -32,13 +21,20 @@ ALWAYS = (
 
 
 def print_readme(
-    model: Model, targets: Sequence[str], precision: Precision = DOUBLE, further: Sequence[str] = ()
+    model: Model, targets: Mapping[str, str], precision: Precision = DOUBLE, further: Sequence[str] = ()
 ) -> str:
-    """The text; deterministic, its examples use the first test state of one function; `further` lines at the end."""
+    """The text; deterministic, its examples use the first test state of one function.
+
+    Args:
+        model: what was printed.
+        targets: name to what its files are, in which {0} stands for the model's name.
+        precision: of the C.
+        further: lines at the end.
+    """
     name = _shown(model)
     program = model.programs[name]
     lines = [f"# {model.name}", "", *(f"{line}  " for line in banner(model)[:3]), "", "## Files"]
-    lines += [f"- {FILES[target].format(model.name)}" for target in targets]
+    lines += [f"- {about.format(model.name)}" for about in targets.values()]
     lines += [f"- {text}" for text in ALWAYS]
     lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
     lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]

@@ -83,6 +83,16 @@ class Tree:
         """The links that make up a tree joint, from the ground outwards."""
         return tuple(link for link in self.links if link.joint == joint)
 
+    @property
+    def spheres(self) -> tuple[tuple[int, int], ...]:
+        """(first entry in q, first entry in v) of every quaternion."""
+        return tuple((link.q.start, link.v.start) for link in self.links if link.motion.spherical)
+
+    @property
+    def plain(self) -> tuple[tuple[int, int], ...]:
+        """(entry in q, entry in v) of every coordinate whose rate is its entry in v."""
+        return tuple((link.q.start, link.v.start) for link in self.links if link.motion.single)
+
     def velocity_indices(self, joint: str) -> tuple[int, ...]:
         """Indices into v of a tree joint, in the order of its freedoms (parent to child)."""
         links = self.links_of(joint)
@@ -180,8 +190,8 @@ def _virtual_joint(mechanism: Mechanism) -> Joint | None:
 
 def _common_normal(mechanism: Mechanism) -> Vector | None:
     """The axis that all revolute joints share and all sliders cross at right angles, or None."""
-    turning = [j.axes[0] for j in mechanism.joints.values() if j.kind.turning]
-    if not turning or not all(j.kind.freedom == 1 and not j.kind.helical for j in mechanism.joints.values()):
+    turning = [j.axes[0] for j in mechanism.joints.values() if j.kind.hinge]
+    if not turning or not all(j.kind.hinge or j.kind.slider for j in mechanism.joints.values()):
         return None
     normal = tuple(mechanism.number(c) for c in turning[0])
 
@@ -192,7 +202,7 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
         if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):
             return None
     for joint in mechanism.joints.values():
-        if joint.kind.sliding and not equal(
+        if joint.kind.slider and not equal(
             sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero
         ):
             return None

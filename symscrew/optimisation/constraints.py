@@ -12,13 +12,15 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.optimisation.casadi_graph import run
+from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import INFINITY, Row
 from symscrew.optimisation.terms import expression
 
-FORWARDS = (0.5, 1.5)  # of a cosine that is 1 where a direction is met: it tells the direction from its opposite
+# Range of a cosine that is 1 where a direction is met and -1 at its opposite, which has the same zero sines: wide, so
+# that it holds with slack where the sines are zero and does not disturb the solver.
+FORWARDS = (0.5, 1.5)
 
 
 def closure_rows(at: MotionQuantities, where: str = "") -> list[Row]:
@@ -40,7 +42,7 @@ def dynamic_rows(at: MotionQuantities) -> list[Row]:
 def _inverse(at: MotionQuantities) -> tuple[list[Row], Any]:
     """N^T (M a + bias - forces) = 0 with the drives as unknowns, and x_dot."""
     scale = at.model.scales.force
-    found = run(at.model.equations.dynamics, at.known)
+    found = symbolic_outputs(at.model.equations.dynamics, at.known)
     residual = found["residual"]
     rows = [Row(f"equation of motion {k + 1}", residual[k], scale=float(scale[k])) for k in range(at.model.d)]
     return rows, found["x_dot"]
@@ -49,7 +51,7 @@ def _inverse(at: MotionQuantities) -> tuple[list[Row], Any]:
 def _forward(at: MotionQuantities) -> tuple[list[Row], Any]:
     """y_ddot = what forward dynamics gives for the drives, and x_dot; times T^2, so that a row has the size of y."""
     scale = at.model.scales.y
-    found = run(at.model.equations.forward, at.known)
+    found = symbolic_outputs(at.model.equations.forward, at.known)
     error = (at.y_ddot - found["y_ddot"]) * at.T**2
     labels = at.model.equations.labels
     rows = [Row(f"equation of motion along {label}", error[k], scale=float(scale[k])) for k, label in enumerate(labels)]
@@ -68,7 +70,7 @@ def rule_rows(at: MotionQuantities) -> list[Row]:
     if model.problem.drive_rule != "least_squares":
         return []
     u = at.blocks["u"]
-    residual = run(model.equations.dynamics, at.known)["residual"]
+    residual = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
     matrix = ca.jacobian(residual, u)
     about = ca.DM([model.problem.preload.get(label, 0.0) for label in model.drive_labels])
     values = u - about - matrix.T @ at.blocks["distribution"]
@@ -172,4 +174,4 @@ def _rotation(vector: np.ndarray) -> np.ndarray:
         return np.eye(3)
     x, y, z = vector / angle
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.casadi_graph import run
+from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.planned_motion import PlannedMotion
 from symscrew.optimisation.point import point_symbols
@@ -60,8 +60,8 @@ def deviation_of(motion: PlannedMotion, blocks: dict[str, np.ndarray], tau: np.n
     model = motion.model
     symbols = point_symbols(model, moving=True)
     at = MotionQuantities(model, symbols)
-    residual = run(model.equations.dynamics, at.known)["residual"]
-    closure = run(model.equations.closure, at.known)["closure"]
+    residual = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
+    closure = symbolic_outputs(model.equations.closure, at.known)["closure"]
     y, z = symbols["y"], symbols["z"]
     matrices = [ca.jacobian(residual, symbols[name]) for name in ("y_2", "y", "y_1", "z")]
     matrices += [ca.jacobian(closure, y), ca.jacobian(closure, z)]

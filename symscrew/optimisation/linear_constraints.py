@@ -1,4 +1,7 @@
-"""The linear constraints of every transcription: conditions on y and y', rates of drives, periodicity."""
+"""The linear constraints of every transcription: conditions on y and y', rates of drives, periodicity.
+
+problem --> rows  lower <= A X <= upper  of the unknowns X,  e.g.  y'(tau) - rate T = 0
+"""
 
 from __future__ import annotations
 

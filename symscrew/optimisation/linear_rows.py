@@ -1,4 +1,7 @@
-"""Constraints that are linear in a transcription's unknowns, collected one group after the other."""
+"""Constraints that are linear in a transcription's unknowns, collected one group after the other.
+
+rows.new(labels, times, lower, upper) -> row numbers;    rows.terms.add(row numbers, unknowns, factors)
+"""
 
 from __future__ import annotations
 

@@ -63,7 +63,9 @@ def errors_of(motion: PlannedMotion, costates: np.ndarray) -> Errors:
     deviation = deviation_of(motion, blocks, tau)
     size = np.abs(deviation.acceleration).max(axis=1, initial=0.0)
     defects = deviation.at_the_end(steps, nodes, weights)
-    cost, violation = (np.nan, np.nan) if scheme is None else _cost_error(motion, costates, blocks, tau, weight)
+    cost, violation = (
+        (np.nan, np.nan) if scheme is None else _cost_error(motion, costates, blocks, tau=tau, weight=weight)
+    )
     failed = not samples.assembled.all()
     return Errors(
         closure=np.inf if failed else closure,
@@ -93,7 +95,8 @@ def _nodal_closure(motion: PlannedMotion) -> float:
 def costates_of(family: Family, multipliers: np.ndarray) -> np.ndarray:
     """Densities over relative time (points, rows) of the multipliers, of which the family's are the first."""
     count = len(family.function.rows)
-    return multipliers[: family.count * count].reshape(family.count, count) / family.weights[:, None]
+    own = multipliers[: family.count * count].reshape(family.count, count)
+    return np.asarray(own / family.weights[:, None])
 
 
 def switching(motion: PlannedMotion, costates: np.ndarray) -> np.ndarray:
@@ -121,6 +124,7 @@ def _cost_error(
     motion: PlannedMotion,
     costates: np.ndarray,
     blocks: dict[str, np.ndarray],
+    *,
     tau: np.ndarray,
     weight: np.ndarray,
 ) -> tuple[float, float]:

@@ -13,7 +13,7 @@ import casadi as ca
 
 from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
-from symscrew.optimisation.casadi_graph import run
+from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.point_model import PointModel
 
 
@@ -49,7 +49,7 @@ class MotionQuantities:
 
     @cached_property
     def _closed(self) -> dict[str, ca.SX]:
-        return run(self.model.equations.closure, self.known)
+        return symbolic_outputs(self.model.equations.closure, self.known)
 
     @property
     def q(self) -> ca.SX:
@@ -66,14 +66,14 @@ class MotionQuantities:
         known = dict(self.known)
         if known["y_ddot"].numel() == 0:
             known["y_ddot"] = ca.SX.zeros(self.model.d)
-        return run(self.model.equations.motion, known)
+        return symbolic_outputs(self.model.equations.motion, known)
 
     def of_tree(self, name: str) -> dict[str, ca.SX]:
         """Outputs of a kinematic function of the model."""
         program = self.model.equations.tree_function(name)
         wanted = {port.name for port in program.inputs}
         known = {**self.known, "q": self.q} | ({**self._moving} if wanted & {"v", "a"} else {})
-        return run(program, known)
+        return symbolic_outputs(program, known)
 
     @cached_property
     def drive_rates(self) -> ca.SX:
@@ -114,14 +114,16 @@ class MotionQuantities:
     @cached_property
     def reactions(self) -> ca.SX:
         """Wrenches (f ; m_O) of all joints."""
-        return run(self.model.equations.reactions, {**self.known, "q": self.q, **self._moving})["reactions"]
+        return symbolic_outputs(self.model.equations.reactions, {**self.known, "q": self.q, **self._moving})[
+            "reactions"
+        ]
 
     @cached_property
     def margins(self) -> dict[str, Any]:
         """Singularity margins by name."""
         result: dict[str, Any] = {}
         for program in self.model.equations.margins:
-            values = run(program, {**self.known, "q": self.q})["margins"]
+            values = symbolic_outputs(program, {**self.known, "q": self.q})["margins"]
             result |= {label: values[k] for k, label in enumerate(program.outputs[0].labels)}
         return result
 

@@ -12,7 +12,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.casadi_graph import numeric
+from symscrew.optimisation.casadi_graph import numeric_function
 from symscrew.optimisation.consistent_poses import Kinematics
 from symscrew.optimisation.guess import default_parameters
 from symscrew.optimisation.point_model import PointModel
@@ -87,7 +87,7 @@ class PlannedMotion:
         """Drives at the points of every interval: (intervals, points, drives)."""
         scheme = self.transcribed.scheme
         u = self.arrays["u"]
-        return u if scheme is None else np.einsum("ij,njk->nik", scheme.control, u)
+        return u if scheme is None else np.asarray(np.einsum("ij,njk->nik", scheme.control, u))
 
     @property
     def drive_labels(self) -> tuple[str, ...]:
@@ -125,7 +125,7 @@ class PlannedMotion:
         k = found if interval is None else interval
         s = (tau - mesh[k]) / (mesh[k + 1] - mesh[k])
         if scheme is None:
-            return quintic(self.arrays, mesh, self._end_accelerations, k, s)
+            return quintic(self.arrays, mesh, self._end_accelerations, k=k, s=s)
         return self._collocated(scheme, k, s)
 
     def _collocated(self, scheme: Tableau, k: np.ndarray, s: np.ndarray) -> dict[str, np.ndarray]:
@@ -134,7 +134,7 @@ class PlannedMotion:
         second, sums, twice = scheme.basis(s), scheme.rate_at(s), scheme.position_at(s)
 
         def mixed(weights: np.ndarray, name: str) -> np.ndarray:
-            return np.einsum("nj,njd->nd", weights, arrays[name][k])
+            return np.asarray(np.einsum("nj,njd->nd", weights, arrays[name][k]))
 
         result = {
             "y": arrays["y"][k] + h * s[:, None] * arrays["y_1"][k] + h**2 * mixed(twice, "y_2"),
@@ -187,7 +187,7 @@ class PlannedMotion:
         left = np.maximum(right - 1, 0)
         nearer = np.where(np.abs(points[left] - tau) <= np.abs(points[right] - tau), left, right)
         q = np.nan_to_num(self.point_configurations)
-        return q[nearer]
+        return np.asarray(q[nearer])
 
     def sample(self, t: np.ndarray | None = None, *, count: int = 201) -> Samples:
         """The motion at times t [s], or at `count` equal ones; configurations are assembled, so loops are closed."""
@@ -205,25 +205,25 @@ class PlannedMotion:
         return Samples(tau * T, blocks["y"], y_dot, y_ddot, q, v, a, blocks["u"], blocks["x"], z, good)
 
     def _motion(self, *parts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        function = numeric(self.model.equations.motion)
+        function = numeric_function(self.model.equations.motion)
         v, a = function(*self.kinematics.columns(*parts))
         return np.array(v).T, np.array(a).T
 
     def of_tree(self, name: str, samples: Samples) -> np.ndarray:
         """A kinematic function of the model at samples: (n, outputs)."""
         program = self.model.equations.tree_function(name)
-        return self._evaluated(numeric(program), [p.name for p in program.inputs], samples)
+        return self._evaluated(numeric_function(program), [p.name for p in program.inputs], samples)
 
     def reactions(self, samples: Samples) -> np.ndarray:
         """Reactions of all joints (f ; m_O), absolute axes: (n, 6 joints)."""
         program = self.model.equations.reactions
-        return self._evaluated(numeric(program), [p.name for p in program.inputs], samples)
+        return self._evaluated(numeric_function(program), [p.name for p in program.inputs], samples)
 
     def margins(self, samples: Samples) -> dict[str, np.ndarray]:
         """Singularity margins along the motion."""
         result: dict[str, np.ndarray] = {}
         for program in self.model.equations.margins:
-            values = self._evaluated(numeric(program), [p.name for p in program.inputs], samples)
+            values = self._evaluated(numeric_function(program), [p.name for p in program.inputs], samples)
             result |= {label: values[:, k] for k, label in enumerate(program.outputs[0].labels)}
         return result
 

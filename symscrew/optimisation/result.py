@@ -1,4 +1,7 @@
-"""A motion that was found: with the solver's multipliers, its verdict and its errors."""
+"""A motion that was found: with the solver's multipliers, its verdict and its errors.
+
+PlannedMotion + multipliers --costates, mesh_errors--> Trajectory: status, errors between the points
+"""
 
 from __future__ import annotations
 
@@ -24,13 +27,14 @@ class Statistics:
     processor: Mapping[str, float]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Trajectory(PlannedMotion):
     """The outcome of an optimisation; `ok` is False where it is only the best iterate.
 
     `arrays` are the unknowns by name (rates by relative time), `x`, `multipliers`, `bound_multipliers` the solver's
     own vectors; `cost` is in the units of the objectives; `parameters` the design found, by name. `status` is one
-    sentence, `reasons` say which constraints cannot be met, where.
+    sentence, `reasons` say which constraints cannot be met, where; `notes` say what was not
+    tried to make it more exact.
     """
 
     x: np.ndarray
@@ -43,6 +47,10 @@ class Trajectory(PlannedMotion):
     statistics: Statistics
     reasons: tuple[str, ...] = ()
     refinements: int = 0
+    notes: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<Trajectory {self.problem.name}: {self.duration:g} s, cost {self.cost:.6g}, {self.status}>"
 
     @cached_property
     def costates(self) -> np.ndarray:

@@ -11,7 +11,7 @@ from typing import Any
 import casadi as ca
 
 from symscrew.errors import DescriptionError
-from symscrew.optimisation.casadi_graph import run
+from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.constraints import bound_rows, closure_rows
 from symscrew.optimisation.linear_rows import LinearRows
 from symscrew.optimisation.motion_quantities import MotionQuantities
@@ -24,7 +24,9 @@ from symscrew.optimisation.time_grid import TimeGrid, mesh_of
 from symscrew.optimisation.transcription import Discretisation, Placer
 from symscrew.optimisation.unknowns import Terms
 
-NEWTON = 3  # from the stage before, a step apart: errors 1e-2, 1e-4, 1e-8, 1e-16
+# Newton steps to the configuration of a stage, from that of the stage before: errors 1e-2, 1e-4, 1e-8, 1e-16. A fixed
+# number, since the solver needs one expression; with too few the loops stay open, which `errors.closure` shows.
+NEWTON = 3
 
 
 class Shooting(Discretisation):
@@ -88,7 +90,7 @@ class Shooting(Discretisation):
         blocks = {**start, **moved, "tau": tau, "y_2": ca.SX.zeros(model.d)}
         blocks["z"] = q[list(model.equations.layout.z)]
         at = MotionQuantities(model, blocks)
-        found = run(model.equations.forward, at.known)
+        found = symbolic_outputs(model.equations.forward, at.known)
         slope = {"y": moved["y_1"], "y_1": found["y_ddot"] * at.T**2, "x": found["x_dot"] * at.T}
         return slope, integrand(at)[0]  # those whose terms need rows of their own are refused above
 
@@ -102,7 +104,7 @@ class Shooting(Discretisation):
         if parameters is None:
             raise DescriptionError("transcription.method: shooting takes no design parameters; use collocation")
         for _ in range(NEWTON):
-            q = run(model.equations.move, {"q": q, "y": y, "p": parameters})["q_next"]
+            q = symbolic_outputs(model.equations.move, {"q": q, "y": y, "p": parameters})["q_next"]
         return q
 
     def family(self) -> Family:

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.casadi_graph import run
+from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.consistent_poses import Kinematics
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.point import point_symbols
@@ -20,7 +20,7 @@ Arrays = Mapping[str, np.ndarray]
 
 
 def quintic(
-    arrays: Arrays, mesh: np.ndarray, ends: tuple[np.ndarray, np.ndarray], k: np.ndarray, s: np.ndarray
+    arrays: Arrays, mesh: np.ndarray, ends: tuple[np.ndarray, np.ndarray], *, k: np.ndarray, s: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Unknowns of points at parts s (n,) of the intervals k (n,); `ends`: y'' at both ends of all intervals."""
     h, s = np.diff(mesh)[k][:, None], s[:, None]
@@ -49,7 +49,9 @@ def end_accelerations(
     at = MotionQuantities(model, blocks)
     order = ("y", "y_1", "z", "u", "x", "T", "p", "tau")
     function = ca.Function(
-        "ends", [blocks[name] for name in order], [run(model.equations.forward, at.known)["y_ddot"] * at.T**2]
+        "ends",
+        [blocks[name] for name in order],
+        [symbolic_outputs(model.equations.forward, at.known)["y_ddot"] * at.T**2],
     )
     n, layout = len(arrays["u"]), list(model.equations.layout.z)
     start_z = arrays["z"][:, 0]

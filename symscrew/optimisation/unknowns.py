@@ -1,4 +1,7 @@
-"""The unknowns of a transcription: where they stand in the solver's vector, how they are scaled and bounded."""
+"""The unknowns of a transcription: where they stand in the solver's vector, how they are scaled and bounded.
+
+arrays by name --pack--> X (what the solver sees, of size one) --unpack--> arrays by name;    value = scale X
+"""
 
 from __future__ import annotations
 
@@ -85,7 +88,7 @@ class Terms:
 
     def add(self, rows: np.ndarray, entries: np.ndarray, factor: object = 1.0) -> None:
         """Add factor times the unknowns `entries` to `rows`; all of one shape, or broadcast."""
-        rows, entries, factor = np.broadcast_arrays(rows, entries, np.asarray(factor, dtype=float))  # type: ignore[arg-type]
+        rows, entries, factor = np.broadcast_arrays(rows, entries, np.asarray(factor, dtype=float))
         self.rows.append(rows.ravel())
         self.columns.append(entries.ravel())
         self.values.append(factor.ravel() * self.unknowns.scale[entries.ravel()])

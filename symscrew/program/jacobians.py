@@ -114,7 +114,8 @@ def _nodes(
 
 def _applied(tape: Tape, op: str, args: list[Node]) -> Node:
     if op in ARITHMETIC:
-        return ARITHMETIC[op](*args)
+        made: Node = ARITHMETIC[op](*args)
+        return made
     if op == "reciprocal":
         return tape.reciprocal(args[0])
     return tape.function(op, *args)

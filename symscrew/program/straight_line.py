@@ -130,11 +130,7 @@ class Program:
     @cached_property
     def hash(self) -> str:
         """SHA-256 of everything that determines the printed code, 16 hex digits."""
-        # the text of repr(self.instructions), which takes three times as long
-        body = ", ".join(f"Instruction(target={i.target}, op={i.op!r}, args={i.args!r})" for i in self.instructions)
-        body = f"({body},)" if len(self.instructions) == 1 else f"({body})"
-        before, after = repr((self.name, self.inputs, self.outputs)), repr((self.results, self.guards))
-        return hashlib.sha256(f"{before[:-1]}, {body}, {after[1:]}".encode()).hexdigest()[:16]
+        return digest(self)
 
 
 @dataclass(frozen=True, repr=False)
@@ -188,6 +184,15 @@ STATUS = {
     3: "not converged: the loops could not be closed from this guess; all outputs are NaN",
     4: "other branch: the loops close only on another assembly branch than the guess; all outputs are NaN",
 }
+
+
+def digest(program: Program) -> str:
+    """SHA-256 of name, ports, instructions, results and guards, 16 hex digits."""
+    # the text of repr(program.instructions), which takes three times as long
+    body = ", ".join(f"Instruction(target={i.target}, op={i.op!r}, args={i.args!r})" for i in program.instructions)
+    body = f"({body},)" if len(program.instructions) == 1 else f"({body})"
+    before, after = repr((program.name, program.inputs, program.outputs)), repr((program.results, program.guards))
+    return hashlib.sha256(f"{before[:-1]}, {body}, {after[1:]}".encode()).hexdigest()[:16]
 
 
 def _signature(program: Program | Iteration) -> str:

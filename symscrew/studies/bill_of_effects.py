@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 
 RESULTS = {"inverse_dynamics": "drives", "forward_dynamics": "accelerations"}
 BILLED_FUNCTIONS = tuple(RESULTS)
-BATCH, ROUNDS, WARM = 256, 301, 10
+BATCH = 256  # states per call: Python's share vanishes
+ROUNDS, WARM = 301, 10  # pairs of calls that count, with and without an effect in turns, and before them not
 ZERO = 1e-6  # a result below this part of what leaving an effect out makes of it vanishes
 Arrays = Mapping[str, np.ndarray]
 
@@ -64,6 +65,10 @@ class Bill:
     items: tuple[Item, ...]
     operations: Mapping[str, int]
     nanoseconds: Mapping[str, float | None]
+
+    def __repr__(self) -> str:
+        counted = ", ".join(f"{name} {count}" for name, count in self.operations.items())
+        return f"Bill({self.name}: {len(self.items)} effects on {self.mechanism}, {counted} operations)"
 
     def values(self) -> dict[str, Any]:
         """Everything as numbers and texts, for JSON."""

@@ -11,7 +11,7 @@ import numpy as np
 from symscrew.model import Model
 from symscrew.runtime import CompiledFunction, CompiledModel
 
-BATCH = 64  # states per call: Python's share of a call is some 50 ns per state then, and all arrays stay in the cache
+BATCH = 64  # states per call, the same for all functions: enough for lanes, and all arrays stay in the cache
 ROUNDS, WARM = 41, 3  # counted, and before them not: pages, caches and the clock of the processor come up
 
 

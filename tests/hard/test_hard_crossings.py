@@ -63,6 +63,7 @@ def test_singular_positions_crossed_in_motion(integrator: dict) -> None:
     assert np.abs(run.q[:, labels["A0"]] - run.q[:, labels["A1"]]).max() < 1e-6  # no change of branch
 
 
+@pytest.mark.slow
 def test_without_following_the_branch_the_crossings_go_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     """The guard taken out, in both of its places: no step begins with care (CAREFUL), and a step that was repeated
     with care finds no zone to step over (ZONE). Either alone does: a step whose error is too large is repeated so.
@@ -70,9 +71,9 @@ def test_without_following_the_branch_the_crossings_go_wrong(monkeypatch: pytest
     As seen: at 1e-10 the run gets stuck in the first crossing; at 1e-8 and in steps of 4 ms three of ten crossings
     are reported, the latter with an error of 3e-6.
     """
-    from symscrew.simulation import native
+    from symscrew.simulation import native, run_source
 
-    constants = native.constants
+    constants = run_source.constants
 
     def careless(plant):  # type: ignore[no-untyped-def]
         switched = ("#define ZONE ", "#define CAREFUL ")
@@ -83,7 +84,7 @@ def test_without_following_the_branch_the_crossings_go_wrong(monkeypatch: pytest
         return "\n".join([*lines, ""])
 
     _, plant, _ = compiled("n_four_bar")
-    monkeypatch.setattr(native, "constants", careless)
+    monkeypatch.setattr(run_source, "constants", careless)
     library = native.Library(plant, native.table_code([]))
     for integrator in ({"tolerance": 1e-8}, {"tolerance": 1e-10}, {"method": "rk4", "step": 4e-3}):
         run = run_of("n_four_bar", scene_of("n_four_bar", most_steps=20_000, **integrator), library)

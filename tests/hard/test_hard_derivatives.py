@@ -12,6 +12,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import differentiated, output, relative
 
 from hard import case, precise
@@ -25,7 +26,7 @@ from symscrew.studies.platform_motion import coordinate_rates
 STEP = 1e-30
 STATES = 100
 LARGE = ("delta", "panda", "stewart_6ups", "three_ups_upu_s_physical")
-SLOW = [pytest.param(n, marks=pytest.mark.slow) if n in LARGE else n for n in catalogue.names()]
+SLOW = [slow(n) if n in LARGE else n for n in catalogue.names()]
 
 
 def _arc_tangent(y: np.ndarray, x: np.ndarray) -> np.ndarray:

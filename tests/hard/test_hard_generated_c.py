@@ -21,7 +21,10 @@ from support.runs import prepared
 from hard import case
 from symscrew.runtime.compiled import CompileError, find_compiler, load
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
+pytestmark = [
+    pytest.mark.optimised,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code"),
+]
 
 
 @pytest.mark.parametrize("name, functions", MODELS)

@@ -19,7 +19,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
-from symscrew.simulation import native
+from symscrew.simulation import native, run_source
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
@@ -81,14 +81,14 @@ def test_a_million_steps_of_a_constrained_point(monkeypatch: pytest.MonkeyPatch)
 def test_without_projection_the_loop_opens(monkeypatch: pytest.MonkeyPatch) -> None:
     """The guard taken out: `settle` in kernels/manifold.c does nothing. After 20 000 of the million steps the loop is
     open by more than a thousand times the 1e-12 of the criterion."""
-    text = native.kernel_text
+    text = run_source.kernel_text
     start = "    Opening o;\n    Rows f;\n    double d[NV1], rates[NR], before = 1e300;\n"
 
     def idle(name: str) -> str:
         return text(name).replace(start, f"    *smallest = PIVOT;\n    return 0;\n{start}")
 
     assert start in text("manifold.c")
-    monkeypatch.setattr(native, "kernel_text", idle)
+    monkeypatch.setattr(run_source, "kernel_text", idle)
     run = simulate(Scene("wire", swung_on_a_wire(), DOWN, 40.0, 0.5, integrator=Integrator("rk4", step=2e-3)))
     assert not run.ok or run.closure_error.max() > 1e-9
 

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.runs import EXAMPLES, prepared
 
 from hard import case
@@ -21,7 +22,10 @@ from symscrew.simulation.initial import initial_state
 from symscrew.studies.accuracy.run_history import read_reference
 from symscrew.studies.platform_motion import coordinate_rates
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code")
+pytestmark = [
+    pytest.mark.optimised,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code"),
+]
 
 
 def compiled(found: Model, names: Sequence[str], precision: str | None = None) -> list[Callable]:
@@ -84,7 +88,7 @@ def marched(name: str, steps_per_output: int) -> tuple[float, set[int]]:
     [
         ("bricard", 10, 5e-6, 1.0),
         ("spatial_slider_crank", 60, 2e-4, 1.0),
-        pytest.param("delta", 10, 2e-6, 1.0, marks=pytest.mark.slow),
+        slow("delta", 10, 2e-6, 1.0),
         pytest.param(
             "andrews", 20, 5e-7, 0.007, marks=pytest.mark.slow
         ),  # the reference has beta: F is 7 mm from the axis

@@ -113,7 +113,7 @@ def test_states_of_effects_through_singular_configurations() -> None:
     from symscrew.effects import DcMotor
     from symscrew.program.numpy_evaluation import evaluate
     from symscrew.simulation.motion import prepare
-    from symscrew.simulation.scene_functions import Functions
+    from symscrew.simulation.scene_functions import PlantFunctions
 
     motor = DcMotor("A0", torque_constant="0.5", resistance=2, inductance="0.1", current="0.3")
     effects = (Gravity((0, "-9.81", 0)), motor)
@@ -128,7 +128,7 @@ def test_states_of_effects_through_singular_configurations() -> None:
     at_once = [np.zeros(1), q, v, x, np.zeros(0), np.zeros(0), plant.parameters]
     assert evaluate(plant.slopes, at_once)[1] == 1  # a pivot is small
     for compiled in (False, True):
-        _, rates = Functions(plant, [], compiled=compiled).slopes(0.0, q, v, x, np.zeros(0), np.zeros(0))
+        _, rates = PlantFunctions(plant, [], compiled=compiled).slopes(0.0, q, v, x, u=np.zeros(0), outside=np.zeros(0))
         expected = (0 - 2 * 0.3 - 0.5 * -3.0) / 0.1
         assert rates[0] == pytest.approx(expected, rel=1e-12)
     run = simulate(scene, prepared=prepared)

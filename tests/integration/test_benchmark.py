@@ -87,6 +87,7 @@ def test_results_that_differ_are_not_timed(monkeypatch: pytest.MonkeyPatch) -> N
         time_functions(model("four_bar"), ["inverse_dynamics"], repeats=1)
 
 
+@pytest.mark.slow
 def test_parameters_at_run_time_beside_those_in_the_code() -> None:
     rows, _ = time_functions(model("three_ups_upu_s"), ["inverse_dynamics"], repeats=1, run_time=True)
     row = next(row for row in rows if row.variant == "one state, parameters at run time")

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from support.marks import slow
 from support.model_states import model
 
 from symscrew.cli.parser import main
@@ -42,7 +43,7 @@ def test_a_library_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.
         measure(model("four_bar"), "m4f", functions=["mass_matrix"])
 
 
-@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s_physical", "ur5"])
+@pytest.mark.parametrize("name", ["four_bar", slow("three_ups_upu_s_physical"), "ur5"])
 def test_no_heap_no_recursion_bounded_loops(name: str) -> None:
     source = re.sub(r'/\*.*?\*/|"[^"]*"', "", print_source(model(name)), flags=re.DOTALL)
     assert not re.search(r"\b(malloc|calloc|realloc|free|alloca|goto|while|setjmp|printf)\b", source)

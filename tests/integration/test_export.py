@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 from support import handmade
 
+from symscrew.generation.c_target import STRICT
 from symscrew.generation.folder import generate
+from symscrew.generation.value_comparison import relative_difference
 from symscrew.runtime.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
-from symscrew.verification.agreement import relative_difference
-from symscrew.verification.regeneration import STRICT
 
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang")) if path]
 

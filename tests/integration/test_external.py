@@ -7,6 +7,7 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import model
 
 from symscrew.description.builder import MechanismBuilder
@@ -39,7 +40,7 @@ def four_bar(tmp_path_factory) -> Path:
 
 
 LARGE = ("panda", "mixed_loop")
-CASES = [pytest.param(name, marks=pytest.mark.slow) if name in LARGE else name for name in (*NAMES, "pendulum")]
+CASES = [slow(name) if name in LARGE else name for name in (*NAMES, "pendulum")]
 
 
 @pytest.mark.slow

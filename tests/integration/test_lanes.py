@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from support.lanes import CASES, PLATFORM, check_bits
 from support.model_states import model
+from support.packed_numbers import evaluated
 
 from symscrew import catalogue
 from symscrew.export.c import IN_LANES, print_source
@@ -36,48 +37,6 @@ def packing(name: str, function: str) -> tuple[Program, Packing]:
     found = packed(live_instructions(program)[0], checked_slots(program))
     assert found is not None, f"nothing packed in {name}.{function}"
     return program, found
-
-
-def evaluated(slots: list[int], found: Packing, state: list[float]) -> list[float]:
-    """Some slots of a packed program, item by item, each lane of a pack in Python's own arithmetic."""
-    binary = {
-        "add": lambda x, y: x + y,
-        "sub": lambda x, y: x - y,
-        "mul": lambda x, y: x * y,
-        "div": lambda x, y: x / y,
-    }
-    values: dict[int, float] = dict(enumerate(state))
-    packs: dict[int, list[float]] = {}
-
-    def value(a: int | float) -> float:
-        if not isinstance(a, int):
-            return a
-        if a in found.place:
-            pack, lane = found.place[a]
-            return pack.signs[lane] * packs[pack.number][lane]
-        if a in found.negatives:
-            base, sign = found.negatives[a]
-            return sign * value(base)
-        return values[a]
-
-    def computed(op: str, args: list[float]) -> float:
-        if op in binary:
-            return float(binary[op](*args))
-        return 1.0 / args[0] if op == "reciprocal" else float(np.sqrt(args[0]))
-
-    for item in found.items:
-        if not isinstance(item, Pack):
-            operation = found.operations[item]
-            values[item] = computed(operation.op, [sign * value(a) for a, sign in operation.args])
-            continue
-        columns = []
-        for vector in item.operands:
-            column = [value(a) for a in vector.entries] if vector.source is None else packs[vector.source]
-            columns.append([f * x for f, x in zip(vector.flips or (1,) * len(column), column, strict=True)])
-        busy = [target is not None for target in item.targets]
-        lanes = zip(busy, zip(*columns, strict=True), strict=True)
-        packs[item.number] = [computed(item.op, list(args)) if used else 1.0 for used, args in lanes]
-    return [value(slot) for slot in slots]
 
 
 @pytest.mark.parametrize(("name", "function"), [CASES[0], ("stewart_6ups", PLATFORM)])
@@ -171,6 +130,7 @@ def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> Non
         assert alone > 0, place
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 def test_every_small_pivot_is_noticed_side_by_side() -> None:
     """A threshold above each pivot in turn, of whole packs and single ones: the status is that of limb after limb."""
@@ -232,6 +192,7 @@ def test_a_limb_along_an_axis_joins_the_others() -> None:
     assert evaluated(limbs, found, state) == expected
 
 
+@pytest.mark.slow
 def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
     """Though its first arm lies along an axis; before, arms 2 and 3 alone did not pay."""
     program = derive(catalogue.load("delta"), one_mode=True).programs[PLATFORM]

@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 from benchmarks.mechanisms import chain, platform
+from support.marks import slow
 
 from symscrew.description.mechanism import Mechanism
 from symscrew.export import c_parts, c_repeats
@@ -48,7 +49,7 @@ def everything_long(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("name", ["chain", *(slow(name) for name in ("loops", "limbs"))])
 def test_loops_give_the_bits_of_instructions_one_by_one(
     name: str, everything_long: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from benchmarks.mechanisms import chain, platform
+from support.marks import slow
 from support.model_states import differentiated, model
 
 from symscrew.export.c import print_source
@@ -26,6 +27,7 @@ LIMITS = [
     *((seed, "inverse_dynamics_platform", 1000) for seed in SEEDS),
     *((seed, "joint_reactions", 1500) for seed in SEEDS),
     ("stewart_6ups", "inverse_dynamics", 1400),
+    ("stewart_6ups", "forward_dynamics", 2090),
     ("ur5", "inverse_dynamics", 420),
     ("panda", "inverse_dynamics", 800),
 ]
@@ -33,15 +35,15 @@ LIMITS = [
 DERIVATIVES = [
     ("three_ups_upu_s_physical", "inverse_dynamics_independent_derivatives", 4710),
     ("three_ups_upu_s_physical", "forward_dynamics_independent_derivatives", 4470),
-    pytest.param("delta", "inverse_dynamics_independent_derivatives", 10300, marks=pytest.mark.slow),
-    pytest.param("delta", "forward_dynamics_independent_derivatives", 10500, marks=pytest.mark.slow),
+    slow("delta", "inverse_dynamics_independent_derivatives", 10300),
+    slow("delta", "forward_dynamics_independent_derivatives", 10500),
     ("five_bar", "inverse_dynamics_independent_derivatives", 550),
     ("four_bar", "forward_dynamics_independent_derivatives", 255),
     ("ur5", "inverse_dynamics_derivatives", 1700),
     ("ur5", "forward_dynamics_derivatives", 2800),
     ("ur5", "mass_matrix", 260),
-    pytest.param("panda", "inverse_dynamics_derivatives", 4800, marks=pytest.mark.slow),
-    pytest.param("panda", "forward_dynamics_derivatives", 7400, marks=pytest.mark.slow),
+    slow("panda", "inverse_dynamics_derivatives", 4800),
+    slow("panda", "forward_dynamics_derivatives", 7400),
 ]
 
 

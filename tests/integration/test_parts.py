@@ -7,6 +7,7 @@ import re
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import model, relative
 
 from symscrew.export import c_parts
@@ -34,7 +35,7 @@ def chosen(name: str) -> Model:
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-@pytest.mark.parametrize("name", ["three_ups_upu_s", "four_bar"])
+@pytest.mark.parametrize("name", [slow("three_ups_upu_s"), "four_bar"])
 def test_parts_give_the_numbers_and_statuses_of_the_program(name: str, short_parts: None) -> None:
     found = chosen(name)
     assert "_part1(" in print_source(found)
@@ -80,5 +81,6 @@ def test_zeros_of_a_wide_matrix_are_not_stored_one_by_one() -> None:
     zeros_of_the_mass_matrix()
 
 
+@pytest.mark.slow
 def test_zeros_of_a_function_in_parts_are_not_stored_one_by_one(short_parts: None) -> None:
     zeros_of_the_mass_matrix()

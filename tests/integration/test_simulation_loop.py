@@ -16,7 +16,7 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Integrator, Scene
 from symscrew.scene.scene_file import load_scene
 from symscrew.simulation.motion import evaluated, simulate
-from symscrew.simulation.real_time_loop import emit, loop_plant, print_loop
+from symscrew.simulation.real_time_loop import loop_plant, print_loop, write_loop
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
@@ -27,7 +27,7 @@ def rk4(scene: Scene, step: float = 1e-3) -> Scene:
 
 
 def built(scene: Scene, folder: Path, flags: tuple[str, ...] = ()) -> ctypes.CDLL:
-    emit(scene, folder)
+    write_loop(scene, folder)
     library = folder / "loop.so"
     compiler = find_compiler()
     assert compiler

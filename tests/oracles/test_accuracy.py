@@ -309,7 +309,7 @@ def test_stiff_libraries_converge() -> None:
     scene = replace(load_scene(path), rate=1 / times[1], duration=times[-1])
     found, plant = prepare(scene)
     few = replace(reference, times=times, values=reference.values[:4])
-    setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), Stopwatch())
+    setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), watch=Stopwatch())
     assert not missing
     assert {setup.curve.split()[0] for setup in setups} == {"Radau", "BDF", "CVODES"}
     errors: dict[str, list[float]] = {}
@@ -361,7 +361,16 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
     from symscrew.studies.accuracy import every_study
 
     points = (Point("a", "", 0.5, quartiles([1.0])), Point("b", "", None, None, "a pivot is small"))
-    given = Study("forward", "A study", points, "error", "time", "ms", "none", None)
+    given = Study(
+        "forward",
+        "A study",
+        points,
+        error_label="error",
+        cost_label="time",
+        cost_unit="ms",
+        reference="none",
+        reference_error=None,
+    )
     usual = every_study.study_of
 
     def function(name: str, *arguments: object, full: bool):  # type: ignore[no-untyped-def]

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.runs import EXAMPLES, compiled, error_of, order, reference, run_of, scene_of, values_of
 
 from symscrew.runtime.compiled import find_compiler
@@ -23,8 +24,8 @@ needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compil
         ("spatial_slider_crank", 1e-8, 1e-8),
         ("heavy_top", 1e-8, 1e-8),
         ("light_cart_pole", 1e-8, 1e-6),
-        pytest.param("delta", 1e-8, 1e-10, marks=pytest.mark.slow),
-        pytest.param("flyball_governor", 1e-6, 1e-9, marks=pytest.mark.slow),
+        slow("delta", 1e-8, 1e-10),
+        slow("flyball_governor", 1e-6, 1e-9),
     ],
 )
 @needs_compiler

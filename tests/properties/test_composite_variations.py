@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import relative
 from support.trees import spatial_tree
 
@@ -58,7 +59,7 @@ def test_changes_of_forces(name: str, effects: tuple[Effect, ...]) -> None:
             assert np.abs(tape.sample(got) - tape.sample(row[k])).max() < 1e-11 * scale, keys[k]
 
 
-@pytest.mark.parametrize("name", ["panda", "spatial_tree"])
+@pytest.mark.parametrize("name", ["panda", slow("spatial_tree")])
 def test_takes_fewer_operations_and_gives_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Inverse and forward dynamics of trees, by the equations of motion and by differentiating the programs."""
     found = derive(loaded(name), derivatives=True)

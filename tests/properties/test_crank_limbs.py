@@ -2,36 +2,23 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
+import sympy
+from support.marks import slow
 from support.model_states import relative
-from support.rod_mechanisms import INWARDS, RADIUS, UP, Q, delta_of_half_spacing, hexapod, second_rods_first, thick_rods
+from support.rod_mechanisms import MECHANISMS, RADIUS, Q, delta_of_half_spacing, hexapod, model
 
-from symscrew import catalogue
+from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
 from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
 from symscrew.model import Model, derive
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.program.numpy_evaluation import evaluate
 
-MECHANISMS = {
-    "delta": lambda: catalogue.load("delta"),
-    "delta_second_rods_first": second_rods_first,
-    "delta_thick_rods": thick_rods,
-    "hexapod": hexapod,
-    "hexapod_inwards": lambda: hexapod(INWARDS),
-    "hexapod_up": lambda: hexapod(UP),
-    "hexapod_thick_rods": lambda: hexapod(thick=True),
-    "rod_on_the_ground": lambda: hexapod(cranks=5),
-}
+QUICK = ("delta", "hexapod", "rod_on_the_ground")
+FURTHER = ("delta_second_rods_first", "delta_thick_rods", "hexapod_inwards", "hexapod_up", "hexapod_thick_rods")
 PLATFORM = ("inverse_kinematics", "inverse_velocity", "inverse_dynamics_platform")
-
-
-@cache
-def model(name: str) -> Model:
-    return derive(MECHANISMS[name]())
 
 
 def of_hub(found: Model, q: np.ndarray, *rates: np.ndarray) -> list[np.ndarray]:
@@ -56,7 +43,7 @@ def elbows(found: Model, q: np.ndarray) -> np.ndarray:
     return centre[:, 0] * tip[:, 1] - centre[:, 1] * tip[:, 0]
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("name", [*QUICK, *(slow(name) for name in FURTHER)])
 def test_platform_functions_equal_those_of_the_tree(name: str) -> None:
     found = model(name)
     for q, v, a in (found.system.sample_states, found.system.states(20, 3)):
@@ -90,7 +77,7 @@ def test_out_of_reach_is_reported(name: str) -> None:
         assert np.all(status == 2) and np.isnan(got).all()
 
 
-@pytest.mark.parametrize("name", ["delta", "hexapod", "hexapod_inwards"])
+@pytest.mark.parametrize("name", ["delta", "hexapod", slow("hexapod_inwards")])
 def test_a_guess_beyond_the_dead_centre_gives_the_other_elbow(name: str) -> None:
     """A constant guess: the reference's elbow; a guess of nodes: the guess's own, and q itself where that is closed."""
     found = model(name)
@@ -135,12 +122,17 @@ def evaluate_at(equations: PointEquations, q: np.ndarray) -> tuple:
     return evaluate(equations.closure, [q[:, list(equations.layout.y)], q[:, list(equations.layout.z)]])
 
 
-@pytest.mark.parametrize("make", [delta_of_half_spacing, lambda r, *, run_time: hexapod(radius=r, run_time=run_time)])
-def test_run_time_parameters_equal_baked_ones(make: object) -> None:
-    nominal = Q(1, 25) if make is delta_of_half_spacing else RADIUS
-    given = derive(make(nominal, run_time=True))  # type: ignore[operator]
-    for value in (nominal, nominal * Q(6, 5)):
-        baked = derive(make(value, run_time=False))  # type: ignore[operator]
+@pytest.mark.parametrize("name", ["delta", slow("hexapod")])
+def test_run_time_parameters_equal_baked_ones(name: str) -> None:
+    nominal = {"delta": Q(1, 25), "hexapod": RADIUS}[name]
+
+    def made(value: sympy.Rational, *, run_time: bool) -> Mechanism:
+        if name == "delta":
+            return delta_of_half_spacing(value, run_time=run_time)
+        return hexapod(radius=value, run_time=run_time)
+
+    given = derive(made(nominal, run_time=True))
+    for value, baked in ((nominal, model(name)), (other := nominal * Q(6, 5), derive(made(other, run_time=False)))):
         for function in PLATFORM:
             inputs = baked.test_inputs[function]
             (expected,), _ = baked(function, *inputs)

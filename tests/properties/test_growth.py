@@ -9,12 +9,13 @@ from functools import cache
 
 import pytest
 from benchmarks.mechanisms import chain
+from support.marks import slow
 
 from symscrew.export.c import print_source
 from symscrew.model import Model, derive
 from symscrew.program.rank_revealing import RankRevealing
 from symscrew.program.straight_line import Iteration, Program
-from symscrew.simulation.native import source
+from symscrew.simulation.run_source import source
 from symscrew.simulation.state_programs import plant
 from symscrew.studies.accuracy.growth_study import four_bars
 
@@ -40,7 +41,7 @@ def functions(found: Model) -> list[str]:
     return [name for name in found.programs if name not in SQUARE]
 
 
-@pytest.mark.parametrize("kind", ["loops", pytest.param("chain", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("kind", ["loops", slow("chain")])
 def test_every_step_adds_the_same_operations(kind: str) -> None:
     models = [sized(kind, size) for size in SIZES[kind]]
     for name in functions(models[0]):

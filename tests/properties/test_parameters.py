@@ -19,9 +19,9 @@ from symscrew.export.c import print_c
 from symscrew.export.c_precision import PRECISIONS
 from symscrew.export.cpp import print_cpp
 from symscrew.export.readme import print_readme
+from symscrew.generation.c_target import STRICT
 from symscrew.model import Model, derive
 from symscrew.runtime.compiled import find_compiler
-from symscrew.verification.regeneration import STRICT
 
 
 def with_parameters(mechanism: Mechanism, *, run_time: bool, scale: str = "1") -> Mechanism:
@@ -100,7 +100,7 @@ def test_the_readme_shows_the_type(tmp_path: Path) -> None:
     found = pendulum()
     for name, text in (print_c(found) | print_cpp(found)).items():
         (tmp_path / name).write_text(text)
-    c, cpp = re.findall(r"```c\w*\n(.*?)```", print_readme(found, ["c"]), re.DOTALL)
+    c, cpp = re.findall(r"```c\w*\n(.*?)```", print_readme(found, {"c": "C99"}), re.DOTALL)
     declared = "    pendulum_parameters p_ = PENDULUM_PARAMETERS_DEFAULT; /* such as p_.by_name.length */\n"
     assert declared in c and declared in cpp
     (tmp_path / "main.c").write_text(c)

@@ -7,8 +7,17 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import relative
-from support.rod_mechanisms import braced_arm, delta_text, hexapod, hung_platform, rotary_hexapod, second_rods_first
+from support.rod_mechanisms import (
+    braced_arm,
+    delta_text,
+    hexapod,
+    hung_platform,
+    model,
+    rotary_hexapod,
+    second_rods_first,
+)
 from test_loop_rows import sampled
 
 from symscrew import catalogue
@@ -17,7 +26,6 @@ from symscrew.description import toml_file
 from symscrew.description.mechanism import Mechanism
 from symscrew.kinematics.system import System
 from symscrew.loops.dependent_rates import Loops
-from symscrew.model import Model, derive
 
 
 def from_the_rod() -> Mechanism:
@@ -83,12 +91,7 @@ def test_a_rod_s_rows_hold_its_own_rates_one_by_one() -> None:
         assert angles & set(read) == {system.inputs.q[rod.limb.second.q.start]}
 
 
-@cache
-def model(name: str) -> Model:
-    return derive(MECHANISMS[name][0]())
-
-
-@pytest.mark.parametrize("name", ["delta", "hexapod", "rotary_hexapod", "braced_arm"])
+@pytest.mark.parametrize("name", ["delta", "hexapod", slow("rotary_hexapod"), "braced_arm"])
 def test_functions_of_rods_by_consistent_states(name: str) -> None:
     """Rates and accelerations of samples on the closure, found by Newton's method on the plain rows."""
     found = model(name)

@@ -16,8 +16,8 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.fronts import front_pivots, fronts, layouts, paths, regular
 from symscrew.simulation.motion import simulate
-from symscrew.simulation.native import Library
-from symscrew.simulation.scene_functions import Functions
+from symscrew.simulation.native import Library, RunLog
+from symscrew.simulation.scene_functions import PlantFunctions
 from symscrew.simulation.state_programs import plant
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
@@ -105,13 +105,13 @@ def test_the_projection_is_that_by_singular_values() -> None:
     assert len(made.fronts) == 3
     library = Library(made, flags=("-O0",))
     random = np.random.default_rng(6)
-    oracle = Functions(made, [], compiled=False)
+    oracle = PlantFunctions(made, [], compiled=False)
     on, v = model.system.sample_states[0][-1], random.uniform(-1, 1, made.sizes["v"])
     on, _, _ = oracle.settle(on, v)
     for away, allowed in ((0.0, 1e-13), (1e-6, 1e-6)):  # all goes by the rows of the first configuration
         q = on + random.uniform(-away, away, made.sizes["q"])
         outcome = library.start(0.0, q, v, np.zeros(0), method="rk4", h=1e-3, rtol=1, atol=1, longest=1, budget=1)
-        _, found_q, found_v, _, _ = library.report()
+        _, (found_q, found_v, _), _ = library.report()
         expected_q, expected_v, _ = oracle.settle(q, v)
         assert outcome == 0
         assert np.abs(found_v - expected_v).max() < allowed
@@ -148,13 +148,11 @@ def test_rates_that_matter_no_more_are_zero() -> None:
     model = derive(scene_of("bricard").mechanism, ())
     bare = plant(model)
     library = Library(bare, flags=("-O0",))
-    oracle = Functions(bare, [], compiled=False)
+    oracle = PlantFunctions(bare, [], compiled=False)
     q = model.system.reference
     _, v, _ = oracle.settle(q, np.ones(bare.sizes["v"]))
     for rate in (1e-310, 1e-160, 1.0):
-        samples = [np.zeros((2, max(bare.sizes[k], 1))) for k in "qvx"]
-        written, met = np.zeros(1, dtype=np.uintp), np.zeros(1, dtype=np.uintp)
-        x, crossings = np.zeros(bare.sizes["x"]), np.zeros(1, dtype=library.crossing)
+        log, x = RunLog.empty(library, np.array([0.0, 0.1])), np.zeros(bare.sizes["x"])
         library.start(0.0, q, rate * v, x, method="rk4", h=1e-2, rtol=1, atol=1, longest=1, budget=99)
-        assert library.advance(99, np.array([0.0, 0.1]), written, *samples, crossings, met) == 0
-        assert written[0] == 2 and samples[1].any() == (rate == 1.0)
+        assert library.advance(99, log) == 0
+        assert log.written[0] == 2 and log.v.any() == (rate == 1.0)

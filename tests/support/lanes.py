@@ -9,8 +9,8 @@ import numpy as np
 
 from support.model_states import model, relative
 from symscrew.export.c import print_c, print_source
+from symscrew.generation.c_target import STRICT
 from symscrew.runtime.compiled import compile_c
-from symscrew.verification.regeneration import STRICT
 
 PLATFORM = "inverse_dynamics_platform"
 

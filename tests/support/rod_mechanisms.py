@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import dataclasses
 import re
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import sympy
 from sympy import Matrix, Rational, cos, sin, sqrt
 
 import symscrew
+from support.model_states import model as catalogued
 from symscrew import catalogue
 from symscrew.description import toml_file
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
+from symscrew.model import Model, derive
 
 PLACES = (0, 1, 4, 5, 8, 9)  # of the ends of rods on a circle, in twelfths
 
@@ -74,7 +78,7 @@ def hung_platform() -> Mechanism:
     return builder.build()
 
 
-def braced_arm() -> Mechanism:
+def braced_arm(thick: object = 0, across: object = 0) -> Mechanism:
     """A chain of three links in space with a rod from the first to the third: a loop that does not hold the ground."""
     builder = MechanismBuilder("braced_arm", platform="top")
     places = [Matrix(p) for p in ([0, 0, 0], [0, Rational(1, 10), Rational(1, 2)], [Rational(3, 5), 0, Rational(3, 5)])]
@@ -86,7 +90,7 @@ def braced_arm() -> Mechanism:
         builder.joint(f"R{k}", "R", parent=("base", *names)[k], child=name, point=list(place), axes=[axis],
                       driven=k < 2)  # fmt: skip
     near, far = Matrix([Rational(1, 5), Rational(1, 5), Rational(1, 5)]), Matrix([Rational(9, 10), Rational(1, 3), 1])
-    rod(builder, "brace", "lower", near, far)
+    rod(builder, "brace", "lower", near, far, thick, across)
     return builder.build()
 
 
@@ -158,3 +162,23 @@ def delta_of_half_spacing(value: sympy.Rational, *, run_time: bool) -> Mechanism
     delta = catalogue.load("delta")
     changed = dataclasses.replace(delta.parameters["half_spacing"], value=value, run_time=run_time)
     return dataclasses.replace(delta, parameters={**delta.parameters, "half_spacing": changed})
+
+
+MECHANISMS: dict[str, Callable[[], Mechanism]] = {
+    "delta": lambda: catalogue.load("delta"),
+    "delta_second_rods_first": second_rods_first,
+    "delta_thick_rods": thick_rods,
+    "hexapod": hexapod,
+    "hexapod_inwards": lambda: hexapod(INWARDS),
+    "hexapod_up": lambda: hexapod(UP),
+    "hexapod_thick_rods": lambda: hexapod(thick=True),
+    "rod_on_the_ground": lambda: hexapod(cranks=5),
+    "rotary_hexapod": rotary_hexapod,
+    "hung_platform": hung_platform,
+    "braced_arm": braced_arm,
+}
+
+
+@cache
+def model(name: str) -> Model:
+    return catalogued(name) if name == "delta" else derive(MECHANISMS[name]())

@@ -14,7 +14,7 @@ from support.model_states import model
 from symscrew.runtime import compiled
 from symscrew.runtime.compiled import load
 
-pytestmark = pytest.mark.skipif(shutil.which("clang") is None, reason="clang is not installed")
+pytestmark = [pytest.mark.optimised, pytest.mark.skipif(shutil.which("clang") is None, reason="clang is not installed")]
 
 
 def test_clang_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,8 +16,8 @@ from support.readme_examples import example, expected, printed, run
 from symscrew import catalogue
 from symscrew.display.view.page import make_page
 from symscrew.export.javascript import print_javascript
+from symscrew.generation import javascript_target
 from symscrew.generation.folder import generate
-from symscrew.verification import agreement
 from symscrew.verification.regeneration import check
 
 Array = np.ndarray
@@ -181,7 +181,7 @@ def test_javascript_example_of_the_readme(tmp_path):
 def test_javascript_is_run_by_check(tmp_path, monkeypatch):
     generate(model("four_bar"), tmp_path / "out", ["javascript"])
     assert any("JavaScript agrees with the evaluator" in line for line in check(tmp_path / "out").lines)
-    doubled = agreement.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
-    monkeypatch.setattr(agreement, "NODE", doubled)
+    doubled = javascript_target.NODE.replace("...given", "...given.map((x) => x.map((y) => 2 * y))")
+    monkeypatch.setattr(javascript_target, "NODE", doubled)
     result = check(tmp_path / "out")
     assert not result.ok and any("JavaScript" in line for line in result.lines if ": FAILED: " in line)

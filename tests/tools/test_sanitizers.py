@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.compiled_c import MODELS, results_of, some, tool, written
+from support.marks import slow
 from support.model_states import model as catalogued
 from support.model_states import relative
 
@@ -107,7 +108,7 @@ SANITIZED = (
     "four_bar",
     "pendulum",
     "ur5",
-    *(pytest.param(name, marks=pytest.mark.slow) for name in ("three_ups_upu_s", "delta", "stewart_6ups")),
+    *(slow(name) for name in ("three_ups_upu_s", "delta", "stewart_6ups")),
 )
 
 
@@ -120,7 +121,7 @@ def test_address_and_undefined_behaviour_sanitizers(name: str, tmp_path: Path) -
     run_program(catalogued(name), tmp_path, (tool("gcc"), "-O0", *SANITIZE))
 
 
-@pytest.mark.parametrize("name", ["four_bar", pytest.param("ur5", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("name", ["four_bar", slow("ur5")])
 def test_derivatives_and_jacobians_under_sanitizers(name: str, tmp_path: Path) -> None:
     """So are derivatives, regressors, and the Jacobians of CasADi's external functions."""
     further = derive(catalogue.load(name), derivatives=True, regressor=True)

@@ -24,6 +24,8 @@ def type_names(source: str) -> set[str]:
     """Texts of a file, not its docstrings, that are the type of an effect."""
     known = known_effects()
     names = {*known, *(kind.__name__ for kind in known.values())}
+    if not any(name in source for name in names):
+        return set()
     tree = ast.parse(source)
     listed = [n.value for n in tree.body if isinstance(n, ast.Assign) and getattr(n.targets[0], "id", "") == "__all__"]
     public = {id(item) for value in listed for item in ast.walk(value)}

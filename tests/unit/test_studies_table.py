@@ -26,7 +26,8 @@ from symscrew.studies.timing import quartiles
 def study(subject, progress, *, repeats, seconds, **files):
     count = subject.model.programs["velocity"].operations["total"]
     point = Point("counting", str(files), 0.0, quartiles([seconds] * repeats), "", {"operations": count})
-    return Study("counting", "Counting", (point,), "error", "time", "s", "none", 0.0)
+    labels = {"error_label": "error", "cost_label": "time", "cost_unit": "s"}
+    return Study("counting", "Counting", (point,), **labels, reference="none", reference_error=0.0)
 """
 
 

@@ -58,7 +58,7 @@ class ClosureGrids:
         for link in tree.links[1:]:
             below = {k for i in tree.path(link.parent) for k in range(tree.links[i].v.start, tree.links[i].v.stop)}
             own = set(range(link.v.start, link.v.stop))
-            if link.motion.kind == "S" and own <= private and not below & private:
+            if link.motion.spherical and own <= private and not below & private:
                 turning.append(link)
         if not turning:
             return
@@ -168,7 +168,7 @@ def _turned(system: System, grid: Grid) -> Grid | None:
     A constraint that passes through an axis of its limb acts on the joint only across that axis.
     """
     tape, tree = system.tape, system.tree
-    hubs = [link for link in tree.links[1:] if link.motion.kind == "S"]
+    hubs = [link for link in tree.links[1:] if link.motion.spherical]
     if len(grid[0]) != 3 or len(hubs) != 1:
         return None
     for link in tree.links[1:]:

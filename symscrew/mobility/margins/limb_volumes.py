@@ -22,21 +22,17 @@ from symscrew.algebra import (
     Grid,
     Node,
     Tape,
-    Twist,
     Vector,
     Volume,
-    helical,
-    prismatic,
     rank_of,
-    revolute,
     sampled,
     scale,
     transform,
     volume,
     zeroed,
 )
-from symscrew.description import JOINT_TYPES
-from symscrew.kinematics import GROUND, Cut, System, carry, carry_point, universal_axes
+from symscrew.description import Motion, rotation
+from symscrew.kinematics import GROUND, Cut, System, carry, carry_point, pair_of, universal_axes
 
 LONG = 10
 """Freedoms up to which a limb is looked at from every one of its links, which costs a grid of screws a link.
@@ -45,11 +41,11 @@ Beyond it only from the ground, through the links' poses, which all screws share
 expressions of a long chain double in size. The volume is the same, its expression may be longer; `limb_margins`
 says so."""
 
-Piece = tuple[int, str, Vector, Vector, object]
+Piece = tuple[int, Motion, Vector, Vector, object]
 
 
 def limb_freedoms(system: System, joints: Sequence[str]) -> list[Piece]:
-    """(link, kind, axis, point, pitch) of every freedom of a limb, in coordinates of that link."""
+    """(link, motion, axis, point, pitch) of every freedom of a limb, in coordinates of that link."""
     return [piece for joint in joints for piece in _pieces(system, joint)]
 
 
@@ -78,30 +74,28 @@ def _candidate_frames(links: Sequence[int]) -> list[int]:
 
 
 def _pieces(system: System, name: str) -> list[Piece]:
-    """(link, kind, axis, point, pitch) of every freedom of a joint, in coordinates of a link."""
+    """(link, motion, axis, point, pitch) of every freedom of a joint, in coordinates of a link."""
     cut = next((c for c in system.cuts if c.joint.name == name), None)
     if cut is not None:
         return _cut_pieces(system, cut)
     result: list[Piece] = []
     for link in system.tree.links_of(name):
         frame = system.frames[link.index]
-        if link.motion.kind == "S":
-            result += [(link.index, "R", axis, ZERO, None) for axis in IDENTITY]
-        elif link.motion.kind == "P":
-            result.append((link.index, "P", frame.axis, ZERO, None))  # a slider keeps its parent's axes
-        elif link.motion.kind != "F":
-            result.append((link.index, link.motion.kind, (0, 0, 1), ZERO, frame.pitch))
+        if link.motion.spherical:
+            result += [(link.index, rotation(), axis, ZERO, None) for axis in IDENTITY]
+        elif link.motion.single:  # a slider keeps its parent's axes
+            axis = (0, 0, 1) if link.motion.turns else frame.axis
+            result.append((link.index, link.motion, axis, ZERO, frame.pitch))
     return result
 
 
 def _cut_pieces(system: System, cut: Cut) -> list[Piece]:
-    motions = JOINT_TYPES[cut.joint.type].motions
-    if any(m.kind == "S" for m in motions):
-        return [(cut.tip, "R", axis, cut.tip_point, None) for axis in IDENTITY]
-    universal = sum(m.kind == "R" for m in motions) == 2
-    axes = universal_axes(cut, system.tree, system.placed) if universal else cut.tip_axes
+    kind = cut.joint.kind
+    if kind.spherical:
+        return [(cut.tip, rotation(), axis, cut.tip_point, None) for axis in IDENTITY]
+    axes = universal_axes(cut, system.tree, system.placed) if kind.universal else cut.tip_axes
     pitch = system.geometry.scalar(cut.joint.pitch) if cut.joint.pitch is not None else None
-    return [(cut.tip, m.kind, axes[m.axis or 0], cut.tip_point, pitch) for m in motions]
+    return [(cut.tip, m, axes[m.axis or 0], cut.tip_point, pitch) for m in kind.motions]
 
 
 def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> list[Node]:
@@ -109,17 +103,17 @@ def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> l
 
     Joint after joint between the two, or with `known` from the poses, which all of a long limb's screws share.
     """
-    link, kind, axis, point, pitch = piece
+    link, motion, axis, point, pitch = piece
     tape, tree, placed = system.tape, system.tree, system.placed
     by_pose = known and frame == GROUND and link != GROUND
     pose = system.pose[link]
     axis = transform(pose.rotation, axis) if by_pose else carry(tree, placed, link, frame, axis)
-    if kind == "P":
-        twist: Twist = prismatic(axis)
+    if not motion.turns:
+        (twist,) = pair_of(motion).screws(axis, ZERO, pitch)
         linear = twist.linear
     else:
         at = pose.point(point) if by_pose else carry_point(tree, placed, link, frame, point)
-        twist = helical(axis, at, pitch) if kind == "H" else revolute(axis, at)
+        (twist,) = pair_of(motion).screws(axis, at, pitch)
         linear = scale(tape.constant(1 / system.length), twist.linear)
     return [tape.node(c) for c in (*twist.angular, *linear)]
 

@@ -30,7 +30,6 @@ from typing import TypeVar
 import numpy as np
 
 from symscrew.algebra import NEGLIGIBLE, Node, TooLargeError, Volume
-from symscrew.description import JOINT_TYPES
 from symscrew.kinematics import System
 from symscrew.mobility.margins.closure_grids import ClosureGrids
 from symscrew.mobility.margins.limb_volumes import LONG, limb_freedoms, limb_volume
@@ -183,7 +182,7 @@ def limbs(system: System) -> dict[str, tuple[str, ...]]:
 
 def _drive_name(system: System, index: int) -> str:
     joint, freedom = system.drives[index]
-    single = JOINT_TYPES[system.mechanism.joints[joint].type].freedom == 1
+    single = system.mechanism.joints[joint].kind.freedom == 1
     return joint if single else f"{joint}.{freedom}"
 
 

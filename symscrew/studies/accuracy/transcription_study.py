@@ -21,8 +21,8 @@ from symscrew.optimisation import Prepared, TrajectoryProblem, Transcription, pr
 from symscrew.whole_files import replaced, write_text
 
 MESHES, FULL_MESHES = (5, 10, 20, 40), (5, 10, 20, 40, 80, 160)  # doubled: an order shows as a constant ratio
-FULL_REPEATS = 3
-REFERENCE = (6, 40)  # degree and intervals; solved on twice as many too, whose difference is the reference's own error
+FULL_REPEATS = 3  # the fastest counts: a solve takes seconds, and a disturbance makes it longer only
+REFERENCE = (6, 40)  # degree and intervals; solved on twice as many too, the difference is the reference's own error
 SCHEMES: tuple[tuple[str, Transcription], ...] = (
     ("Gauss 2, second order", Transcription("gauss", 2)),
     ("Gauss 3, second order", Transcription("gauss", 3)),

@@ -252,7 +252,8 @@ def _joint_point(case: Case, joint: Joint) -> Array:
     reference = np.array([float(case.mechanism.number(c)) for c in joint.point])
     bodies = [name for name in case.mechanism.bodies if name != case.mechanism.ground]
     pose = np.asarray(case.functions.body_poses(case.motion.q))[:, :, bodies.index(joint.child)]
-    return pose[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) @ reference + pose[:, 9:]
+    place: Array = pose[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) @ reference + pose[:, 9:]
+    return place
 
 
 def _place(mechanism: Mechanism, joint: Joint) -> str:

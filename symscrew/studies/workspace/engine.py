@@ -18,7 +18,7 @@ from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
 from symscrew.studies.workspace.plan import Plan
 
 Results = dict[str, np.ndarray]
-RESTARTS = 3
+RESTARTS = 3  # of the pool when a worker dies (memory); more would hide what kills it every time
 
 
 def run_locally(plan: Plan, chunks: Iterable[int], processes: int | None = None) -> Iterator[tuple[int, Results]]:

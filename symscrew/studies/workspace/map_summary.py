@@ -11,7 +11,7 @@ from symscrew.display import aligned_table
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Results = Mapping[str, np.ndarray]
-DEGREE = 180 / np.pi
+DEGREE = 180 / np.pi  # per radian
 
 
 def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[str, Any]:
