@@ -31,7 +31,7 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
     if not given or acting.simplified or any(not is_zero(c) for c in acting.ground.omega):
         return result
     lean = acting.lean_inertia()
-    resting = rates(tree, system.frames, system.placed, still, still, acting.ground)
+    resting = rates(system.linkage, still, still, ground=acting.ground)
     weights = {k: inertial_wrench(lean[k], resting[k]) for k in range(1, len(lean))}
     weighed = balanced_forces(system, acting, still, weights)
     for places in _branches(system):

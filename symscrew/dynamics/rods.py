@@ -31,18 +31,7 @@ from symscrew.algebra import (
 from symscrew.dynamics.equilibrium import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
 from symscrew.effects import Acting
-from symscrew.kinematics import (
-    GROUND,
-    Cut,
-    Inertia,
-    Link,
-    Rates,
-    System,
-    carry_across,
-    combined,
-    regrouped,
-    seen_before,
-)
+from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped
 from symscrew.loops import rod_limb
 
 
@@ -157,7 +146,7 @@ def _sum(wrenches: Sequence[Wrench]) -> Wrench:
 
 def _line(system: System, rod: Rod) -> Vector:
     """From the near to the far end, in the axes before the parent's motion."""
-    far = seen_before(system.tree, system.placed, rod.hub, rod.parent, rod.far)
+    far = system.linkage.seen_before(rod.hub, rod.parent, rod.far)
     return subtract(far, _before(system, rod.parent, rod.near))
 
 
@@ -195,7 +184,7 @@ def _before(system: System, link: int, vector: Vector) -> Vector:
 
 
 def _across(system: System, source: int, target: int, vector: Vector) -> Vector:
-    return carry_across(system.tree, system.placed, source, target, vector)
+    return system.linkage.carry_across(source, target, vector)
 
 
 def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vector) -> Vector:

@@ -23,7 +23,6 @@ from symscrew.kinematics import (
     Rates,
     System,
     acceleration_matrix,
-    carry,
     drive_row,
     inertial_wrench,
     on_hub,
@@ -118,7 +117,7 @@ class Acting(Parts):
         v = system.inputs.v
         if not self.keeps_motion:
             a = v = (system.tape.zero,) * len(system.tree.v)
-        return rates(system.tree, system.frames, system.placed, v, a, self.ground)
+        return rates(system.linkage, v, a, ground=self.ground)
 
     # -- inertia ---------------------------------------------------------------------------------------------
 
@@ -260,7 +259,7 @@ class Acting(Parts):
         link = system.tree.link_of_body[point.body]
         if link == GROUND:
             return
-        f, m = (carry(system.tree, system.placed, GROUND, link, vector, before=True) for vector in (force, moment))
+        f, m = (system.linkage.carry(GROUND, link, vector, before=True) for vector in (force, moment))
         arm = system.placed[link].before(system.local_point(link, system.geometry.vector(point.at)))
         self._load(link, f, add(m, cross(arm, f)))
 
@@ -288,7 +287,7 @@ class Acting(Parts):
             return
         # a joint that closes a loop has no rate of its own in v: its force acts as a pair of wrenches on tip and hub
         cut = next(c for c in system.cuts if c.joint.name == joint)
-        row = drive_row(cut, freedom, system.tree, system.placed)
+        row = drive_row(cut, freedom, system.linkage)
         factor = -force if cut.tip_is_parent else force
         f, couple = scale(factor, row.force), scale(factor, row.couple)
         placed = system.placed
@@ -296,7 +295,7 @@ class Acting(Parts):
             tip = placed[cut.tip]
             self._load(cut.tip, tip.before(f), tip.before(add(couple, cross(cut.tip_point, f))))
         if cut.hub != GROUND:
-            f, m = on_hub(cut, system.tree, placed, scale(-1, f), scale(-1, couple))
+            f, m = on_hub(cut, system.linkage, scale(-1, f), scale(-1, couple))
             self._load(cut.hub, f, m)
 
     def _load(self, link: int, force: Vector, moment: Vector) -> None:

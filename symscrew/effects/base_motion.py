@@ -76,7 +76,7 @@ class BaseMotion(Effect):
         """The power of the inertial forces."""
         system, ground = acting.system, acting.base
         still = [system.tape.zero] * len(system.tree.v)
-        frozen = rates(system.tree, system.frames, system.placed, still, still, ground)
+        frozen = rates(system.linkage, still, still, ground=ground)
         for link in system.tree.links[1:]:
             force, moment = inertial_wrench(system.inertia[link.index], frozen[link.index])
             acting.feed("base_motion", -power_of_wrench(system, link.index, force, moment))

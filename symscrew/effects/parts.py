@@ -188,9 +188,9 @@ class Parts:
             return system.joint_rates(system.inputs.v)[system.tree.velocity_indices(joint)[freedom]]
         cut = next(c for c in system.cuts if c.joint.name == joint)
         motions = cut.joint.kind.freedoms
-        rows = tuple(drive_row(cut, k, system.tree, system.placed) for k in range(len(motions)))
+        rows = tuple(drive_row(cut, k, system.linkage) for k in range(len(motions)))
         sign = -1 if cut.tip_is_parent else 1
-        seen = closure_rate(replace(cut, rows=rows), system.tree, system.placed, system.twist)
+        seen = closure_rate(replace(cut, rows=rows), system.linkage, system.twist)
         turning = [k for k, m in enumerate(motions) if m.revolute]
         if len(turning) == 2:  # of skew axes, each row sees a part of the other rate too: solve the two for both
             skew = system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))

@@ -11,6 +11,9 @@ from dataclasses import dataclass
 
 from symscrew.algebra import Matrix, Node, Vector, add, transform, transpose
 
+Wrench = tuple[Vector, Vector]
+"""(force [N], moment [N m] about a point that the context names)."""
+
 NO_SPREAD: Matrix = ((0, 0, 0),) * 3
 """The second moment matrix of no mass."""
 

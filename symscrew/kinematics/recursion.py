@@ -11,56 +11,31 @@ force m a_o + U s, moment s x a_o + axial(U Sigma): the rate of the momentum scr
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from symscrew.algebra import (
-    IDENTITY,
     ZERO,
     Matrix,
     Node,
-    Pose,
     Scalar,
-    Tape,
     Twist,
     Vector,
     add,
     cross,
-    product,
     scale,
     transform,
 )
-from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Placement, Rates
-from symscrew.kinematics.pairs import Turn
-from symscrew.kinematics.tree import Link, Tree
+from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Rates
+from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.tree import Link
 
 
-def placements(
-    tape: Tape, tree: Tree, frames: Sequence[Frame], q: Sequence[Node], turns: Mapping[int, Turn] | None = None
-) -> tuple[Placement, ...]:
-    """The placement of every link; `turns` gives cosine and sine of links whose angle is not needed."""
-    known = turns or {}
-    result = [Placement(IDENTITY, IDENTITY, ZERO)]
-    for link, frame in zip(tree.links[1:], frames[1:], strict=True):
-        result.append(link.pair.placement(tape, frame, q[link.q], known.get(link.index)))
-    return tuple(result)
-
-
-def poses(tree: Tree, placed: Sequence[Placement]) -> tuple[Pose, ...]:
-    """absolute_T_link of every link."""
-    result = [Pose()]
-    for link in tree.links[1:]:
-        here, parent = placed[link.index], result[link.parent]
-        rotation = product(product(parent.rotation, here.rotation), here.turn)
-        result.append(Pose(rotation, parent.point(here.offset)))
-    return tuple(result)
-
-
-def twists(tree: Tree, frames: Sequence[Frame], placed: Sequence[Placement], v: Sequence[Node]) -> tuple[Twist, ...]:
+def twists(at: Linkage, v: Sequence[Node]) -> tuple[Twist, ...]:
     """Twist of every link at its own origin in its own axes."""
     result = [Twist(ZERO, ZERO)]
-    for link in tree.links[1:]:
-        here, parent = placed[link.index], result[link.parent]
-        own = own_screws(link, frames[link.index], v)
+    for link in at.tree.links[1:]:
+        here, parent = at.placed[link.index], result[link.parent]
+        own = own_screws(link, at.frames[link.index], v)
         linear = here.outwards(add(parent.velocity_at(here.offset), own.linear))
         result.append(Twist(add(here.outwards(parent.angular), own.angular), linear))
     return tuple(result)
@@ -71,18 +46,11 @@ def own_screws(link: Link, frame: Frame, v: Sequence[Scalar]) -> Twist:
     return link.pair.own_twist(frame, v[link.v])
 
 
-def rates(
-    tree: Tree,
-    frames: Sequence[Frame],
-    placed: Sequence[Placement],
-    v: Sequence[Node],
-    a: Sequence[Node],
-    ground: Rates | None = None,
-) -> tuple[Rates, ...]:
+def rates(at: Linkage, v: Sequence[Node], a: Sequence[Node], *, ground: Rates | None = None) -> tuple[Rates, ...]:
     """Rates of every link; `ground` carries gravity as the ground's acceleration -g, and a moving base."""
     result = [ground or Rates(ZERO, ZERO, ZERO, NO_SPREAD)]
-    for link in tree.links[1:]:
-        frame, here, parent = frames[link.index], placed[link.index], result[link.parent]
+    for link in at.tree.links[1:]:
+        frame, here, parent = at.frames[link.index], at.placed[link.index], result[link.parent]
         speed, gain = own_screws(link, frame, v), own_screws(link, frame, a)
         carried = add(parent.at(here.offset), gain.linear)
         if speed.linear is not ZERO:

@@ -21,7 +21,8 @@ from symscrew.algebra import (
     transpose,
 )
 from symscrew.description import JointType, Motion
-from symscrew.kinematics.link_quantities import Frame, Placement
+from symscrew.kinematics.link_quantities import Frame
+from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.pairs import pair_of
 from symscrew.kinematics.tree import Tree
 
@@ -34,14 +35,12 @@ class BodyMotion:
     rate: Twist
 
 
-def joint_screws(
-    tree: Tree, frames: Sequence[Frame], placed: Sequence[Placement], pose: Sequence[Pose]
-) -> tuple[tuple[Twist, ...], ...]:
+def joint_screws(at: Linkage) -> tuple[tuple[Twist, ...], ...]:
     """Unit screws of every link's motion: one for R, P, H, three through the centre for S (parent's axes)."""
     result: list[tuple[Twist, ...]] = [()]
-    for link in tree.links[1:]:
+    for link in at.tree.links[1:]:
         k = link.index
-        result.append(link.pair.absolute_screws(frames[k], placed[k], pose[link.parent], pose[k]))
+        result.append(link.pair.absolute_screws(at.frames[k], at.placed[k], at.poses[link.parent], at.poses[k]))
     return tuple(result)
 
 

@@ -29,7 +29,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.kinematics import GROUND, Cut, System, Wrench, carry_before, carry_point, closure_bias
+from symscrew.kinematics import GROUND, Cut, System, Wrench, closure_bias
 from symscrew.loops.contact_rows import contact_rows, is_single, used_definitions
 from symscrew.loops.rod_rows import RodRows, rod_rows
 
@@ -89,7 +89,7 @@ def closure_rows(system: System, *, by_contacts: bool, by_rods: bool = False) ->
             continue
         result.scales += [1.0 / system.length if row.unit == "N" else 1.0 for row in cut.rows]
         if view is None:
-            plain, contact = system.cut_rows(cut), contact_rows(system, c, cut) if by_contacts else None
+            plain, contact = system.closure.cut_rows(cut), contact_rows(system, c, cut) if by_contacts else None
             if contact is None or _cost(plain) <= _cost([*contact.rows, *(row for _, row in contact.definitions)]):
                 result.rows += plain
             else:
@@ -134,7 +134,7 @@ def closure_rows_bias(closure: ClosureRows, moving: System) -> list[Node]:
         if c in closure.rods:
             result += closure.rods[c].bias(moving, still)
             continue
-        plain = closure_bias(cut, moving.tree, moving.placed, moving.twist, still)
+        plain = closure_bias(cut, moving.linkage, moving.twist, still)
         result += plain if view is None else _seen_bias(moving, view, plain)
     return result
 
@@ -186,14 +186,13 @@ def _view(system: System, cut: Cut) -> View | None:
     tree, placed = system.tree, system.placed
     if cut.arm is None or tree.links[cut.hub].parent != GROUND:
         return None
-    limb: list[dict[int, Node]] = [{} for _ in cut.rows]
-    wrenches = [system.limb_wrenches(cut, row, powers) for row, powers in zip(cut.rows, limb, strict=True)]
-    limb = [{k: e for k, e in powers.items() if e is not system.tape.zero} for powers in limb]
+    pushed = [system.closure.limb_wrenches(cut, row) for row in cut.rows]
+    limb = [{k: e for k, e in powers.items() if e is not system.tape.zero} for powers, _ in pushed]
     views = []
     for link in (GROUND, *reversed(tree.path(cut.tip))):
-        centre = carry_point(tree, placed, GROUND, link, placed[cut.hub].offset)
-        moments = [_about(centre, wrench[link]) for wrench in wrenches]
-        columns = [carry_before(tree, placed, cut.hub, link, axis) for axis in IDENTITY]
+        centre = system.linkage.carry_point(GROUND, link, placed[cut.hub].offset)
+        moments = [_about(centre, wrenches[link]) for _, wrenches in pushed]
+        columns = [system.linkage.carry_before(cut.hub, link, axis) for axis in IDENTITY]
         views.append(View(cut, link, moments, limb, transpose((columns[0], columns[1], columns[2]))))
     best = min(views, key=lambda view: view.cost)
     return best if best.link != GROUND else None

@@ -132,7 +132,7 @@ def _closed(system: System, start: Array, free: Sequence[int], scales: Array) ->
         residual = system.numeric(system.residual, (system.inputs.q, q))[0]
         if np.abs(residual).max() < CLOSED * size:
             return q
-        jacobian = system.numeric(system.dense_jacobian(), (system.inputs.q, q)).reshape(-1, len(scales)) * scales
+        jacobian = system.numeric(system.closure.dense(), (system.inputs.q, q)).reshape(-1, len(scales)) * scales
         step = np.zeros(len(scales))
         step[free] = np.linalg.lstsq(jacobian[:, free], -residual, rcond=1e-9)[0]
         q = system.advance(q, (scales * step)[None])

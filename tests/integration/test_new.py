@@ -36,7 +36,7 @@ def test_mechanism_derives_and_moves(limbs: str) -> None:
     q, v, _ = system.sample_states
     rank = 0
     if system.cuts:
-        closure = system.numeric(system.dense_jacobian(), (system.inputs.q, q))
+        closure = system.numeric(system.closure.dense(), (system.inputs.q, q))
         rank = int(np.linalg.matrix_rank(closure.reshape(len(q), -1, v.shape[1])[0], tol=1e-9))
     assert v.shape[1] - rank == freedoms
     results, status = model("inverse_dynamics", *model.test_inputs["inverse_dynamics"])

@@ -8,7 +8,6 @@ the volume of what is left does not vanish where only that leg is singular.
 
 from __future__ import annotations
 
-import copy
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -25,7 +24,7 @@ from symscrew.algebra import (
     vanishes,
     volume,
 )
-from symscrew.kinematics import Cut, Row, System, carry
+from symscrew.kinematics import Cut, Row, System
 
 
 class ClosureGrids:
@@ -37,7 +36,7 @@ class ClosureGrids:
         self.by_length = tape.constant(1 / system.length)
         self.columns = [tape.constant(system.length) if c.kind == "length" else tape.one for c in system.tree.v]
         self.spins: set[int] = set()
-        self.turned = system
+        self.turned = system.closure
         self.cut_drives = system.cut_drives()
         self.rows = [self._entries(cut, cut.rows) for cut in system.cuts]
         known = [{k for row in rows for k in row} for rows in self.rows]
@@ -66,14 +65,14 @@ class ClosureGrids:
         for link in turning:
             placed[link.index] = replace(placed[link.index], turn=IDENTITY)
             self.spins |= set(range(link.v.start, link.v.stop))
-        self.turned = copy.copy(self.system)
-        self.turned.placed = tuple(placed)
+        linkage = replace(self.system.linkage, placed=tuple(placed))
+        self.turned = replace(self.turned, linkage=linkage)
         self.rows = [self._entries(cut, cut.rows) for cut in self.system.cuts]
 
     def _entries(self, cut: Cut, rows: Sequence[Row]) -> list[dict[int, Node]]:
         """Rows of a cut joint without units."""
         given = replace(cut, rows=tuple(rows))
-        entries = self.system.cut_rows(given)
+        entries = self.system.closure.cut_rows(given)
         if self.spins:
             others = self.turned.cut_rows(given)
             entries = [{k: e for k, e in row.items() if k not in self.spins}
@@ -172,7 +171,7 @@ def _turned(system: System, grid: Grid) -> Grid | None:
     if len(grid[0]) != 3 or len(hubs) != 1:
         return None
     for link in tree.links[1:]:
-        axes = [carry(tree, system.placed, link.index, hubs[0].index, axis, before=True) for axis in IDENTITY]
+        axes = [system.linkage.carry(link.index, hubs[0].index, axis, before=True) for axis in IDENTITY]
         turned = trimmed(tape, [[tape.node(dot((row[0], row[1], row[2]), axis)) for axis in axes] for row in grid])
         if len(turned) == len(turned[0]) == len(grid):
             return turned

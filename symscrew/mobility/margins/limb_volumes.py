@@ -32,7 +32,7 @@ from symscrew.algebra import (
     zeroed,
 )
 from symscrew.description import Motion, rotation
-from symscrew.kinematics import GROUND, Cut, System, carry, carry_point, pair_of, universal_axes
+from symscrew.kinematics import GROUND, Cut, System, pair_of, universal_axes
 
 LONG = 10
 """Freedoms up to which a limb is looked at from every one of its links, which costs a grid of screws a link.
@@ -93,7 +93,7 @@ def _cut_pieces(system: System, cut: Cut) -> list[Piece]:
     kind = cut.joint.kind
     if kind.spherical:
         return [(cut.tip, rotation(), axis, cut.tip_point, None) for axis in IDENTITY]
-    axes = universal_axes(cut, system.tree, system.placed) if kind.universal else cut.tip_axes
+    axes = universal_axes(cut, system.linkage) if kind.universal else cut.tip_axes
     pitch = system.geometry.scalar(cut.joint.pitch) if cut.joint.pitch is not None else None
     return [(cut.tip, m, axes[m.axis or 0], cut.tip_point, pitch) for m in kind.motions]
 
@@ -104,15 +104,15 @@ def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> l
     Joint after joint between the two, or with `known` from the poses, which all of a long limb's screws share.
     """
     link, motion, axis, point, pitch = piece
-    tape, tree, placed = system.tape, system.tree, system.placed
+    tape = system.tape
     by_pose = known and frame == GROUND and link != GROUND
     pose = system.pose[link]
-    axis = transform(pose.rotation, axis) if by_pose else carry(tree, placed, link, frame, axis)
+    axis = transform(pose.rotation, axis) if by_pose else system.linkage.carry(link, frame, axis)
     if not motion.turns:
         (twist,) = pair_of(motion).screws(axis, ZERO, pitch)
         linear = twist.linear
     else:
-        at = pose.point(point) if by_pose else carry_point(tree, placed, link, frame, point)
+        at = pose.point(point) if by_pose else system.linkage.carry_point(link, frame, point)
         (twist,) = pair_of(motion).screws(axis, at, pitch)
         linear = scale(tape.constant(1 / system.length), twist.linear)
     return [tape.node(c) for c in (*twist.angular, *linear)]
