@@ -220,13 +220,12 @@ assert [i.op for i in program.instructions] == ["mul", "sqrt"]
 
 # closed form: the platform's pose gives the limb's slides, and the loop is closed there
 builder = symscrew.MechanismBuilder("cartesian", platform="head")
-for name in ("x", "y", "z", "head"):
+for name in ("cart", "rod", "head"):
     builder.body(name, mass=1, com=(0, 0, 0))
-builder.joint("px", "P", parent="base", child="x", point=(0, 0, 1), axes=[(1, 0, 0)])
-builder.joint("py", "P", parent="x", child="y", point=(0, 0, 1), axes=[(0, 1, 0)])
-builder.joint("pz", "P", parent="y", child="z", point=(0, 0, 1), axes=[(0, 0, 1)])
+builder.joint("table", "T", parent="base", child="cart", point=(0, 0, 1), axes=[(1, 0, 0), (0, 1, 0)])
+builder.joint("lift", "P", parent="cart", child="rod", point=(0, 0, 1), axes=[(0, 0, 1)], driven=True)
 builder.joint("ball", "S", parent="base", child="head", point=(0, 0, 0))
-builder.joint("tip", "S", parent="z", child="head", point=("1/2", "1/3", 1))
+builder.joint("tip", "S", parent="rod", child="head", point=("1/2", "1/3", 1))
 cartesian = symscrew.derive(builder.build(), ())
 states = cartesian.test_inputs["inverse_kinematics"]
 q = cartesian("inverse_kinematics", *states)[0][0]
