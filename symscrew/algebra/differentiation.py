@@ -13,7 +13,7 @@ Zeros are never edges, signs and ones cost nothing, and equal products are one n
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra.nodes import Node, Tape
@@ -113,43 +113,44 @@ def _remove_dead(graph: Graph) -> None:
     graph.order = [vertex for vertex in graph.order if vertex in graph.into]
 
 
-def _partials(tape: Tape, node: Node) -> Iterator[tuple[Node, Node]]:
+def _partials(tape: Tape, node: Node) -> Sequence[tuple[Node, Node]]:
     """(argument, partial derivative) of one operation."""
-    op, args = node.op, node.args
-    if op == "symbol":
-        return
-    if op in ("add", "sub"):
-        yield args[0], tape.one
-        yield args[1], tape.one if op == "add" else -tape.one
-    elif op == "neg":
-        yield args[0], -tape.one
-    elif op == "mul":
-        yield args[0], args[1]
-        yield args[1], args[0]
-    elif op == "reciprocal":
-        yield args[0], -(node * node)
-    elif op == "sqrt":
-        yield args[0], 1 / (2 * node)
-    elif op == "exp":
-        yield args[0], node
-    elif op == "sin":
-        yield args[0], tape.function("cos", args[0])
-    elif op == "cos":
-        yield args[0], -tape.function("sin", args[0])
-    elif op == "tan":
-        yield args[0], 1 + node * node
-    elif op == "atan2":
-        y, x = args
-        scale = 1 / (x * x + y * y)
-        yield y, x * scale
-        yield x, -(y * scale)
-    elif op == "abs":
-        yield args[0], tape.function("select", tape.function("less", args[0], 0), -tape.one, 1)
-    elif op == "select":
-        yield args[1], tape.function("select", args[0], 1, 0)
-        yield args[2], tape.function("select", args[0], 0, 1)
-    elif op != "less":  # a comparison is constant where it is differentiable
-        raise ValueError(f"no derivative is known of the operation {op!r}")
+    if node.op not in PARTIALS:
+        raise ValueError(f"no derivative is known of the operation {node.op!r}")
+    return PARTIALS[node.op](tape, node, *(node.args if node.op != "symbol" else ()))
+
+
+def _of_angle(tape: Tape, node: Node, y: Node, x: Node) -> Sequence[tuple[Node, Node]]:
+    """d atan2(y, x) = (x dy - y dx) / (x^2 + y^2)."""
+    scale = 1 / (x * x + y * y)
+    return ((y, x * scale), (x, -(y * scale)))
+
+
+def _of_choice(tape: Tape, node: Node, condition: Node, one: Node, other: Node) -> Sequence[tuple[Node, Node]]:
+    """What is not chosen has the derivative 0."""
+    chosen = tape.function("select", condition, 1, 0)
+    return ((one, chosen), (other, tape.function("select", condition, 0, 1)))
+
+
+PARTIALS: dict[
+    str, Callable[..., Sequence[tuple[Node, Node]]]
+] = {  # (tape, node, its arguments) to arguments, partials
+    "symbol": lambda tape, node: (),
+    "add": lambda tape, node, x, y: ((x, tape.one), (y, tape.one)),
+    "sub": lambda tape, node, x, y: ((x, tape.one), (y, -tape.one)),
+    "neg": lambda tape, node, x: ((x, -tape.one),),
+    "mul": lambda tape, node, x, y: ((x, y), (y, x)),
+    "reciprocal": lambda tape, node, x: ((x, -(node * node)),),
+    "sqrt": lambda tape, node, x: ((x, 1 / (2 * node)),),
+    "exp": lambda tape, node, x: ((x, node),),
+    "sin": lambda tape, node, x: ((x, tape.function("cos", x)),),
+    "cos": lambda tape, node, x: ((x, -tape.function("sin", x)),),
+    "tan": lambda tape, node, x: ((x, 1 + node * node),),
+    "atan2": _of_angle,
+    "abs": lambda tape, node, x: ((x, tape.function("select", tape.function("less", x, 0), -tape.one, 1)),),
+    "less": lambda tape, node, x, y: (),  # constant where it is differentiable
+    "select": _of_choice,
+}
 
 
 # -- elimination ---------------------------------------------------------------------------------------------

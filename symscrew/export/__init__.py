@@ -18,12 +18,11 @@ if TYPE_CHECKING:
     from symscrew.export.example import SPILLS, print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
-    from symscrew.export.listing import banner, decimal, live_instructions, packed, plain
+    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
     from symscrew.export.manifest_file import (
         OutputError,
         effect_from_json,
         manifest,
-        model_hash,
         read_json,
         read_manifest,
         read_port,

@@ -17,8 +17,7 @@ from symscrew.export.listing import banner, plain
 from symscrew.functions import Quantities, Quantity
 from symscrew.model import Model
 
-READABLE = 120
-LONGEST = 400
+READABLE = 120  # operations of a formula that is printed: two lines or three; of more only their number is
 
 
 def print_markdown(model: Model) -> dict[str, str]:

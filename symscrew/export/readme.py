@@ -74,9 +74,10 @@ def _about(program: Program | Iteration, name: str) -> list[str]:
 
 
 def _states(
-    model: Model, name: str, opening: str, closing: str, number: Callable[[float], str] = repr
+    model: Model, name: str, brackets: tuple[str, str], number: Callable[[float], str] = repr
 ) -> dict[str, str]:
     """Input name -> the numbers of the first test state, in the brackets of a language."""
+    opening, closing = brackets
     arrays = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
     ports = model.programs[name].inputs
     texts = [", ".join(number(float(x)) for x in array) for array in arrays]
@@ -90,7 +91,7 @@ def _first(program: Program | Iteration) -> Port:
 def _c(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
     real = precision.real
     sizes = [f"{real} {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
-    states = _states(model, name, "{", "}", _typed_number(precision)).items()
+    states = _states(model, name, ("{", "}"), _typed_number(precision)).items()
     typed = _typed(model)
     inputs = [f"    const {real} {k}_[] = {v};" for k, v in states if v != "{}" and not (typed and k == "p")]
     passed = [f"{p.name}_" if p.size else "NULL" for p in (*program.inputs, *program.outputs)]
@@ -126,7 +127,7 @@ def _typed(model: Model) -> list[str]:
 
 
 def _cpp(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
-    states = _states(model, name, "{", "}", _typed_number(precision)).items()
+    states = _states(model, name, ("{", "}"), _typed_number(precision)).items()
     sizes = {port.name: port.size for port in program.inputs}
     typed = _typed(model)
     first = f"result.{_member(program)}[0]"
@@ -162,7 +163,7 @@ def _member(program: Program | Iteration) -> str:
 
 
 def _numpy(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"{k}_ = np.array([{v}])" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"{k}_ = np.array([{v}])" for k, v in _states(model, name, ("[", "]")).items()]
     main = [
         "import numpy as np",
         f"import {model.name}_numpy as model",
@@ -175,7 +176,7 @@ def _numpy(model: Model, name: str, program: Program | Iteration) -> list[str]:
 
 
 def _casadi(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, ("[", "]")).items()]
     given = ", ".join(f"{p.name}={p.name}_" for p in program.inputs)
     main = [
         "import casadi",
@@ -191,7 +192,7 @@ def _casadi(model: Model, name: str, program: Program | Iteration) -> list[str]:
 
 
 def _external(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, ("[", "]")).items()]
     library = f"lib{model.name}_external.so"
     main = [
         "import casadi",
@@ -208,7 +209,7 @@ def _external(model: Model, name: str, program: Program | Iteration) -> list[str
 
 
 def _javascript(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"const {k}_ = {v};" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"const {k}_ = {v};" for k, v in _states(model, name, ("[", "]")).items()]
     given = ", ".join(f"{p.name}_" for p in program.inputs)
     main = [
         f'const model = require("./{model.name}.js");',

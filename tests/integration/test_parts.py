@@ -12,8 +12,8 @@ from support.model_states import model, relative
 
 from symscrew.export import c_parts
 from symscrew.export.c import print_source
-from symscrew.export.c_function import RUN, Printed
 from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import RUN, Printed
 from symscrew.model import Model
 from symscrew.program.straight_line import Program
 from symscrew.runtime.compiled import find_compiler, load
@@ -77,6 +77,7 @@ def zeros_of_the_mass_matrix() -> None:
     assert min(map(len, runs)) >= RUN and all(matrix[k] == 0.0 for run in runs for k in run)
 
 
+@pytest.mark.slow
 def test_zeros_of_a_wide_matrix_are_not_stored_one_by_one() -> None:
     zeros_of_the_mass_matrix()
 

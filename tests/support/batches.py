@@ -11,8 +11,8 @@ import numpy as np
 
 from support.model_states import relative
 from symscrew.export.c import print_c, straight_line
-from symscrew.export.c_function import Printed
 from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import Printed
 from symscrew.model import Model
 from symscrew.runtime.compiled import FLAGS, CompiledModel
 

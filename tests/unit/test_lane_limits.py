@@ -9,9 +9,9 @@ import pytest
 from support.packed_numbers import evaluated
 
 from symscrew.algebra import Node, Tape
-from symscrew.export import c_function
-from symscrew.export.c_function import Printed
+from symscrew.export import c_printed
 from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import Printed
 from symscrew.program import Function, Packing, Port, Program, evaluate, lower, packed
 from symscrew.program.lanes import correspondence, lane_signs, pack_plan, packs
 from symscrew.program.lanes.pack_plan import Plan
@@ -134,7 +134,7 @@ def test_functions_of_other_sizes_are_printed_one_by_one(
     name: str, value: object, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     of = program()
-    assert len(of.instructions) in c_function.PACKED
+    assert len(of.instructions) in c_printed.PACKED
     assert Printed("model", "model_legs", of, DOUBLE, lanes=True).packing is not None
-    monkeypatch.setattr(c_function, name, value)
+    monkeypatch.setattr(c_printed, name, value)
     assert Printed("model", "model_legs", of, DOUBLE, lanes=True).packing is None
