@@ -33,6 +33,7 @@ class MechanismBuilder:
     def __init__(
         self,
         name: str,
+        *,
         ground: str = "base",
         platform: str | None = None,
         description: str = "",
@@ -43,6 +44,9 @@ class MechanismBuilder:
 
         `characteristic_length` [m] is what norms that mix lengths and angles divide lengths by; left out it is
         the root mean square distance of the joints' and named points from their centre.
+
+        Raises:
+            DescriptionError: a name that is not an identifier or that a language reserves, a text that is too long.
         """
         self._name = check_mechanism_name(name, "mechanism.name")
         self._ground = check_name(ground, "mechanism.ground")
@@ -57,9 +61,15 @@ class MechanismBuilder:
         self._limbs: dict[str, tuple[str, ...]] = {}
 
     def parameter(
-        self, name: str, value: Any, unit: str = "1", description: str = "", run_time: bool = False
+        self, name: str, value: Any, unit: str = "1", *, description: str = "", run_time: bool = False
     ) -> MechanismBuilder:
-        """Add a parameter; its value may refer to other parameters that are not run-time inputs."""
+        """Add a parameter; its value may refer to other parameters that are not run-time inputs.
+
+        A `run_time` parameter is an input of every generated function, any other is baked into the code.
+
+        Raises:
+            DescriptionError: a name that is taken or cannot be one, a unit or text that is too long.
+        """
         where = f"parameters.{check_name(name, 'parameters')}"
         if name in FUNCTIONS or name in CONSTANTS:
             raise DescriptionError(f"{where}: {name!r} is a function or constant of expressions; use another name")
@@ -70,6 +80,10 @@ class MechanismBuilder:
         self._add(self._parameters, "parameters", name, value=value, unit=unit, description=description)
         self._parameters[name]["run_time"] = run_time
         return self
+
+    def __repr__(self) -> str:
+        counts = f"{len(self._bodies)} bodies, {len(self._joints)} joints, {len(self._parameters)} parameters"
+        return f"MechanismBuilder({self._name!r}: {counts} so far)"
 
     def body(self, name: str, *, mass: Any = None, com: Any = None, inertia: Any = None) -> MechanismBuilder:
         """Add a body: mass [kg], centre of mass [m], inertia about it [kg m^2]; all or none of mass and com.

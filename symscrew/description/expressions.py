@@ -21,21 +21,31 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
 from numbers import Integral
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import sympy
 from sympy.printing.precedence import PRECEDENCE
-from sympy.printing.str import StrPrinter
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
-MAX_LENGTH = 5000
-MAX_DEPTH = 50
-MAX_EXPONENT = 64
-MAX_POWER_OF_TEN = 400
-MAX_EXP_ARGUMENT = 700
+if TYPE_CHECKING:  # SymPy has no types: what is used of its printer
+
+    class _Printer:
+        def doprint(self, expr: object) -> str: ...
+        def _print(self, expr: object) -> str: ...
+        def parenthesize(self, item: object, level: int) -> str: ...
+else:
+    from sympy.printing.str import StrPrinter as _Printer
+
+# What a text may ask for, so that no description takes the machine with it. Beyond each limit the text is refused with
+# a DescriptionError that names the limit; what people write by hand or export from CAD is far inside all of them.
+MAX_LENGTH = 5000  # characters of one expression
+MAX_DEPTH = 50  # nested brackets, signs and powers: far inside Python's recursion limit
+MAX_EXPONENT = 64  # parts of a constant exponent: geometry has squares and roots
+MAX_POWER_OF_TEN = 400  # of a decimal: no double is beyond 1e308
+MAX_EXP_ARGUMENT = 700  # exp(709) is the largest double
 MAX_BITS = 13_900  # Python prints integers of up to 4300 digits
-MAX_NODES = 20_000
+MAX_NODES = 20_000  # of the expression that results, where parameters are put into one another
 
 FUNCTIONS: dict[str, tuple[int, Callable[..., sympy.Expr]]] = {
     "sqrt": (1, sympy.sqrt),
@@ -99,7 +109,7 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     if isinstance(value, Fraction):
         return _limited(sympy.Rational(value.numerator, value.denominator), where)
     if isinstance(value, Decimal | float) or hasattr(value, "__float__"):
-        return _from_decimal(value if isinstance(value, Decimal) else float(value), where)  # type: ignore[arg-type]
+        return _from_decimal(value if isinstance(value, Decimal) else float(value), where)
     raise DescriptionError(
         f"{where}: expected a number or a text with an expression, got {shorten(value)} ({type(value).__name__})"
     )
@@ -130,7 +140,7 @@ def _fifty_digits(expression: sympy.Expr) -> sympy.Expr:
     return sympy.N(expression, 50)
 
 
-class _GrammarPrinter(StrPrinter):
+class _GrammarPrinter(_Printer):
     """SymPy's text with the names of our grammar, and products that SymPy builds up again unchanged.
 
     Reading goes from left to right, and SymPy multiplies a number into a sum at once. So a number never

@@ -170,6 +170,15 @@ class JointType:
         return sum(m.revolute for m in self.motions) == 2
 
     @property
+    def closable(self) -> bool:
+        """Whether its reciprocal wrenches are known when a loop is cut at it.
+
+        All its axes are at rest on both bodies (one axis, or a plane and its normal), or it turns only.
+        """
+        turns_only = not self.slides and (self.ball or len(self.turning) <= 2)
+        return turns_only or self.triad is Triad.NORMAL or (self.axes == 1 and not self.spherical)
+
+    @property
     def unconstrained(self) -> bool:
         """Whether it leaves all six freedoms."""
         return self.freedom == 6

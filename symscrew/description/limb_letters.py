@@ -18,7 +18,7 @@ from typing import Any
 from symscrew.description.joints import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
-LETTERS = "RPHCUSE"
+LETTERS = tuple(name for name in JOINT_TYPES if len(name) == 1)
 OPTIONS = (
     "points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass", "com", "inertia",
     "tip_point",
@@ -35,7 +35,9 @@ OTHER_LETTERS = {
 }
 """Letters that other texts use for a joint, ours, and a name."""
 MAX_JOINTS = 30
+"""Joints of a limb: six are enough to reach every pose; a longer text is refused as not meant to be a limb."""
 MAX_COUNT = 100
+"""Limbs of a mechanism string; beyond it the text is refused before anything is made of it."""
 
 _LIMB = re.compile(r"(?:[A-Za-z]\**)+", re.ASCII)
 
@@ -188,7 +190,7 @@ def plan_limb(name: str, type: str, *, base: str, tip: str, **options: Any) -> L
             "parent": chain[k],
             "child": chain[k + 1],
             "point": points[k],
-            "axes": _axes(limb.letters, k, axes[k], points, where),
+            "axes": _axes(limb.letters, k, axes[k], points=points, where=where),
             "driven": list(driven[k]),
         }
         for key in ("pitch", "reference"):
@@ -248,7 +250,7 @@ def _points(letters: str, value: Any, where: str) -> list[Any]:
     return points
 
 
-def _axes(letters: str, k: int, given: Any, points: list[Any], where: str) -> Any:
+def _axes(letters: str, k: int, given: Any, *, points: list[Any], where: str) -> Any:
     """The axes of joint k as given; the line between its neighbours' points for a P without any."""
     needed = JOINT_TYPES[letters[k]].axes
     if given is None or (not isinstance(given, str) and isinstance(given, Sequence) and len(given) == 0):

@@ -117,6 +117,10 @@ class Mechanism:
     characteristic_length: sympy.Expr | None = None
     warnings: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        counts = f"{len(self.bodies)} bodies with the ground, {len(self.joints)} joints"
+        return f"Mechanism({self.name!r}: {counts}, {sum(j.kind.freedom for j in self.joints.values())} joint freedoms)"
+
     def baked(self, expression: sympy.Expr) -> sympy.Expr:
         """`expression` with every parameter that is not a run-time input replaced by its value."""
         values = {p.symbol: p.value for p in self.parameters.values() if not p.run_time}

@@ -28,9 +28,10 @@ from symscrew.description.expressions import to_text
 from symscrew.description.mechanism import Body, Joint, Mechanism, Parameter, Vector
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
-MAX_BYTES = 1_000_000
-MAX_NESTING = 40
-MAX_KEY_PARTS = 20
+# The reader of TOML descends once per bracket and per dot: beyond these limits a file is refused before it is read.
+MAX_BYTES = 1_000_000  # the largest of the catalogue has 14 kB
+MAX_NESTING = 40  # brackets within brackets; a description needs four
+MAX_KEY_PARTS = 20  # of a dotted key; a description needs three
 
 KEYS: dict[str, tuple[str, ...]] = {
     "mechanism": ("name", "ground", "platform", "description", "source", "characteristic_length"),

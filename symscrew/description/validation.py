@@ -17,16 +17,29 @@ from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Para
 from symscrew.errors import DescriptionError, did_you_mean
 
 AXIS_TOLERANCE = 1e-14
-"""Accepted deviation of an axis' length from 1: a unit vector of doubles or of 15 decimals passes."""
+"""Accepted deviation of an axis' length from 1: a unit vector of doubles or of 15 decimals passes, one of 12 decimals
+is refused with the vector to write instead, because its error would stand in every generated constant."""
+
+TRIAD_TOLERANCE = 1e-12
+"""Accepted error of the products of the axes of an inertia: what axes exported as doubles have, and no wrong axis."""
+
+NO_LENGTH = 1e-30
+"""An axis shorter than that is zero, not a vector to be normalised: any that is meant is far longer."""
+
+PARALLEL_AXES = 1e-12
+"""Sine of the angle between two axes of a joint below which they are one: the joint would have one freedom less."""
 
 CLOSURE_TOLERANCE = 1e-12
-"""Accepted gap of a loop, relative to the mechanism's size, and accepted angle [rad]."""
+"""Accepted gap of a loop, relative to the mechanism's size, and accepted angle [rad]: places of 13 digits meet; what is
+further apart is a slip, whose gap every generated function would carry along."""
 
 INERTIA_TOLERANCE = 1e-12
-"""Accepted violation of the triangle inequality, relative to the largest principal moment."""
+"""Accepted violation of symmetry and of the triangle inequality, relative to the largest entry: rods have moments of
+rounding size, and what is worse is refused since no body has such an inertia."""
 
 FAR = 100.0
-"""A place farther from all others than so many times their extent is probably in another unit."""
+"""A place farther from all others than so many times their extent is probably in another unit: millimetres are off by
+1000. It is a warning, since such a mechanism may be meant."""
 
 _CONTEXT = mpmath.mp.clone()
 _CONTEXT.dps = 50
@@ -77,7 +90,7 @@ def check_axes_triad(axes: Matrix3, parameters: Mapping[str, Parameter], where: 
     for i in range(3):
         for j in range(i, 3):
             product = _dot(rows[i], rows[j])
-            if abs(product - (i == j)) > 1e-12:
+            if abs(product - (i == j)) > TRIAD_TOLERANCE:
                 what = "length" if i == j else f"product with axis {j}"
                 value = _CONTEXT.sqrt(product) if i == j else product
                 raise DescriptionError(
@@ -146,14 +159,14 @@ def _check_axes(mechanism: Mechanism, joint: Joint) -> None:
     for k, axis in enumerate(axes):
         where = f"joints.{joint.name}.axes[{k}]"
         length = _length(axis)
-        if length < 1e-30:
+        if length < NO_LENGTH:
             raise DescriptionError(f"{where}: the axis is zero; expected a unit vector")
         if abs(length - 1) > AXIS_TOLERANCE:
             unit = ", ".join(_unit_text(mechanism, joint.axes[k], axis, length))
             raise DescriptionError(
                 f"{where}: expected a unit vector, got one of length {mpmath.nstr(length, 15)}; use [{unit}]"
             )
-    if len(axes) == 2 and _length(_cross(axes[0], axes[1])) < 1e-12:
+    if len(axes) == 2 and _length(_cross(axes[0], axes[1])) < PARALLEL_AXES:
         raise DescriptionError(
             f"joints.{joint.name}.axes: the two axes of a {joint.kind.name} joint are parallel; "
             "expected different directions (or use one R joint)"

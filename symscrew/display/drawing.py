@@ -22,6 +22,7 @@ from symscrew.display.shape import along, body_points, numbers, plate
 Array = np.ndarray
 
 MARKERS = {"R": "o", "P": "s", "H": "h", "C": "p", "U": "D", "S": "o", "E": "^", "fixed": "x", "free": "*"}
+OTHER_MARKER = "v"
 SIZES = {"R": 5.0, "P": 5.0, "S": 8.0, "U": 6.5}
 GROUND, PLATFORM, LINK = "#8a8a8a", COLOURS[0], "#3a3a3a"
 
@@ -120,7 +121,7 @@ def _body(axes: Axes, view: Camera, places: Array, *, colour: str, bar: float, o
 def _joints(axes: Axes, view: Camera, mechanism: Mechanism) -> None:
     for joint in mechanism.joints.values():
         axes.plot(
-            *view(numbers(mechanism, joint.point)), marker=MARKERS[joint.type], markersize=SIZES.get(joint.type, 6.0),
+            *view(numbers(mechanism, joint.point)), **_marker(joint.type),
             color="black", markerfacecolor=COLOURS[1] if joint.driven else "white", markeredgewidth=0.9,
             linestyle="none", zorder=5,
         )  # fmt: skip
@@ -167,11 +168,16 @@ def _labels(axes: Axes, view: Camera, mechanism: Mechanism, length: float) -> No
         )
 
 
+def _marker(letter: str) -> dict[str, Any]:
+    """How joints of a type are marked; one without a mark of its own as a triangle."""
+    return {"marker": MARKERS.get(letter, OTHER_MARKER), "markersize": SIZES.get(letter, 6.0)}
+
+
 def _legend(mechanism: Mechanism) -> list[Line2D]:
     kinds = dict.fromkeys((j.type, bool(j.driven)) for j in mechanism.joints.values())
     handles = [
         Line2D(
-            [], [], marker=MARKERS[kind], markersize=SIZES.get(kind, 6.0), color="black", linestyle="none",
+            [], [], **_marker(kind), color="black", linestyle="none",
             markerfacecolor=COLOURS[1] if driven else "white",
             label=f"{JOINT_TYPES[kind].name}{', driven' if driven else ''}",
         )

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.rigid_displacements import (
@@ -174,7 +175,7 @@ def _joint(joint: Element, name: str, poses: Mapping[str, Pose], driven: Sequenc
     parent, child = (attribute(_one(joint, end), "link") for end in ("parent", "child"))
     pose = poses[child]
     axes: tuple[Triple, ...] = ()
-    if TYPES[kind] in ("R", "P", "E"):
+    if JOINT_TYPES[TYPES[kind]].axes:
         found = list(elements(joint, "axis"))
         text = attribute(found[0], "xyz") if found else "1 0 0"
         axes = (pose.direction(unit(_triple(text, f"{label(joint)}, axis"), f"{label(joint)}, axis")),)

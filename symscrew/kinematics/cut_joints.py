@@ -27,6 +27,7 @@ from symscrew.algebra import (
     transpose,
 )
 from symscrew.description import Joint
+from symscrew.errors import DescriptionError
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.tree import GROUND
@@ -89,7 +90,16 @@ def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tupl
 
 
 def _cut(at: Linkage, geometry: Geometry, joint: Joint, ends: tuple[int, int]) -> Cut:
-    """A cut joint between two links: its tip and its hub."""
+    """A cut joint between two links: its tip and its hub.
+
+    Raises:
+        DescriptionError: its type slides along an axis that then turns, so that its wrenches are at rest on neither.
+    """
+    if not joint.kind.closable:
+        raise DescriptionError(
+            f"joints.{joint.name}: a loop is cut at this joint, and the constraint of a {joint.kind.name} joint is not "
+            "known there; describe it as several joints with bodies between them"
+        )
     tip, hub = ends
     frames, tip_is_parent = at.frames, at.tree.link_of_body[joint.parent] == tip
     point = geometry.vector(joint.point)

@@ -7,6 +7,8 @@ Hidden identities between constants are folded (`settle`), so that what is struc
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from symscrew.algebra import (
@@ -26,6 +28,10 @@ from symscrew.algebra import (
 from symscrew.description import Joint, Mechanism
 
 UNITS: tuple[Vector, Vector, Vector] = IDENTITY
+
+ALONG = 1e-9
+"""A direction whose part across an axis is smaller than that part of it is along the axis, and an absolute axis is
+projected instead. Real directions are far from it on either side, and either choice gives correct code."""
 
 
 class Geometry:
@@ -53,11 +59,11 @@ class Geometry:
     def scalar(self, expression: object) -> Node:
         """A number of the description as a node; 60 digits of the same expression are computed once."""
         if expression not in self._scalars:
-            node = expression_node(self.tape, self.mechanism.baked(expression), self.parameters)  # type: ignore[arg-type]
+            node = expression_node(self.tape, self.mechanism.baked(expression), self.parameters)
             self._scalars[expression] = self.tape.settle(node)
         return self._scalars[expression]
 
-    def vector(self, values: tuple) -> Vector:
+    def vector(self, values: Sequence[object]) -> Vector:
         """A vector of the description as nodes."""
         x, y, z = (self.scalar(v) for v in values)
         return (x, y, z)
@@ -100,7 +106,7 @@ class Geometry:
         """A unit vector perpendicular to `axis`: the component of `towards`, or of an absolute axis."""
         if towards is not None:
             rest = self.settle(subtract(towards, scale(dot(towards, axis), axis)))
-            if max(self.size(c) for c in rest) > 1e-9 * max(self.size(c) for c in towards):
+            if max(self.size(c) for c in rest) > ALONG * max(self.size(c) for c in towards):
                 return self.unit(rest)
         sizes = [self.size(c) for c in axis]
         nearest = UNITS[sizes.index(min(sizes))]

@@ -17,6 +17,20 @@ from symscrew.kinematics.pairs import LowerPair, pair_of
 
 GROUND = 0
 
+LIMBS_OF_HUB = 3
+"""Joints that meet at a platform from which on it hangs on a joint of its own: its limbs are chains of their own then,
+and only its own equations couple them. With two limbs a single loop through the platform has fewer coordinates."""
+
+SPATIAL_PATH, PLANAR_PATH = 5, 3
+"""Freedoms of the shortest path to the platform from which on a free joint (six freedoms), or in a planar mechanism a
+planar one (three), is not many more. Below, the platform stays at the end of its shortest path."""
+
+SAME_DIRECTION = 1e-25
+"""Components of unit axes that differ by less, of 30 digits, are equal; a planar mechanism must be so by design."""
+
+FAR_OUT = 10**6
+"""A depth that no chain of joints reaches: bodies beyond a platform on its own joint come after all others."""
+
 
 @dataclass(frozen=True)
 class Coordinate:
@@ -131,14 +145,14 @@ def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None)
         # The platform is reached by its virtual joint only; nothing grows through it towards the limbs
         # before they have been grown from the ground.
         reached[virtual.child] = (virtual.name, False)
-        depth[virtual.child] = 10**6
+        depth[virtual.child] = FAR_OUT
     level = 0
     while len(depth) < len(mechanism.bodies) + (mechanism.ground not in mechanism.bodies):
         frontier = [body for body, d in depth.items() if d == level]
         if not frontier:
-            if virtual is None or level > 10**6:
+            if virtual is None or level > FAR_OUT:
                 raise AssertionError("validation lets only connected mechanisms through")
-            level = 10**6
+            level = FAR_OUT
             continue
         candidates: dict[str, tuple[tuple[bool, int], str, bool]] = {}
         for joint in joints.values():
@@ -175,15 +189,15 @@ def _virtual_joint(mechanism: Mechanism) -> Joint | None:
         freedoms += joint.kind.freedom
         length += 1
         body = joint.child if inverted else joint.parent
-    if len(meeting) < 3 or length < 2:
+    if len(meeting) < LIMBS_OF_HUB or length < 2:
         return None
     # At the centre of mass the platform's equations are shortest; q then holds its absolute position.
     point = mechanism.bodies[platform].com or meeting[0].point
     name = f"{platform}_pose"
-    if freedoms >= 5:
+    if freedoms >= SPATIAL_PATH:
         return Joint(name, "free", mechanism.ground, platform, point, reference=point)
     normal = _common_normal(mechanism)
-    if freedoms >= 3 and normal is not None:
+    if freedoms >= PLANAR_PATH and normal is not None:
         return Joint(name, "E", mechanism.ground, platform, point, axes=(normal,))
     return None
 
@@ -196,7 +210,7 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
     normal = tuple(mechanism.number(c) for c in turning[0])
 
     def equal(a: sympy.Expr, b: sympy.Expr) -> bool:
-        return bool(abs((mechanism.number(a) - mechanism.number(b)).evalf(30)) < 1e-25)
+        return bool(abs((mechanism.number(a) - mechanism.number(b)).evalf(30)) < SAME_DIRECTION)
 
     for axis in turning:
         if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):

@@ -1,0 +1,66 @@
+"""Who names a joint's type or motion by letter: tables, and the readers of other formats."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import symscrew
+from symscrew.description.joints import JOINT_TYPES
+from symscrew.kinematics.pairs import PAIRS
+
+PACKAGE = Path(symscrew.__file__).parent
+ASKED = ("kind", "type", "kinds", "types", "letter", "letters")
+FOREIGN = {
+    "formats/mjcf_reader.py",  # a slide and a hinge that an equality couples
+    "formats/outline.py",  # chains of elementary joints that are one joint here
+    "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
+}
+TO_COME = ("loops", "dynamics", "functions")  # whose files still compare letters
+
+
+def letters(node: ast.AST) -> bool:
+    """Whether a node is a text of joint letters, or a collection with one."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value:
+        return node.value in JOINT_TYPES or set(node.value) <= {*PAIRS, *(x for x in JOINT_TYPES if len(x) == 1)}
+    return isinstance(node, ast.Tuple | ast.List | ast.Set) and any(map(letters, node.elts))
+
+
+def asks(node: ast.AST) -> bool:
+    """Whether a node is something that a joint or a motion calls itself."""
+    names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+    names |= {n.attr for n in ast.walk(node) if isinstance(n, ast.Attribute)}
+    return not names.isdisjoint(ASKED) and "dtype" not in names
+
+
+def compares_letters(source: str) -> bool:
+    """Whether a file compares what a joint or a motion calls itself with letters."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Compare):
+            sides = [node.left, *node.comparators]
+            if any(map(letters, sides)) and any(map(asks, sides)):
+                return True
+    return False
+
+
+def test_a_handful_of_files_name_motions_by_letter() -> None:
+    found = {
+        str(path.relative_to(PACKAGE))
+        for path in PACKAGE.rglob("*.py")
+        if path.relative_to(PACKAGE).parts[0] not in TO_COME and compares_letters(path.read_text())
+    }
+    assert found == FOREIGN
+
+
+def test_a_comparison_with_a_letter_would_be_found() -> None:
+    assert compares_letters('if link.motion.kind == "S": ...')
+    assert compares_letters('if joint.type in ("E", "free"): ...')
+    assert compares_letters('slides = any(m.kind in "PH" for m in motions)')
+    assert not compares_letters('if array.dtype.kind != "U": ...')
+    assert not compares_letters('if link.motion.spherical or coordinate.kind == "length": ...')
+
+
+def test_every_motion_of_the_table_has_a_lower_pair() -> None:
+    kinds = {motion.kind for kind in JOINT_TYPES.values() for motion in kind.motions}
+    assert kinds <= set(PAIRS)
+    assert {name: kind.letter for name, kind in JOINT_TYPES.items()} == {name: name for name in JOINT_TYPES}
