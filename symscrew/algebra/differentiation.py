@@ -24,6 +24,7 @@ Edges = dict[Vertex, Node]
 ORDERS = ("forward", "reverse", "markowitz")
 WAITS = frozenset(("reciprocal", "sqrt"))
 WAIT = 8  # operations that a machine does while a division waits for another one
+ANGLE = 10  # operations that a sine and a cosine of one angle take in a vector of four
 PROMISING = 1.3  # an order is built and counted exactly if its rough count is within this factor of the best
 
 
@@ -259,11 +260,17 @@ def count_operations(results: Sequence[Node]) -> int:
 
 
 def cost(results: Sequence[Node]) -> int:
-    """Operations of the results, and what divisions and roots take that wait for each other."""
+    """What results take, by which equal ways to them are compared, in operations.
+
+    Operations, and beside them what divisions and roots take that wait for each other, and sines and cosines.
+    """
     chain: dict[Node, int] = {}
+    angles = set()
     for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
         chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
-    return len(chain) + WAIT * max(chain.values(), default=0)
+        if node.op in ("sin", "cos"):
+            angles.add(node.args[0])
+    return len(chain) + WAIT * max(chain.values(), default=0) + ANGLE * len(angles)
 
 
 def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew.scene import Scene
 from symscrew.simulation import Functions, Plant, RunError
-from symscrew.studies.accuracy.formulations import TREE
+from symscrew.studies.accuracy.formulation_libraries import TREE
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch
 
 Array = np.ndarray
