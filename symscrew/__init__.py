@@ -6,6 +6,36 @@
     symscrew.generate(model, "out")                           # C, CasADi, NumPy
     compiled = symscrew.load("out")                           # compiled C, called with NumPy arrays
 
+The names, a line each; `help(symscrew.derive)` and so on say the rest. Units are SI, angles are in rad, vectors in
+absolute axes, screws at the origin O.
+
+  to describe
+    load_catalogue("four_bar")        -> Mechanism: one of those that come with the package (`symscrew list`)
+    load_description("arm.toml")      -> Mechanism: read from a file, validated
+    MechanismBuilder("arm")           a Mechanism part by part: .parameter, .body, .joint, .point, .limb, .build()
+    Mechanism                         bodies, joints, points, limbs, parameters: exact numbers, frozen
+    DescriptionError                  what input is wrong: where, what was expected, what came, the cure
+  to derive
+    derive(mechanism, effects)        -> Model: every function, by default under gravity alone
+    Model                             .programs by name; model("velocity", q, y_dot) -> (results, status) on NumPy
+    Effect                            what acts on a mechanism; all kinds are in `symscrew.effects`, one file each
+    Gravity((0, 0, "-9.81"))          an Effect: the weight of every body
+    ExternalWrench("tool")            an Effect: force and moment at a named point, as an input or given
+  to look at
+    analyse_mobility(mechanism)       -> Mobility: constraints and freedoms by reciprocal screws; .report() in words
+    Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
+    inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
+    base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
+    view(model)                       -> Path: a page with the mechanism in 3-D, opened in the browser
+  to compute
+    generate(model, "out")            -> paths of the files: C, CasADi, NumPy and further targets, in one folder
+    check("out")                      -> CheckResult: is the folder what would be written today, clean and right?
+    load("out")                       -> CompiledModel: compiled.velocity(q, y_dot) on one state or on many
+    load_scene("fall.toml")           -> Scene: mechanism, effects, start, drives, integrator
+    simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
+    optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
+    __version__                       of the package
+
 The map: rooms in the order of the flow. A file imports only from rooms above its own, through their doors (what
 their `__init__` names); `tests/unit/test_structure.py` reads the order from here.
 

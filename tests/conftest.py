@@ -1,73 +1,60 @@
-"""Settings of all tests."""
+"""Settings of all tests. What the folders hold and how they are run stands in README.md beside this file."""
 
 from __future__ import annotations
 
-import hashlib
 import os
-import shutil
-import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
+from support.model_states import model
+from support.once import Libraries, Lock
 
+from symscrew.generation.folder import USUAL, generate
 from symscrew.runtime import compiled
-from symscrew.simulation import native
+
+FUNCTIONS = {"-O2": "-O0", "-O3": "-O1"}  # of functions that are called a few times, of runs that take milliseconds
+HARD = {"-O2": "-O0", "-O3": "-O0"}  # each run has a loop of its own: compiling at -O0 takes half the time
 
 
-@pytest.fixture(scope="session", autouse=True)
-def compiled_quickly() -> Iterator[None]:
-    """Loops of simulations are compiled with -O1: three times faster, for runs that take milliseconds.
-
-    That levels of optimisation do not change results is what test_hard_generated_c tests.
-    """
-    with pytest.MonkeyPatch.context() as changed:
-        changed.setattr(native, "NATIVE_FLAGS", (*native.NATIVE_FLAGS, "-O1"))
-        yield
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The folder says it: whatever stands in `tools` needs a tool beyond Python and a C compiler."""
+    for item in items:
+        if item.path.parent.name == "tools":
+            item.add_marker(pytest.mark.tools)
 
 
-@pytest.fixture(scope="module", autouse=True)
-def hard_cases_compiled_more_quickly(request: pytest.FixtureRequest, compiled_quickly: None) -> Iterator[None]:
-    """Hard cases run for milliseconds, each with a loop of its own: compiling at -O0 takes half the time."""
-    with pytest.MonkeyPatch.context() as changed:
-        if request.module.__name__.startswith("test_hard_"):
-            changed.setattr(native, "NATIVE_FLAGS", (*native.NATIVE_FLAGS, "-O0"))
-        yield
-
-
-@pytest.fixture(scope="session", autouse=True)
-def compiled_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """The same sources with the same command are compiled once in a run of the tests, by whichever process is first."""
+@pytest.fixture(scope="session")
+def common(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder that all processes of this run of the tests share."""
     own = tmp_path_factory.getbasetemp()
-    store = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "libraries"
-    store.mkdir(exist_ok=True)
+    return own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 
-    def run(command: Sequence[str], **options: object) -> subprocess.CompletedProcess[str]:
-        library = Path(command[command.index("-o") + 1])
-        kept = store / _fingerprint(command)
-        if kept.is_file():
-            shutil.copyfile(kept, library)
-            return subprocess.CompletedProcess(command, 0, "", "")
-        result = subprocess.run(command, **options)  # type: ignore[call-overload]
-        if result.returncode == 0:
-            partial = kept.with_name(f"{kept.name}.{os.getpid()}")
-            shutil.copyfile(library, partial)
-            partial.replace(kept)
-        return result
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Levels of optimisation change no results, as tests marked `optimised` hold, at the levels of users."""
+    quickly = HARD if item.path.parent.name == "hard" else FUNCTIONS
+    Libraries.levels = {} if item.get_closest_marker("optimised") else quickly
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiled_once(common: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as changed:
-        changed.setattr(compiled, "subprocess", SimpleNamespace(run=run))
+        changed.setattr(compiled, "subprocess", Libraries(common / "libraries"))
         yield
 
 
-def _fingerprint(command: Sequence[str]) -> str:
-    """Of the command without the places of its files, and of the files that it may read beside its sources."""
-    found = hashlib.sha256()
-    for word in command:
-        path = Path(word)
-        found.update((path.name if path.is_absolute() and word != command[0] else word).encode() + b"\0")
-        if path.suffix in (".c", ".cpp"):
-            for beside in sorted(p for p in path.parent.iterdir() if p.suffix in (".c", ".h", ".hpp")):
-                found.update(beside.name.encode() + b"\0" + beside.read_bytes())
-    return found.hexdigest()
+@pytest.fixture(scope="session")
+def generated(common: Path) -> Callable[..., Path]:
+    """The folder that `generate` writes for a mechanism and targets, made once in a run. Copy what is to be changed."""
+
+    def folder(name: str, targets: Sequence[str] = USUAL) -> Path:
+        made = common / "generated" / "-".join([name, *targets])
+        made.parent.mkdir(exist_ok=True)
+        with Lock(made.with_suffix(".lock")):
+            if not made.is_dir():
+                generate(model(name), made, targets)
+        return made
+
+    return folder

@@ -1,22 +1,21 @@
 """Algebra of the field: screws, and the tape on which every derived quantity is defined once.
 
+    numbers, symbols --Tape--> nodes --differentiation, elimination, rank volumes--> nodes --> functions of a model
+
 screws              twists, wrenches and momentum screws at O; bracket, transforms, products
 nodes               the tape: hash-consed nodes with their values at sample states
-differentiation     what depends on what; analytic derivatives, substitution
+operations          what each operation means: in NumPy, in SymPy and with 60 digits
+elementary          sines, cosines and the like with the same bits on every machine
+from_text           expressions of a description as nodes
+sympy_form          nodes as SymPy expressions
+traversal           what stands behind nodes: operations, inputs, counts; substitution
+differentiation     analytic derivatives
 elimination         linear systems in an order fixed by sparsity, with guarded pivots
 rank_volumes        where the rank of a grid of nodes falls
+least_squares       shortest solutions of linear equations, with the same bits on every machine
 """
 
-from symscrew.algebra.differentiation import (
-    cost,
-    count_operations,
-    differentiate,
-    evaluation_order,
-    inputs_of,
-    needed,
-    remade,
-    substitute,
-)
+from symscrew.algebra.differentiation import differentiate
 from symscrew.algebra.elementary import cos, sin
 from symscrew.algebra.elimination import (
     NEGLIGIBLE,
@@ -72,6 +71,17 @@ from symscrew.algebra.screws import (
     subtract,
     transform,
     transpose,
+)
+from symscrew.algebra.sympy_form import sympy_expression
+from symscrew.algebra.traversal import (
+    cost,
+    count_operations,
+    evaluation_order,
+    inputs_of,
+    needed,
+    remade,
+    substitute,
+    uses,
 )
 
 __all__ = [
@@ -133,9 +143,11 @@ __all__ = [
     "solve_for",
     "substitute",
     "subtract",
+    "sympy_expression",
     "transform",
     "transpose",
     "trimmed",
+    "uses",
     "vanishes",
     "volume",
     "zeroed",

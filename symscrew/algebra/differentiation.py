@@ -13,19 +13,19 @@ Zeros are never edges, signs and ones cost nothing, and equal products are one n
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra.nodes import Node, Tape
+from symscrew.algebra.traversal import count_operations, evaluation_order
 
 Direction = str
 Vertex = int | tuple[str, int | Direction]
 Edges = dict[Vertex, Node]
 ORDERS = ("forward", "reverse", "markowitz")
-WAITS = frozenset(("reciprocal", "sqrt"))
-WAIT = 8  # operations that a machine does while a division waits for another one
-ANGLE = 10  # operations that a sine and a cosine of one angle take in a vector of four
-PROMISING = 1.3  # an order is built and counted exactly if its rough count is within this factor of the best
+# The rough count of an order does not see that equal products are one node, which saves up to a quarter. An order is
+# built and counted exactly if its rough count is within this factor of the best; one beyond is never built.
+PROMISING = 1.3
 
 
 @dataclass
@@ -54,6 +54,9 @@ def differentiate(
             an independent variable: what stands behind it is not looked at, so an empty mapping holds it fixed.
         directions: the columns of the result.
         order: "forward", "reverse" or "markowitz"; default: the one with the fewest operations.
+
+    Raises:
+        ValueError: no such order, or an operation whose derivative is not known.
     """
     if order is not None and order not in ORDERS:
         raise ValueError(f"expected an order of elimination among {', '.join(ORDERS)}, got {order!r}")
@@ -93,19 +96,6 @@ def linearise(tape: Tape, outputs: Sequence[Node], seeds: Mapping[Node, Mapping[
     return graph
 
 
-def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
-    """Nodes behind the outputs down to the given ones; arguments come first."""
-    found: dict[int, Node] = {}
-    stack = list(outputs)
-    while stack:
-        node = stack.pop()
-        if node.index not in found and node.value is None:
-            found[node.index] = node
-            if node.index not in given and node.op != "symbol":
-                stack.extend(node.args)
-    return [found[index] for index in sorted(found)]
-
-
 def _successors(into: Mapping[Vertex, Edges]) -> dict[Vertex, set[Vertex]]:
     out: dict[Vertex, set[Vertex]] = {}
     for vertex, edges in into.items():
@@ -123,73 +113,44 @@ def _remove_dead(graph: Graph) -> None:
     graph.order = [vertex for vertex in graph.order if vertex in graph.into]
 
 
-def _partials(tape: Tape, node: Node) -> Iterator[tuple[Node, Node]]:
+def _partials(tape: Tape, node: Node) -> Sequence[tuple[Node, Node]]:
     """(argument, partial derivative) of one operation."""
-    op, args = node.op, node.args
-    if op == "symbol":
-        return
-    if op in ("add", "sub"):
-        yield args[0], tape.one
-        yield args[1], tape.one if op == "add" else -tape.one
-    elif op == "neg":
-        yield args[0], -tape.one
-    elif op == "mul":
-        yield args[0], args[1]
-        yield args[1], args[0]
-    elif op == "reciprocal":
-        yield args[0], -(node * node)
-    elif op == "sqrt":
-        yield args[0], 1 / (2 * node)
-    elif op == "exp":
-        yield args[0], node
-    elif op == "sin":
-        yield args[0], tape.function("cos", args[0])
-    elif op == "cos":
-        yield args[0], -tape.function("sin", args[0])
-    elif op == "tan":
-        yield args[0], 1 + node * node
-    elif op == "atan2":
-        y, x = args
-        scale = 1 / (x * x + y * y)
-        yield y, x * scale
-        yield x, -(y * scale)
-    elif op == "abs":
-        yield args[0], tape.function("select", tape.function("less", args[0], 0), -tape.one, 1)
-    elif op == "select":
-        yield args[1], tape.function("select", args[0], 1, 0)
-        yield args[2], tape.function("select", args[0], 0, 1)
-    elif op != "less":  # a comparison is constant where it is differentiable
-        raise ValueError(f"no derivative is known of the operation {op!r}")
+    if node.op not in PARTIALS:
+        raise ValueError(f"no derivative is known of the operation {node.op!r}")
+    return PARTIALS[node.op](tape, node, *(node.args if node.op != "symbol" else ()))
 
 
-def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:
-    """The nodes with inputs replaced by other nodes, folded anew."""
-    done = {node.index: other for node, other in replaced.items()}
-    stack = list(nodes)
-    while stack:
-        node = stack[-1]
-        if node.index in done:
-            stack.pop()
-            continue
-        args = () if node.value is not None or node.op == "symbol" else node.args
-        missing = [a for a in args if a.index not in done]
-        if missing:
-            stack.extend(missing)
-        else:
-            new = [done[a.index] for a in args]
-            done[node.index] = (
-                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
-            )
-    return [done[node.index] for node in nodes]
+def _of_angle(tape: Tape, node: Node, y: Node, x: Node) -> Sequence[tuple[Node, Node]]:
+    """d atan2(y, x) = (x dy - y dx) / (x^2 + y^2)."""
+    scale = 1 / (x * x + y * y)
+    return ((y, x * scale), (x, -(y * scale)))
 
 
-def remade(tape: Tape, op: str, args: Sequence[Node]) -> Node:
-    """An operation on other arguments, folded anew."""
-    if op == "sub":
-        return args[0] - args[1]
-    if op in ("add", "mul", "neg", "reciprocal"):
-        return getattr(tape, op)(*args)
-    return tape.function(op, *args)
+def _of_choice(tape: Tape, node: Node, condition: Node, one: Node, other: Node) -> Sequence[tuple[Node, Node]]:
+    """What is not chosen has the derivative 0."""
+    chosen = tape.function("select", condition, 1, 0)
+    return ((one, chosen), (other, tape.function("select", condition, 0, 1)))
+
+
+PARTIALS: dict[
+    str, Callable[..., Sequence[tuple[Node, Node]]]
+] = {  # (tape, node, its arguments) to arguments, partials
+    "symbol": lambda tape, node: (),
+    "add": lambda tape, node, x, y: ((x, tape.one), (y, tape.one)),
+    "sub": lambda tape, node, x, y: ((x, tape.one), (y, -tape.one)),
+    "neg": lambda tape, node, x: ((x, -tape.one),),
+    "mul": lambda tape, node, x, y: ((x, y), (y, x)),
+    "reciprocal": lambda tape, node, x: ((x, -(node * node)),),
+    "sqrt": lambda tape, node, x: ((x, 1 / (2 * node)),),
+    "exp": lambda tape, node, x: ((x, node),),
+    "sin": lambda tape, node, x: ((x, tape.function("cos", x)),),
+    "cos": lambda tape, node, x: ((x, -tape.function("sin", x)),),
+    "tan": lambda tape, node, x: ((x, 1 + node * node),),
+    "atan2": _of_angle,
+    "abs": lambda tape, node, x: ((x, tape.function("select", tape.function("less", x, 0), -tape.one, 1)),),
+    "less": lambda tape, node, x, y: (),  # constant where it is differentiable
+    "select": _of_choice,
+}
 
 
 # -- elimination ---------------------------------------------------------------------------------------------
@@ -219,6 +180,7 @@ def _eliminated(tape: Tape, graph: Graph, name: str) -> dict[Vertex, Edges]:
 
 
 def _sequence(graph: Graph, name: str) -> Sequence[int]:
+    """The vertices in the order in which they are taken out."""
     if name == "forward":
         return graph.order
     if name == "reverse":
@@ -230,47 +192,6 @@ def _promising(graph: Graph) -> list[str]:
     """Orders whose operations, counted without what equal nodes save, are not far above the fewest."""
     counts = {name: _simulate(graph, None if name == "markowitz" else _sequence(graph, name))[1] for name in ORDERS}
     return [name for name in ORDERS if counts[name] <= PROMISING * min(counts.values())]
-
-
-def needed(results: Sequence[Node]) -> set[Node]:
-    """Operations that the results need, themselves included."""
-    return {node for node in _reached(results) if node.value is None and node.op != "symbol"}
-
-
-def inputs_of(results: Sequence[Node]) -> set[Node]:
-    """Inputs on which the results depend."""
-    return {node for node in _reached(results) if node.op == "symbol"}
-
-
-def _reached(results: Sequence[Node]) -> set[Node]:
-    found: set[Node] = set()
-    stack = list(results)
-    while stack:
-        node = stack.pop()
-        if node not in found:
-            found.add(node)
-            if node.value is None and node.op != "symbol":
-                stack.extend(node.args)
-    return found
-
-
-def count_operations(results: Sequence[Node]) -> int:
-    """How many operations the results take."""
-    return len(needed(results))
-
-
-def cost(results: Sequence[Node]) -> int:
-    """What results take, by which equal ways to them are compared, in operations.
-
-    Operations, and beside them what divisions and roots take that wait for each other, and sines and cosines.
-    """
-    chain: dict[Node, int] = {}
-    angles = set()
-    for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
-        chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
-        if node.op in ("sin", "cos"):
-            angles.add(node.args[0])
-    return len(chain) + WAIT * max(chain.values(), default=0) + ANGLE * len(angles)
 
 
 def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int]:
@@ -327,10 +248,10 @@ def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int
         sequence.append(vertex)
         for near in take(vertex):
             if near in current:
-                now = price(near)  # type: ignore[arg-type]
-                if now != current[near]:  # type: ignore[index]
-                    current[near] = now  # type: ignore[index]
-                    heapq.heappush(queue, (now, place[near], near))  # type: ignore[index]
+                now = price(near)
+                if now != current[near]:
+                    current[near] = now
+                    heapq.heappush(queue, (now, place[near], near))
     return sequence, operations
 
 

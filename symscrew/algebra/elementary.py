@@ -15,10 +15,13 @@ import mpmath
 import numpy as np
 
 EXACT = mpmath.ctx_mp.MPContext()
-EXACT.dps = 400  # reduces the largest double by multiples of pi
-LARGEST = 2.0**19  # the parts of pi/2 below are exact in their products up to 2^20
+EXACT.dps = 400  # reduces the largest double, 1.8e308, by multiples of pi to 90 digits
+# The parts of pi/2 below are exact in their products up to 2^20 quarter turns; larger angles are reduced in many digits
+LARGEST = 2.0**19
+# pi/2 in four parts of 33 bits each but the last
 HALF_PI = (1.57079632673412561417, 6.07710050630396597660e-11, 2.02226624871116645580e-21, 8.47842766036889956997e-32)
-TURNS = 2.0 / np.pi
+TURNS = 2.0 / np.pi  # quarter turns of a radian
+# coefficients of fdlibm's polynomials, lowest power first: of x + x^3 (...)
 SINE = (
     -1.66666666666666324348e-01,
     8.33333333332248946124e-03,
@@ -27,6 +30,7 @@ SINE = (
     -2.50507602534068634195e-08,
     1.58969099521155010221e-10,
 )
+# of 1 - x^2/2 + x^4 (...)
 COSINE = (
     4.16666666666666019037e-02,
     -1.38888888888741095749e-03,
@@ -35,7 +39,10 @@ COSINE = (
     2.08757232129817482790e-09,
     -1.13596475577881948265e-11,
 )
+# ln 2 in two parts, the first of 32 bits
 LOG_2 = (6.93147180369123816490e-01, 1.90821492927058770002e-10)
+BEYOND = 1000.0  # exp of more overflows, of less than minus that is 0: so are those of these ends
+# of x - x^2 (...) on [0, ln(2)/2]
 EXPONENTIAL = (
     1.66666666666666019037e-01,
     -2.77777777770155933842e-03,
@@ -43,6 +50,7 @@ EXPONENTIAL = (
     -1.65339022054652515390e-06,
     4.13813679705723846039e-08,
 )
+# of 1/3 - x^2/5 ..., up to x = 7/16
 ARC_TANGENT = (
     3.33333333333329318027e-01,
     -1.99999999998764832476e-01,
@@ -84,7 +92,7 @@ def tan(x: Any) -> Any:
 def exp(x: Any) -> Any:
     """Exponential of an array or a number."""
     x = np.asarray(x, dtype=float)[()]
-    bounded = np.clip(x, -1000.0, 1000.0)  # beyond both ends the result is 0 or infinite
+    bounded = np.clip(x, -BEYOND, BEYOND)
     count = np.rint(bounded / (LOG_2[0] + LOG_2[1]))
     high, low = bounded - count * LOG_2[0], count * LOG_2[1]
     rest = high - low

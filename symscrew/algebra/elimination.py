@@ -1,5 +1,7 @@
 """Sparse elimination in an order fixed while generating, with pivots proved on sample states.
 
+    rows . unknowns = right  --eliminate--> pivots, factors, guards  --solve(right)--> unknowns as nodes
+
 A row is a mapping from columns to nodes. Whether an entry is zero, and whether it may be a pivot, is
 decided by its values at several consistent states, never by symbolic zero tests alone: some entries vanish
 only on the closure manifold. Entries are compared without units: each row and column has a scale (a power
@@ -14,13 +16,21 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.algebra.differentiation import needed
 from symscrew.algebra.nodes import Node, Tape
 from symscrew.algebra.screws import Vector, cross, dot
+from symscrew.algebra.traversal import needed
 
-NEGLIGIBLE = 1e-9  # an entry below this at every sample, without units, is zero on the closure manifold
-SAFE = 0.03  # a row whose best pivot is smaller than this, without units, waits for the others
-ACCEPTABLE = 0.1  # a pivot may be this much smaller than the best one if it saves operations
+# An entry below this at every sample, without units, is zero on the closure manifold. The samples close the loops to
+# 1e-13 and entries are sums of a few products, so that rounding leaves 1e-12 at most of a zero; an entry that means
+# something is above 1e-6 of the size of the mechanism at one of several random states. Above: it stays, may be a pivot.
+NEGLIGIBLE = 1e-9
+# A row whose best pivot is smaller than this, without units, waits for the others: near a singular configuration of
+# its limb it would cost digits, where the rows of the hub together may have none (their rank decides then).
+SAFE = 0.03
+# A pivot may be this much smaller than the best one of its row if it saves operations: a digit is lost at most. Below,
+# it is taken only where nothing else is left.
+ACCEPTABLE = 0.1
+SMALL = 1e-4  # a pivot below this, without units, is taken last even if its row has no better one: another row may
 
 Column = Any  # hashable: a multiplier, a drive, an index into v, or column 1
 Affine = dict[Column, Node]
@@ -77,7 +87,7 @@ def choose_pivot(
     best = max(size[0] for size in sizes.values())
     good = [c for c, size in sizes.items() if size[0] >= ACCEPTABLE * best]
 
-    def preference(column: Column) -> tuple:
+    def preference(column: Column) -> tuple[bool, int, float]:
         return (row[column].value is None, cost.get(column, 0), -sizes[column][0])
 
     column = min(good, key=preference)
@@ -202,7 +212,7 @@ def eliminate(
     result = Elimination()
     active = {i: {c: e for c, e in row.items() if c in unknowns} for i, row in enumerate(rows)}
     while active:
-        choice = _markowitz(tape, active, unknowns, row_scales, set(last), own)
+        choice = _markowitz(active, _sizes(tape, active, unknowns, row_scales), last=set(last), defined=own)
         if choice is None:
             break
         row, column = choice
@@ -226,34 +236,41 @@ def eliminate(
     return result
 
 
-def _markowitz(
+def _sizes(
     tape: Tape,
     active: Mapping[int, Mapping[Column, Node]],
     unknowns: Mapping[Column, float],
     row_scales: Sequence[float],
-    last: set[Column],
+) -> dict[tuple[int, Column], tuple[float, float]]:
+    """Smallest and largest magnitude, without units, of every entry that does not vanish on the manifold."""
+    sizes = {
+        (i, column): magnitude(tape, entry, unknowns[column] * row_scales[i])
+        for i, row in active.items()
+        for column, entry in row.items()
+    }
+    return {at: size for at, size in sizes.items() if size[1] > NEGLIGIBLE}
+
+
+def _markowitz(
+    active: Mapping[int, Mapping[Column, Node]],
+    sizes: Mapping[tuple[int, Column], tuple[float, float]],
+    *,
+    last: Set[Column],
     defined: Mapping[int, Column],
 ) -> tuple[int, Column] | None:
+    """Row and column of the next pivot: of those of a fair size the one that fills fewest entries [Markowitz 1957]."""
     others = set(defined.values())
-    counts: dict[Column, int] = {}
-    sizes: dict[tuple[int, Column], tuple[float, float]] = {}
-    for i, row in active.items():
-        for column, entry in row.items():
-            size = magnitude(tape, entry, unknowns[column] * row_scales[i])
-            if size[1] > NEGLIGIBLE:
-                sizes[i, column] = size
-                counts[column] = counts.get(column, 0) + 1
-    if not sizes:
-        return None
     row_best: dict[int, float] = {}
     row_count: dict[int, int] = {}
-    for (i, _), size in sizes.items():
+    counts: dict[Column, int] = {}
+    for (i, column), size in sizes.items():
         row_best[i] = max(row_best.get(i, 0.0), size[0])
         row_count[i] = row_count.get(i, 0) + 1
+        counts[column] = counts.get(column, 0) + 1
 
-    def preference(key: tuple[int, Column]) -> tuple:
+    def preference(key: tuple[int, Column]) -> tuple[bool, bool, int, bool, float]:
         i, column = key
-        small = sizes[key][0] < ACCEPTABLE * row_best[i] or sizes[key][0] < 1e-4
+        small = sizes[key][0] < ACCEPTABLE * row_best[i] or sizes[key][0] < SMALL
         fill = (row_count[i] - 1) * (counts[column] - 1)
         return (column in last, small, fill, active[i][column].value is None, -sizes[key][0])
 

@@ -1,4 +1,7 @@
-"""Expressions of a description on the tape: from SymPy's tree of the grammar to nodes."""
+"""Expressions of a description on the tape: from SymPy's tree of the grammar to nodes.
+
+"2*length**2 + atan(gap)"  --description--> SymPy --expression_node--> add (mul 2 (mul l l)) (atan2 gap 1)
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,15 @@ import sympy
 
 from symscrew.algebra.nodes import Node, Tape
 
+MOST_FACTORS = 64  # of a power, written out as products; higher ones, an error, are typing errors or overflow anyway
+
 
 def expression_node(tape: Tape, expression: sympy.Expr, symbols: Mapping[sympy.Symbol, Node]) -> Node:
-    """A SymPy expression of the description as a node; `symbols` gives the run-time parameters."""
+    """A SymPy expression of the description as a node; `symbols` gives the run-time parameters.
+
+    Raises:
+        ValueError: a function or a power that the grammar does not have.
+    """
     if not expression.free_symbols:
         return tape.constant(expression)
     if isinstance(expression, sympy.Symbol):
@@ -48,10 +57,12 @@ def _named(tape: Tape, name: str, args: Sequence[Node]) -> Node:
 
 
 def _power(tape: Tape, base: Node, exponent: sympy.Expr) -> Node:
-    if exponent.is_Rational and exponent.q in (1, 2) and abs(exponent.p) <= 64:
+    if exponent.is_Rational and exponent.q in (1, 2) and abs(exponent.p) <= MOST_FACTORS:
         factor = base if exponent.q == 1 else tape.sqrt(base)
         result = factor
         for _ in range(abs(exponent.p) - 1):
             result = tape.mul(result, factor)
         return result if exponent.p > 0 else tape.reciprocal(result)
-    raise ValueError(f"expected an integer or half-integer power up to 64 of a run-time parameter, got {exponent}")
+    raise ValueError(
+        f"expected an integer or half-integer power up to {MOST_FACTORS} of a run-time parameter, got {exponent}"
+    )

@@ -1,5 +1,7 @@
 """Linear least squares of least norm with the same bits on every machine.
 
+    matrix (m, n), right (m,) --> x (n,): of those with the least |matrix x - right| the one with the least |x|
+
 Libraries of linear algebra choose their kernels by the processor, so that last digits differ; states that are
 recorded must not. Here Gram-Schmidt with pivoting in plain NumPy sums and products gives the equations an orthonormal
 form, from which the solution is read; where they depend on each other, the columns first, which leaves as many
@@ -14,7 +16,8 @@ import numpy as np
 def least_norm(matrix: np.ndarray, right: np.ndarray, *, rank: float = 1e-9) -> np.ndarray:
     """The shortest x (n,) of those that minimise |matrix x - right|, for a matrix (m, n) and (m,).
 
-    Directions whose remainder is below `rank` times the largest column or row count as dependent.
+    Directions whose remainder is below `rank` times the largest column or row count as dependent: 1e-9 is as far from
+    rounding (1e-16) as from what is meant (1e-3 and more).
 
     >>> least_norm(np.array([[1.0, 1.0], [2.0, 2.0]]), np.array([1.0, 2.0])).round(12).tolist()
     [0.5, 0.5]
@@ -25,7 +28,8 @@ def least_norm(matrix: np.ndarray, right: np.ndarray, *, rank: float = 1e-9) -> 
         reduced = [(direction[:, None] * matrix).sum(axis=0) for direction in columns]
         known = np.array([(direction * right).sum() for direction in columns])
         rows, values = _orthonormal(np.array(reduced).reshape(len(reduced), matrix.shape[1]), known, rank)
-    return (rows * values[:, None]).sum(axis=0)
+    found: np.ndarray = (rows * values[:, None]).sum(axis=0)
+    return found
 
 
 def _orthonormal(rows: np.ndarray, values: np.ndarray, rank: float) -> tuple[np.ndarray, np.ndarray]:

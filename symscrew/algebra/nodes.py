@@ -1,5 +1,7 @@
 """The tape: every derived quantity, defined once over earlier ones.
 
+    nodes:  0: 0 | 1: 1 | 2: neg 1 | 3: symbol x | 4: symbol y | 5: mul 3 4 | 6: add 3 5 ...
+
 A node is one operation on earlier nodes. Making a node folds what can be folded at once: zeros, ones,
 constants, signs; equal nodes are one node (hash-consing, normalised so that a - b and b - a share). So an
 expression stays one operation deep whatever the size of the mechanism, structural zeros vanish while
@@ -7,8 +9,6 @@ deriving, and a program is a walk over the tape.
 
 Constants carry 60 digits; a constant below 1e-45 is zero. Besides its definition a node has values at a
 few sample states (`Tape.set_samples`), which is how eliminations choose pivots that do not vanish.
-
-`to_sympy` turns a node back into a SymPy expression, down to the inputs or to named intermediate nodes.
 """
 
 from __future__ import annotations
@@ -21,16 +21,18 @@ import mpmath
 import numpy as np
 import sympy
 
-from symscrew.algebra.operations import CONTEXT, IN_SYMPY, apply_high_precision, apply_numpy, evaluate_constant
+from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
 
-ZERO_BITS = -149  # a constant below 2^-149, about 1e-45, is zero
+# Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
+# smallest constant that somebody means is far above 1e-45: in between a constant is zero.
+ZERO_BITS = -149  # 2^-149, about 1e-45
 ZERO_BELOW = CONTEXT.mpf(2) ** ZERO_BITS
-KEY_BITS = 150  # constants that agree to 45 digits are one constant
+KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that differ by more stay apart
 
 
 @dataclass(frozen=True)
 class Symbol:
-    """An input of the model: unique name, unit, what it is, and its SymPy symbol."""
+    """An input of the model: unique name, unit (SI, as text), what it is, and what SymPy may assume of it."""
 
     name: str
     unit: str
@@ -48,7 +50,7 @@ class Node:
 
     __slots__ = ("args", "index", "op", "tape", "value")
 
-    def __init__(self, tape: Tape, index: int, op: str, args: tuple, value: Any = None) -> None:
+    def __init__(self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None) -> None:
         self.tape, self.index, self.op, self.args, self.value = tape, index, op, args, value
 
     def __add__(self, other: Any) -> Node:
@@ -91,7 +93,7 @@ class Tape:
 
     def __init__(self) -> None:
         self.nodes: list[Node] = []
-        self._known: dict[tuple, Node] = {}
+        self._known: dict[tuple[Any, ...], Node] = {}
         self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
         self._parameter_values: list[dict[int, Any]] = []
@@ -100,6 +102,9 @@ class Tape:
         self.zero = self.constant(0)
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}
+
+    def __repr__(self) -> str:
+        return f"Tape({len(self.nodes)} nodes, {len(self.symbols)} inputs)"
 
     # -- making nodes ---------------------------------------------------------------------------------
 
@@ -134,7 +139,7 @@ class Tape:
         key = ("const", _rounded(number))
         found = self._known.get(key)
         if found is None:
-            found = Node(self, len(self.nodes), "const", (exact,), number)
+            found = Node(self, len(self.nodes), "const", (exact,), value=number)
             self._known[key] = found
             self.nodes.append(found)
         return found
@@ -142,7 +147,8 @@ class Tape:
     def neg(self, x: Node) -> Node:
         """-x."""
         if x.op == "neg":
-            return x.args[0]
+            inner: Node = x.args[0]
+            return inner
         if x.op == "const" and x.value == 0:
             return x
         return self._make("neg", (x,), None if x.value is None else -x.value)
@@ -245,7 +251,8 @@ class Tape:
         if x.op == "neg":
             return self.neg(self.reciprocal(x.args[0]))
         if x.op == "reciprocal":
-            return x.args[0]
+            inner: Node = x.args[0]
+            return inner
         return self._make("reciprocal", (x,))
 
     def function(self, name: str, *args: Any) -> Node:
@@ -266,11 +273,11 @@ class Tape:
         """The square root of x."""
         return self.function("sqrt", x)
 
-    def _make(self, op: str, args: tuple, value: Any = None) -> Node:
+    def _make(self, op: str, args: tuple[Any, ...], value: Any = None) -> Node:
         key = (op, args)  # nodes are equal if they are one
         found = self._known.get(key)
         if found is None:
-            found = Node(self, len(self.nodes), op, args, value)
+            found = Node(self, len(self.nodes), op, args, value=value)
             self._known[key] = found
             self.nodes.append(found)
         return found
@@ -317,13 +324,13 @@ class Tape:
         self._parameter_values = [{n.index: CONTEXT.mpf(v) for n, v in trial.items()} for trial in trials]
         self._settled = {}
 
-    def settle(self, node: Any) -> Node:
-        """`node`, or the constant that it equals for every trial of the run-time parameters (to 45 digits).
+    def settle(self, value: Any) -> Node:
+        """`value` as a node, or the constant that it equals (to 45 digits) for every trial of the run-time parameters.
 
         For nodes of constants and run-time parameters only: geometry given in parameters has zeros that
         hold for all their values but that no local rule sees.
         """
-        node = self.node(node)
+        node: Node = self.node(value)
         if node.value is not None or not self._parameter_values:
             return node
         if node.index not in self._settled:
@@ -332,28 +339,6 @@ class Tape:
             same = spread < ZERO_BELOW * (1 + abs(values[0]))
             self._settled[node.index] = self.constant(values[0]) if same else node
         return self._settled[node.index]
-
-    # -- back to SymPy ----------------------------------------------------------------------------------
-
-    def to_sympy(self, node: Any, named: Mapping[Node, sympy.Symbol] | None = None) -> sympy.Expr:
-        """`node` as a SymPy expression of the inputs, stopping at the nodes in `named`."""
-        stop = {n.index: s for n, s in (named or {}).items()}
-        done: dict[int, sympy.Expr] = {}
-        stack = [self.node(node)]
-        while stack:
-            current = stack[-1]
-            if current.index in done:
-                stack.pop()
-                continue
-            if current.index in stop:
-                done[current.index] = stop[current.index]
-                continue
-            needed = [a for a in _definition(current)[1] if a.index not in done]
-            if needed:
-                stack.extend(needed)
-            else:
-                done[current.index] = _build_sympy(current, done)
-        return done[self.node(node).index]
 
 
 def is_zero(entry: Node | int) -> bool:
@@ -366,41 +351,13 @@ def high_precision(number: sympy.Expr) -> Any:
     return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(number.evalf(60)._mpf_)
 
 
-def _rounded(number: Any) -> tuple:
+def _rounded(number: Any) -> Any:
+    """The number to `KEY_BITS` bits, as a key."""
     return mpmath.libmp.mpf_pos(number._mpf_, KEY_BITS, "n")
 
 
 def _negative(exact: Any) -> Any:
     return -exact if isinstance(exact, sympy.Basic) else ("neg_of", exact)
-
-
-def _definition(node: Node) -> tuple[Any, tuple[Node, ...]]:
-    """The operation and operands that define a node; a folded constant keeps how it was folded."""
-    if node.op == "symbol":
-        return node.op, ()
-    if node.op == "const":
-        how, sign = node.args[0], 1
-        while isinstance(how, tuple) and how[0] == "neg_of":
-            how, sign = how[1], -sign
-        if isinstance(how, tuple):
-            return (how[0], sign), tuple(how[1:])
-        return (how, sign), ()
-    return node.op, node.args
-
-
-def _build_sympy(node: Node, done: Mapping[int, sympy.Expr]) -> sympy.Expr:
-    op, operands = _definition(node)
-    sign = 1
-    if node.op == "symbol":
-        return node.args[0].sympy
-    if node.op == "const":
-        op, sign = op
-        if op is None:
-            integer = CONTEXT.nint(node.value)
-            return sympy.Integer(int(integer)) if integer == node.value else sympy.Float(node.value, 30)
-        if isinstance(op, sympy.Basic):
-            return sign * op
-    return sign * IN_SYMPY[op](*(done[a.index] for a in operands))
 
 
 def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:

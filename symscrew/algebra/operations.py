@@ -12,7 +12,7 @@ import sympy
 from symscrew.algebra import elementary
 
 CONTEXT = mpmath.ctx_mp.MPContext()
-CONTEXT.dps = 60
+CONTEXT.dps = 60  # of constants: zeros of the geometry stay zeros through hundreds of roundings, see `nodes.ZERO_BITS`
 
 ARITHMETIC: dict[str, Any] = {
     "add": operator.add,
@@ -23,6 +23,7 @@ ARITHMETIC: dict[str, Any] = {
 }
 """What means the same for numbers of every kind and for nodes of a tape."""
 
+# every operation of the tape, as a function of SymPy expressions
 IN_SYMPY: dict[str, Any] = {
     **ARITHMETIC,
     "reciprocal": lambda x: 1 / x,
@@ -37,6 +38,7 @@ IN_SYMPY: dict[str, Any] = {
     "select": lambda c, x, y: sympy.Piecewise((x, sympy.Ne(c, 0)), (y, True)),
 }
 
+# and of arrays; sines and the like are our own, so that samples and test vectors are equal on every machine
 IN_NUMPY: dict[str, Any] = {
     "add": np.add,
     "sub": np.subtract,

@@ -1,5 +1,7 @@
 """Volumes of grids of nodes: numbers that vanish exactly where the rank falls, without any division.
 
+    grid (rows x columns), rank r --> det(block) ... det(block) * sum of the squared minors of what is left
+
 A grid is a list of rows of nodes without units. What is zero in it is read from the sample states, so a volume is
 right on the closure manifold. `reciprocal_factors` eliminates columns by minors without their common factor.
 """
@@ -17,8 +19,16 @@ import numpy as np
 from symscrew.algebra.elimination import NEGLIGIBLE
 from symscrew.algebra.nodes import Node, Tape
 
-MOST_SQUARES = 30  # more maximal minors than this: determinant of the Gram matrix instead
-MOST_MINORS = 4000  # a volume that needs more minors than this is not derived
+# With more maximal minors than this the determinant of the Gram matrix is shorter than the sum of their squares
+# (Cauchy and Binet: they are equal): of 6 columns one determinant of 21 sums, against 84 determinants of 9 rows.
+MOST_SQUARES = 30
+# A volume that needs more minors than this is not derived (`TooLargeError`): each takes a few operations, and functions
+# of tens of thousands of them are for nobody. A dense determinant of 12 rows has 4095 minors: 11 rows are derived.
+MOST_MINORS = 4000
+MOST_SUMMED = 400  # minors of a sum of squares: each is a determinant of its own, with some ten minors in it
+# Up to so many columns all sets of them are tried as a block (4095 sets), of more only small sets and the whole: then a
+# factor may not split off, and the volume is longer, but as right.
+MOST_COLUMNS, SMALL_BLOCK = 12, 3
 
 Grid = list[list[Node]]
 
@@ -32,7 +42,7 @@ class Volume:
 
 
 class TooLargeError(ValueError):
-    """A volume would need too many minors."""
+    """A volume would need too many minors; the text says how many, of which size."""
 
 
 def reciprocal_factors(tape: Tape, block: Grid) -> list[dict[int, Node]]:
@@ -154,6 +164,14 @@ def volume(tape: Tape, grid: Grid, rank: int) -> Volume:
     """Zero exactly where the rank of the grid falls below `rank`: a determinant, or a sum of squared minors.
 
     Columns (of a tall grid) that fill a block of as many rows split off as a signed factor.
+
+    Args:
+        tape: the tape of the entries.
+        grid: rows of entries without units.
+        rank: what the rank is in general position.
+
+    Raises:
+        TooLargeError: it would take more than `MOST_MINORS` minors, or the squares of more than `MOST_SUMMED`.
     """
     grid = trimmed(tape, grid)
     if not grid or not grid[0] or rank == 0:
@@ -183,7 +201,8 @@ def _block(tape: Tape, grid: Grid) -> tuple[tuple[int, ...], tuple[int, ...]] | 
     count = len(grid[0])
     patterns = [frozenset(i for i, row in enumerate(grid) if row[j] is not tape.zero) for j in range(count)]
     # all sets of columns where there are few, else small ones and the whole
-    sizes = [*range(1, (count if count <= 12 else 3) + 1), *([count] if count > 12 else [])]
+    few = count <= MOST_COLUMNS
+    sizes = [*range(1, (count if few else SMALL_BLOCK) + 1), *([] if few else [count])]
     for size in sizes:
         for columns in combinations(range(count), size):
             rows = {i for j in columns for i in patterns[j]}
@@ -199,7 +218,7 @@ def _squares(tape: Tape, grid: Grid, rank: int) -> Node:
     if rank == columns and count > MOST_SQUARES:
         return determinant(tape, [[_sum(tape, (row[i] * row[j] for row in grid)) for j in range(columns)]
                                   for i in range(columns)])  # fmt: skip
-    if count > MOST_MINORS // 10:
+    if count > MOST_SUMMED:
         raise TooLargeError(f"{count} minors of size {rank}")
     total = tape.zero
     for i in combinations(range(rows), rank):

@@ -18,7 +18,7 @@ Scalar = Any
 Vector = tuple[Scalar, Scalar, Scalar]
 Matrix = tuple[Vector, Vector, Vector]
 
-ZERO: Vector = (0, 0, 0)
+ZERO: Vector = (0, 0, 0)  # structural: integers fold wherever they go
 IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 

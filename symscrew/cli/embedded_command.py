@@ -5,9 +5,12 @@ from __future__ import annotations
 import argparse
 import json
 
+from symscrew.cli.help import DONE
+from symscrew.cli.shared_options import add_described_mechanism
 from symscrew.whole_files import destination, write_text
 
-USUAL = (
+EXAMPLES = ("symscrew embedded three_ups_upu_s --core m4f --out embedded.json",)
+USUAL_FUNCTIONS = (
     "inverse_dynamics",
     "inverse_dynamics_platform",
     "joint_reactions",
@@ -18,10 +21,20 @@ USUAL = (
 COLUMNS = ("flash", "frame", "stack", "instructions", "error")
 
 
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew embedded`."""
+    add_described_mechanism(command)
+    command.add_argument("--core", nargs="+", choices=("m4f", "m7"), default=["m4f", "m7"], help="default: both")
+    command.add_argument("--precision", choices=("single", "double"), help="default: single on m4f, double on m7")
+    command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics and assembly; all: every one")
+    command.add_argument("--out", metavar="FILE.json", help="also write the numbers here")
+    command.add_argument("--json", action="store_true", help="numbers as JSON instead of the table")
+
+
 def run(options: argparse.Namespace) -> int:
     """Measure, print, write."""
     from symscrew import catalogue
-    from symscrew.display import Progress, table
+    from symscrew.display import Progress, aligned_table
     from symscrew.model import derive
     from symscrew.verification import measure
 
@@ -30,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     mechanism = catalogue.find(options.mechanism)
     with progress.step(f"derive {mechanism.name}"):
         model = derive(mechanism)
-    functions = options.function or [name for name in USUAL if name in model.programs]
+    functions = options.function or [name for name in USUAL_FUNCTIONS if name in model.programs]
     functions = list(model.programs) if functions == ["all"] else functions
     found = []
     for core in dict.fromkeys(options.core):
@@ -47,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
             for one in found
             for name, entry in one["functions"].items()
         ]
-        print(table(header, rows))
+        print(aligned_table(header, rows))
     if path is not None:
         write_text(path, text)
-    return 0
+    return DONE

@@ -1,4 +1,4 @@
-"""`symscrew fmu`."""
+"""`symscrew fmu`: a scene, or a mechanism under its weight, as a functional mock-up unit."""
 
 from __future__ import annotations
 
@@ -6,30 +6,48 @@ import argparse
 import re
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from symscrew import catalogue, scene
-from symscrew.effects import Gravity
-from symscrew.errors import DescriptionError
-from symscrew.fmu import at_rest, build_unit
-from symscrew.formats import READABLE
-from symscrew.scene import Scene
+from symscrew.cli.help import DONE, UsageError
+
+if TYPE_CHECKING:
+    from symscrew.scene import Scene
+
+EXAMPLES = (
+    "symscrew fmu examples/scenes/hanging_platform.toml --out platform.fmu",
+    "symscrew fmu ur5 --out ur5.fmu --fmi 2",
+)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew fmu`."""
+    command.add_argument("scene", metavar="SCENE|NAME", help="a scene file, or a mechanism under its weight")
+    command.add_argument("--out", metavar="FILE.fmu", required=True, help="the unit, C sources inside")
+    command.add_argument("--fmi", type=int, choices=(2, 3), default=3, help="version of the standard; default: 3")
 
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, print, compile, pack."""
+    from symscrew.fmu import build_unit
+
     path = Path(options.out)
     if path.suffix != ".fmu":
-        raise DescriptionError(f"--out: expected a file name that ends in .fmu, got {options.out!r}")
+        raise UsageError(f"--out: expected a file name that ends in .fmu, got {options.out!r}")
     if not path.parent.is_dir():
-        raise DescriptionError(f"--out: expected a folder that exists, got {str(path.parent)!r}; make it first")
+        raise UsageError(f"--out: expected a folder that exists, got {str(path.parent)!r}; make it first")
     for note in build_unit(_scene(options.scene), path, version=options.fmi):
         print(f"note: {note}", file=sys.stderr)
     print(path)
-    return 0
+    return DONE
 
 
 def _scene(name: str) -> Scene:
     """A scene file, or a mechanism at rest under its weight with the drives as inputs."""
+    from symscrew import catalogue, scene
+    from symscrew.effects import Gravity
+    from symscrew.fmu import at_rest
+    from symscrew.formats import READABLE
+
     if name in catalogue.names() or Path(name).suffix in READABLE or _describes(Path(name)):
         return at_rest(catalogue.find(name), (Gravity(),))
     return scene.load_scene(name)

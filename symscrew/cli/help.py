@@ -1,87 +1,46 @@
-"""How the command line speaks: its parser, examples for every command, and what it says to bad options."""
+"""How the command line speaks: its parser, what it says to bad options, and when a command's file is read.
+
+    words --Parser--> name of a command --CommandFile.add_options--> options --CommandFile.run--> exit code
+
+A command is one file, `<name>_command.py`: its `EXAMPLES`, `add_options` and `run`. The file is imported when somebody
+asks for the command, and what the command works with when it runs, so that help and completion never wait for
+libraries.
+"""
 
 from __future__ import annotations
 
 import argparse
 import sys
-from typing import Any, NoReturn
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol, cast
 
 from symscrew.errors import did_you_mean
 
-FAILED = 1
-
-OVER = (
-    "an axis: an independent coordinate, a parameter, tilt (of the platform's z-axis) or azimuth (of the tilt's "
-    "axis); numbers in m, mm, rad, deg"
-)
-LIMIT = (
-    "what is allowed of a joint (limb1_P=-50mm:50mm), a drive at rest ('drive limb1_P=-500:500' [N, N m]), "
-    "condition, margin or another result"
-)
-TOLERANCE = "a parameter with the standard deviation of its normal distribution"
-
-EXAMPLES = {
-    "list": ("symscrew list", "symscrew list --json | jq -r '.[].name'"),
-    "demo": ("symscrew demo", "symscrew demo --out figures"),
-    "new": (
-        "symscrew new wrist --limbs 3-UPS+UPU+S",
-        "symscrew new arm --limbs RRRRRR",
-        "symscrew new table --limbs 3-RRR",
-    ),
-    "generate": (
-        "symscrew generate three_ups_upu_s --out seed",
-        "symscrew generate wrist.toml --out wrist --target c --derivatives",
-        "symscrew generate ur5 --out ur5_single --precision single",
-    ),
-    "benchmark": (
-        "symscrew benchmark ur5 --against pinocchio mujoco --plot times.png",
-        "symscrew benchmark three_ups_upu_s --function inverse_dynamics --throughput",
-    ),
-    "embedded": ("symscrew embedded three_ups_upu_s --core m4f --out embedded.json",),
-    "check": ("symscrew check seed", "symscrew check generated/"),
-    "mobility": (
-        "symscrew mobility three_ups_upu_s",
-        "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
-        "symscrew mobility wrist.toml --expect 2 && echo as designed",
-    ),
-    "cost": ("symscrew cost examples/scenes/falling_platform.toml", "symscrew cost scene.toml --plot bill.png"),
-    "convert": ("symscrew convert robot.urdf --out robot.toml", "symscrew convert ur5 --out ur5.xml"),
-    "simulate": (
-        "symscrew simulate examples/scenes/falling_platform.toml --out run.npz --plot run.png",
-        "symscrew simulate scene.toml --emit-c loop",
-    ),
-    "fmu": (
-        "symscrew fmu examples/scenes/hanging_platform.toml --out platform.fmu",
-        "symscrew fmu ur5 --out ur5.fmu --fmi 2",
-    ),
-    "accuracy": (
-        "symscrew accuracy three_ups_upu_s --study precision --out study",
-        "symscrew accuracy examples/benchmarks --out problems",
-        "symscrew accuracy examples/benchmarks/n_four_bar.toml --study growth --out growth",
-    ),
-    "optimise": ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",),
-    "draw": ("symscrew draw three_ups_upu_s --out seed.png",),
-    "view": ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html"),
-    "report": (
-        "symscrew report three_ups_upu_s --out seed.html",
-        "symscrew report wrist.toml --out wrist.md --scene scene.toml --accuracy study",
-    ),
-    "workspace": (
-        "symscrew workspace three_ups_upu_s --over tilt=0:20deg:21 azimuth=0:360deg:73 --expect-tilt 10deg --out seed",
-        "symscrew workspace ur5 --over elbow=-150deg:150deg:121 --out elbow.csv",
-        "symscrew workspace wrist.toml --over R=0.4:0.6:21 --tolerance r=1mm --samples 1000 --out study",
-    ),
-    "doctor": ("symscrew doctor", "symscrew doctor --json"),
-}
-"""Command lines that show what a command is for; shown below its options."""
+DONE, FAILED = 0, 1  # exit codes of a command; of bad input and interruption see `symscrew.cli.parser`
 
 
 class UsageError(ValueError):
     """Bad input that the command line itself finds."""
 
 
+class CommandFile(Protocol):
+    """What the file of a command holds."""
+
+    EXAMPLES: tuple[str, ...]
+    """Command lines that show what the command is for; shown below its options."""
+
+    def add_options(self, command: argparse.ArgumentParser) -> None:
+        """Give the command's parser its options."""
+
+    def run(self, options: argparse.Namespace) -> int:
+        """Do it; the exit code."""
+
+
 class Parser(argparse.ArgumentParser):
     """A parser whose errors are one line on stderr and exit code 2, with the nearest names of commands and choices."""
+
+    module: str | None = None
+    """The file with the options of this command, while it has not been read."""
 
     def error(self, message: str) -> NoReturn:
         """End with the message."""
@@ -108,11 +67,43 @@ class Parser(argparse.ArgumentParser):
             near = did_you_mean(str(value), [str(c) for c in action.choices])
             raise argparse.ArgumentError(None, f"{what}: unknown {str(value)[:60]!r}; {near}")
 
-    def add_examples(self, name: str) -> None:
-        """Show the examples of a command below its help."""
+    def read_command(self) -> None:
+        """Take options, examples and task from the command's file, the first time."""
+        if self.module is None:
+            return
+        found = cast(CommandFile, import_module(self.module))
+        self.module = None
+        found.add_options(self)
+        self.set_defaults(command=found.run)
         self.formatter_class = argparse.RawDescriptionHelpFormatter
-        if name in EXAMPLES:
-            self.epilog = "examples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
+        self.epilog = "examples:\n" + "\n".join(f"  {line}" for line in found.EXAMPLES)
+
+
+class CommandParsers(dict[str, Parser]):
+    """Parsers of commands by name; a command's file is read when its parser is taken out of here."""
+
+    def __getitem__(self, name: str) -> Parser:
+        made = super().__getitem__(name)
+        made.read_command()
+        return made
+
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[Parser]
+else:
+    Subparsers = argparse._SubParsersAction  # which is generic for type checkers only
+
+
+class CommandsAction(Subparsers):
+    """Commands whose files are read when somebody asks for them: argparse, argcomplete or a test.
+
+    argparse parses with, and argcomplete looks into, what this action's mapping of names gives out: there, and not in
+    the parser's methods, is the one place that both pass before they look at options.
+    """
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.choices = self._name_parser_map = CommandParsers()
 
 
 def complete(parser: argparse.ArgumentParser) -> None:

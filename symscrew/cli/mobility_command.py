@@ -1,36 +1,57 @@
-"""What `symscrew mobility` does."""
+"""`symscrew mobility`: constraints and freedoms, verified by another route, as text, JSON or a document."""
 
 from __future__ import annotations
 
 import argparse
 import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from symscrew.errors import DescriptionError, shorten
-from symscrew.mobility import (
-    Mobility,
-    analyse_mobility,
-    mobility_latex,
-    mobility_markdown,
-    mobility_page,
-    mobility_text,
-    mobility_values,
-    verify,
-)
+from symscrew.cli.help import DONE, FAILED, UsageError
+from symscrew.cli.shared_options import add_mechanism
+from symscrew.errors import shorten
 from symscrew.whole_files import write_text
 
-FORMATS = {".md": mobility_markdown, ".html": mobility_page, ".tex": mobility_latex}
+if TYPE_CHECKING:
+    from symscrew.mobility import Mobility
+
+EXAMPLES = (
+    "symscrew mobility three_ups_upu_s",
+    "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
+    "symscrew mobility wrist.toml --expect 2 && echo as designed",
+)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew mobility`."""
+    add_mechanism(command)
+    command.add_argument(
+        "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        help="a parameter, or a joint coordinate (joint or joint.i) [rad, m]",
+    )  # fmt: skip
+    command.add_argument("--body", metavar="NAME", help="whose freedoms; default: the platform")
+    command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
+    command.add_argument("--json", action="store_true", help="as JSON")
+    command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
 
 
 def run(options: argparse.Namespace) -> int:
     """Analyse, print, write; 1 when a claim is not verified."""
     from symscrew import catalogue
+    from symscrew.mobility import (
+        analyse_mobility,
+        mobility_latex,
+        mobility_markdown,
+        mobility_page,
+        mobility_text,
+        mobility_values,
+        verify,
+    )
 
-    writer = None
-    if options.out:
-        writer = FORMATS.get(Path(options.out).suffix)
-        if writer is None:
-            raise DescriptionError(f"--out: expected a file name in {', '.join(FORMATS)}, got {shorten(options.out)}")
+    writers = {".md": mobility_markdown, ".html": mobility_page, ".tex": mobility_latex}
+    writer = writers.get(Path(options.out).suffix) if options.out else None
+    if options.out and writer is None:
+        raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
     mechanism = catalogue.find(options.mechanism)
     found = analyse_mobility(mechanism, body=options.body, at=dict(_setting(text) for text in options.at))
     failed = [check.claim for check in verify(found) if not check.holds]
@@ -44,20 +65,21 @@ def run(options: argparse.Namespace) -> int:
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))
-    return 1 if failed or (options.expect is not None and found.finite.dof != options.expect) else 0
+    unexpected = options.expect is not None and found.finite.dof != options.expect
+    return FAILED if failed or unexpected else DONE
 
 
 def _write(path: Path, content: str) -> None:
     try:
         write_text(path, content)
     except OSError as error:
-        raise DescriptionError(f"--out {shorten(str(path))}: cannot be written ({error.strerror})") from error
+        raise UsageError(f"--out {shorten(str(path))}: cannot be written ({error.strerror})") from error
 
 
 def _setting(text: str) -> tuple[str, str]:
     name, mark, value = text.partition("=")
     if not mark or not name or not value:
-        raise DescriptionError(f"--at: expected KEY=VALUE, got {shorten(text)}")
+        raise UsageError(f"--at: expected KEY=VALUE, got {shorten(text)}")
     return name.strip(), value.strip()
 
 

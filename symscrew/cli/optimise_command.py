@@ -1,35 +1,49 @@
-"""`symscrew optimise`."""
+"""`symscrew optimise`: the best motion of a problem, as a file, a picture, and in words or numbers."""
 
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import json
 import sys
+from typing import TYPE_CHECKING
 
-from symscrew.display import table
-from symscrew.errors import DescriptionError
-from symscrew.optimisation import Replay, Trajectory, load_problem, replay, solve
+from symscrew.cli.help import DONE, FAILED, UsageError
+from symscrew.cli.shared_options import need_matplotlib
 from symscrew.whole_files import destination
 
+if TYPE_CHECKING:
+    from symscrew.optimisation import Replay, Trajectory
+
+EXAMPLES = ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",)
 FORMATS = (".npz", ".csv")
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew optimise`."""
+    command.add_argument("problem", metavar="PROBLEM.toml", help="mechanism or scene, conditions, bounds, objectives")
+    command.add_argument("--out", metavar="FILE", required=True, help="the motion: .npz (everything) or .csv (a table)")
+    command.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
+    command.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
+    command.add_argument("--json", action="store_true", help="the outcome as JSON")
 
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no optimum was found (the best iterate is written all the same)."""
+    from symscrew.optimisation import load_problem, replay, solve, write_plan
+
     out = destination(options.out, FORMATS, "--out")
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
-    if picture is not None and importlib.util.find_spec("matplotlib") is None:
-        raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
+    if picture is not None:
+        need_matplotlib("--plot needs")
     if options.rate is not None and not options.rate > 0:
-        raise DescriptionError(f"--rate: expected samples per second above 0, got {options.rate:g}")
+        raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     problem = load_problem(options.problem)
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
-    from symscrew.optimisation import plot_plan, write_plan
-
     written = [write_plan(found, out, rate=options.rate)]
     again = replay(found) if found.ok else None
     if picture is not None:
+        from symscrew.optimisation import plot_plan
+
         written.append(plot_plan(found, picture, again))
     if options.json:
         print(json.dumps(_numbers(found, again), indent=1))
@@ -37,11 +51,13 @@ def run(options: argparse.Namespace) -> int:
         print("\n".join(summary(found, again)))
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
-    return 0 if found.ok else 1
+    return DONE if found.ok else FAILED
 
 
 def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     """The outcome in words, with a table of time."""
+    from symscrew.display import aligned_table
+
     lines = [f"{found.problem.name}: {found.status}"]
     if not found.ok:
         lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
@@ -69,7 +85,7 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     spent = found.statistics
     rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
     lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
-    return [*lines, table(("part", "time [s]", "processor [s]"), rows)]
+    return [*lines, aligned_table(("part", "time [s]", "processor [s]"), rows)]
 
 
 def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:

@@ -1,67 +1,76 @@
-"""`symscrew report`."""
+"""`symscrew report`: one document on a mechanism, with what studies found.
+
+mechanism, effects --derive--> model --compile, time--> calls, times --document--> .html or .md
+"""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-import numpy as np
+from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.shared_options import add_effects, add_mechanism, chosen_effects, need_matplotlib
+from symscrew.errors import shorten
 
-from symscrew import catalogue
-from symscrew.description import Mechanism
-from symscrew.display import Progress
-from symscrew.effects import Effect
-from symscrew.errors import DescriptionError, shorten
-from symscrew.model import Model, derive
-from symscrew.runtime import CompiledModel, load
-from symscrew.studies import Times, interleaved, nanoseconds_per_state
-from symscrew.studies.workspace import calls_of
-
-BATCH, ROUNDS, WARM = 64, 41, 3
+EXAMPLES = (
+    "symscrew report three_ups_upu_s --out seed.html",
+    "symscrew report wrist.toml --out wrist.md --scene scene.toml --accuracy study",
+)
 
 
-def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-def]
-    """Read, derive, measure, write; `chosen(options, mechanism)` are the effects."""
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew report`."""
+    add_mechanism(command)
+    command.add_argument("--out", metavar="FILE", required=True, help="the report: .html (one file) or .md")
+    add_effects(command)
+    command.add_argument("--accuracy", metavar="DIR", help="results of `symscrew accuracy` to include")
+    command.add_argument("--scene", metavar="SCENE", help="a scene whose bill of effects to include")
+    command.add_argument("--no-timing", action="store_true", help="count only: no function is timed")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, derive, measure, write."""
+    need_matplotlib()
+    from symscrew import catalogue
+    from symscrew.display import Progress
+    from symscrew.model import derive
     from symscrew.report import document, write_document
+    from symscrew.runtime import load
     from symscrew.scene import load_scene
-    from symscrew.studies import scene_bill
+    from symscrew.studies import Times, scene_bill, time_every_function
+    from symscrew.studies.workspace import calls_of
 
-    path = Path(options.out)
-    if path.suffix not in (".html", ".md"):
-        raise DescriptionError(f"--out: expected a file name that ends in .html or .md, got {shorten(options.out)}")
-    if not path.parent.is_dir():
-        raise DescriptionError(f"--out: no folder {shorten(str(path.parent), 200)} to write into")
+    path = _document(options.out)
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
-        mechanism: Mechanism = catalogue.find(options.mechanism)
-        effects: list[Effect] = chosen(options, mechanism)
+        mechanism = catalogue.find(options.mechanism)
+        effects = chosen_effects(options, mechanism)
         scene = load_scene(options.scene) if options.scene else None
     if scene is not None and scene.mechanism.name != mechanism.name:
-        raise DescriptionError(f"--scene: is about {scene.mechanism.name}, but the report about {mechanism.name}")
+        raise UsageError(f"--scene: is about {scene.mechanism.name}, but the report about {mechanism.name}")
     with progress.step(f"derive {mechanism.name}"):
         model = derive(mechanism, effects)
     call, measured = None, dict[str, Times]()
     if not options.no_timing:
         with progress.step("compile"):
             compiled = load(model)
-        call, measured = calls_of(compiled), _times(model, compiled, progress)
+        call = calls_of(compiled)
+        if compiled.backend == "c":  # without a compiler there is nothing whose time is worth a line
+            with progress.step("time"):
+                measured = time_every_function(model, compiled)
     bill = scene_bill(scene, timed=not options.no_timing, progress=progress) if scene is not None else None
     accuracy = Path(options.accuracy) if options.accuracy else None
     made = document(model, call=call, times=measured, accuracy=accuracy, bill=bill, progress=progress)
     for file in write_document(made, path):
         print(file)
-    return 0
+    return DONE
 
 
-def _times(model: Model, compiled: CompiledModel, progress: Progress) -> dict[str, Times]:
-    """Nanoseconds per state of every function in compiled C, on batches of the sample states; else none."""
-    if compiled.backend != "c":
-        return {}
-    with progress.step("time"):
-        measures = {}
-        for name, states in model.test_inputs.items():
-            ports = model.programs[name].inputs
-            inputs = {p.name: np.resize(x, (BATCH, p.size)) for p, x in zip(ports, states, strict=True)}
-            measures[name] = nanoseconds_per_state(compiled[name], inputs)
-        interleaved(measures, WARM)
-        return interleaved(measures, ROUNDS)
+def _document(name: str) -> Path:
+    """Where `--out` goes."""
+    path = Path(name)
+    if path.suffix not in (".html", ".md"):
+        raise UsageError(f"--out: expected a file name that ends in .html or .md, got {shorten(name)}")
+    if not path.parent.is_dir():
+        raise UsageError(f"--out: no folder {shorten(str(path.parent), 200)} to write into")
+    return path

@@ -1,36 +1,54 @@
-"""`symscrew simulate`."""
+"""`symscrew simulate`: the motion of a scene, as a file, a picture, numbers, or the loop in C."""
 
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import json
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import numpy as np
-from tqdm import tqdm
-
-from symscrew.errors import DescriptionError
-from symscrew.scene import load_scene
-from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_run
+from symscrew.cli.help import DONE, FAILED
+from symscrew.cli.shared_options import need_matplotlib
 from symscrew.whole_files import destination
+
+if TYPE_CHECKING:
+    from symscrew.simulation import Run
+
+EXAMPLES = (
+    "symscrew simulate examples/scenes/falling_platform.toml --out run.npz --plot run.png",
+    "symscrew simulate scene.toml --emit-c loop",
+)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew simulate`."""
+    command.add_argument(
+        "scene", metavar="SCENE", help="a TOML file with mechanism, effects, start, drives, integrator"
+    )
+    command.add_argument("--out", metavar="FILE", help="the run: .npz (everything) or .csv")
+    command.add_argument("--plot", metavar="FILE.png", help="a picture of the run")
+    command.add_argument("--emit-c", metavar="DIR", help="write the loop for real time: one step of fixed size in C99")
+    command.add_argument("--json", action="store_true", help="numbers of the run as JSON")
 
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early."""
+    from tqdm import tqdm
+
+    from symscrew.scene import load_scene
+    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run
+
     out = destination(options.out, FORMATS, "--out") if options.out is not None else None
     picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
-    if picture is not None and importlib.util.find_spec("matplotlib") is None:
-        raise DescriptionError('--plot needs matplotlib, which is not installed: pip install "symscrew[plot]"')
+    if picture is not None:
+        need_matplotlib("--plot needs")
     scene = load_scene(options.scene)
     if options.emit_c:
-        from symscrew.simulation import emit
-
-        for path in emit(scene, Path(options.emit_c)):
+        for path in write_loop(scene, Path(options.emit_c)):
             print(path)
         if not (out or picture or options.json):
-            return 0
+            return DONE
     prepared = prepare(scene)
     with tqdm(total=1.0, desc=scene.name, leave=False, disable=not sys.stderr.isatty(), file=sys.stderr) as bar:
         found = simulate(scene, prepared=prepared, progress=lambda part: bar.update(max(0.0, part - bar.n)))
@@ -45,10 +63,13 @@ def run(options: argparse.Namespace) -> int:
         print("\n".join(run_summary(found)))
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
-    return 0 if found.ok else 1
+    return DONE if found.ok else FAILED
 
 
-def _numbers(found) -> dict[str, object]:  # type: ignore[no-untyped-def]
+def _numbers(found: Run) -> dict[str, object]:
+    """What `--json` prints."""
+    import numpy as np
+
     return {
         "scene": found.scene.name,
         "ok": found.ok,
@@ -58,7 +79,7 @@ def _numbers(found) -> dict[str, object]:  # type: ignore[no-untyped-def]
         "closure_error": float(found.closure_error.max(initial=0.0)),
         "energy_balance": float(np.abs(found.energy_balance).max(initial=0.0)),
         "largest_kinetic_energy": float(found.energy[:, 0].max(initial=0.0)),
-        "counters": {k: found.counters[k] for k in found.counters},
+        "counters": dict(found.counters),
         "crossings": [{"t": c.t, "lost": c.lost, "rows": list(c.rows), "q": c.q.tolist()} for c in found.crossings],
         "events": list(found.events),
     }

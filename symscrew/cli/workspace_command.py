@@ -1,4 +1,7 @@
-"""`symscrew workspace`."""
+"""`symscrew workspace`: a sweep over coordinates and parameters, as a folder or one file, and its summary.
+
+options --read_plan--> Plan --sweep (pieces, in parallel)--> Store --> results, summary, maps
+"""
 
 from __future__ import annotations
 
@@ -6,59 +9,89 @@ import argparse
 import json
 import shutil
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from tqdm import tqdm
-
-from symscrew import catalogue
-from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.studies.workspace import (
-    AZIMUTH,
-    MOST_CASES,
-    TILT,
-    Plan,
-    Results,
-    Store,
-    prepare,
-    read_axis,
-    read_limit,
-    read_number,
-    run_locally,
-    run_on_dask,
-    save_csv,
-    save_npz,
-    summary,
-    summary_text,
-)
+from symscrew.cli.help import DONE, FAILED, UsageError
+from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.errors import did_you_mean, shorten
 from symscrew.whole_files import replaced
 
-FAILED = 1
+if TYPE_CHECKING:
+    from symscrew.studies.workspace import Plan, Results, Store
+
+EXAMPLES = (
+    "symscrew workspace three_ups_upu_s --over tilt=0:20deg:21 azimuth=0:360deg:73 --expect-tilt 10deg --out seed",
+    "symscrew workspace ur5 --over elbow=-150deg:150deg:121 --out elbow.csv",
+    "symscrew workspace wrist.toml --over R=0.4:0.6:21 --tolerance r=1mm --samples 1000 --out study",
+)
+OVER = (
+    "an axis: an independent coordinate, a parameter, tilt (of the platform's z-axis) or azimuth (of the tilt's "
+    "axis); numbers in m, mm, rad, deg"
+)
+LIMIT = (
+    "what is allowed of a joint (limb1_P=-50mm:50mm), a drive at rest ('drive limb1_P=-500:500' [N, N m]), "
+    "condition, margin or another result"
+)
+TOLERANCE = "a parameter with the standard deviation of its normal distribution"
+ROUNDING = 1e-12  # of a tilt in degrees turned into radians twice: a tilt as expected is not missed by this part
+MOST_SAMPLES = 1_000_000  # per place; more is a slip of the finger, and MOST_CASES would refuse it later with less help
 
 
-def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-def]
-    """Read, sweep, write; `chosen(options, mechanism)` are the effects. 1 if an expected tilt is not reached."""
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew workspace`."""
+    add_mechanism(command)
+    command.add_argument("--over", nargs="+", action="extend", metavar="COORD=FROM:TO:N", help=OVER)
+    command.add_argument("--out", metavar="DIR|FILE", required=True, help="a new folder, or a file: .npz or .csv")
+    command.add_argument("--limit", nargs="+", action="extend", metavar="RESULT=MIN:MAX", help=LIMIT)
+    command.add_argument("--tolerance", nargs="+", action="extend", metavar="PARAM=SIGMA", help=TOLERANCE)
+    text = "per place, with --tolerance; default 100"
+    command.add_argument("--samples", type=int, default=100, metavar="N", help=text)
+    command.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; default 0")
+    command.add_argument("--expect-tilt", metavar="ANGLE", help="exit 1 unless this tilt is reached in every direction")
+    command.add_argument("--stiffness", default="1e6", metavar="K", help="of a drive [N/m]; default 1e6")
+    add_independent(command)
+    add_effects(command)
+    command.add_argument("--processes", type=int, metavar="N", help="default: one per core")
+    command.add_argument("--dask", metavar="ADDRESS", help="of a Dask scheduler, to run there: tcp://host:8786")
+    command.add_argument("--json", action="store_true", help="the summary as JSON")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, sweep, write, print; 1 if an expected tilt is not reached."""
+    from symscrew.studies.workspace import (
+        AZIMUTH,
+        TILT,
+        Store,
+        prepare_sweep,
+        read_number,
+        save_csv,
+        save_npz,
+        sweep_summary,
+        sweep_summary_text,
+    )
+
     out = Path(options.out)
     single = out.suffix in (".npz", ".csv")
     if out.suffix and not single:
-        raise DescriptionError(
+        raise UsageError(
             f"--out: expected a folder or a file name that ends in .npz or .csv, got {shorten(options.out)}"
         )
     if not out.parent.is_dir():
-        raise DescriptionError(f"--out: no folder {shorten(str(out.parent), 200)} to write into")
+        raise UsageError(f"--out: no folder {shorten(str(out.parent), 200)} to write into")
     expected = read_number(options.expect_tilt, "--expect-tilt") if options.expect_tilt else None
-    plan = read_plan(options, chosen)
+    plan = read_plan(options)
     if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
-        raise DescriptionError(
-            "--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73"
-        )
-    made = prepare(plan)
+        raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
+    made = prepare_sweep(plan)
     folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
     if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
-        raise DescriptionError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
+        raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
     kept = Store(folder, plan)
     sweep(plan, kept, scheduler=options.dask, processes=options.processes)
     results = kept.whole()
-    found = summary(plan, results, made.units)
+    found = sweep_summary(plan, results, made.units)
     if single:
         written = [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]
     else:
@@ -68,37 +101,40 @@ def run(options: argparse.Namespace, chosen) -> int:  # type: ignore[no-untyped-
         if picture := _picture(plan, results, made.units, out / "workspace.png"):
             written.append(picture)
     shutil.rmtree(folder)
-    print(json.dumps(found, indent=1) if options.json else summary_text(found))
+    print(json.dumps(found, indent=1) if options.json else sweep_summary_text(found))
     print("wrote " + ", ".join(map(str, written)), file=sys.stderr)
     if expected is None:
-        return 0
-    return 0 if found["tilt"]["every_direction"] >= expected * (1 - 1e-12) else FAILED
+        return DONE
+    return DONE if found["tilt"]["every_direction"] >= expected * (1 - ROUNDING) else FAILED
 
 
-def read_plan(options: argparse.Namespace, chosen) -> Plan:  # type: ignore[no-untyped-def]
-    """The plan that the options describe; raises DescriptionError."""
+def read_plan(options: argparse.Namespace) -> Plan:
+    """The plan that the options describe; raises UsageError or DescriptionError."""
+    from symscrew import catalogue
+    from symscrew.studies.workspace import MOST_CASES, Plan, read_axis, read_limit, read_number
+
     axes = tuple(read_axis(item) for item in options.over or ())
     tolerances = []
     for item in options.tolerance or ():
         name, equals, value = item.partition("=")
         sigma = read_number(value, "--tolerance") if equals else -1.0
         if sigma <= 0:
-            raise DescriptionError(f"--tolerance: expected PARAMETER=standard deviation above 0, got {shorten(item)}")
+            raise UsageError(f"--tolerance: expected PARAMETER=standard deviation above 0, got {shorten(item)}")
         tolerances.append((name.strip(), sigma))
     samples = options.samples if tolerances else 1
-    if not 1 <= samples <= 1_000_000:
-        raise DescriptionError(f"--samples: expected a number from 1 to 1000000, got {samples}")
+    if not 1 <= samples <= MOST_SAMPLES:
+        raise UsageError(f"--samples: expected a number from 1 to {MOST_SAMPLES}, got {samples}")
     mechanism = catalogue.find(options.mechanism)
     for name, _ in tolerances:
         if name not in mechanism.parameters:
-            raise DescriptionError(f"--tolerance: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
+            raise UsageError(f"--tolerance: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
     varied = tuple(
         dict.fromkeys(n for n in (*(a.name for a in axes), *(n for n, _ in tolerances)) if n in mechanism.parameters)
     )
     mechanism = catalogue.find(options.mechanism, run_time=varied) if varied else mechanism
     plan = Plan(
         mechanism,
-        tuple(chosen(options, mechanism)),
+        tuple(chosen_effects(options, mechanism)),
         axes,
         tuple(options.independent) if options.independent else None,
         tuple(tolerances),
@@ -109,16 +145,18 @@ def read_plan(options: argparse.Namespace, chosen) -> Plan:  # type: ignore[no-u
         parameters=varied,
     )
     if not axes and not tolerances:
-        raise DescriptionError(
-            "nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation"
-        )
+        raise UsageError("nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation")
     if plan.count > MOST_CASES:
-        raise DescriptionError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
+        raise UsageError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
     return plan
 
 
 def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: int | None = None) -> None:
     """Compute the pieces that are missing, with a bar on a terminal, and store each as it is done."""
+    from tqdm import tqdm
+
+    from symscrew.studies.workspace import run_locally, run_on_dask
+
     there = kept.done()
     left = [k for k in range(plan.chunks) if k not in there]
     if there:
@@ -130,7 +168,8 @@ def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: i
             bar.update()
 
 
-def _picture(plan: Plan, results: Results, units, path: Path) -> Path | None:  # type: ignore[no-untyped-def]
+def _picture(plan: Plan, results: Results, units: Mapping[str, str], path: Path) -> Path | None:
+    """The maps as a picture, where matplotlib is installed: a sweep is worth having without it."""
     import importlib.util
 
     if importlib.util.find_spec("matplotlib") is None:

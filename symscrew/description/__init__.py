@@ -7,7 +7,7 @@ A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read b
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
-from symscrew.description.joints import JOINT_TYPES, Motion
+from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Point, Vector
 from symscrew.description.names import RESERVED, check_name, check_text
 from symscrew.description.reader import Reader
@@ -21,9 +21,11 @@ __all__ = [
     "CONSTANTS",
     "FUNCTIONS",
     "JOINT_TYPES",
+    "NO_MOTION",
     "RESERVED",
     "Body",
     "Joint",
+    "JointType",
     "Matrix3",
     "Mechanism",
     "MechanismBuilder",
@@ -46,6 +48,7 @@ __all__ = [
     "parse_description",
     "read_tables",
     "read_text",
+    "rotation",
     "taken_as_file",
     "to_text",
     "to_toml",

@@ -132,9 +132,11 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
 
 
 def _default_drive(letters: str) -> tuple[tuple[int, ...], ...]:
-    if "P" in letters:
-        chosen = letters.index("P")
-    elif letters[0] in "RH":
+    kinds = [JOINT_TYPES[letter] for letter in letters]
+    sliders = [k for k, kind in enumerate(kinds) if kind.slider]
+    if sliders:
+        chosen = sliders[0]
+    elif kinds[0].freedom == len(kinds[0].turning) == 1:
         chosen = 0
     else:
         chosen = -1
@@ -225,7 +227,7 @@ def _per_joint(value: Any, count: int, where: str, letters: str) -> Sequence[Any
 
 
 def _points(letters: str, value: Any, where: str) -> list[Any]:
-    others = [k for k, letter in enumerate(letters) if letter != "P"]
+    others = [k for k, letter in enumerate(letters) if not JOINT_TYPES[letter].slider]
     expected = f"one point per joint of {letters} ({len(letters)}) or one per joint other than P ({len(others)})"
     if value is None:
         raise DescriptionError(f"{where}: the key 'points' is missing; give {expected}")
@@ -252,7 +254,8 @@ def _axes(letters: str, k: int, given: Any, points: list[Any], where: str) -> An
     if given is None or (not isinstance(given, str) and isinstance(given, Sequence) and len(given) == 0):
         if needed == 0:
             return []
-        if letters[k] == "P" and 0 < k < len(letters) - 1 and "P" not in (letters[k - 1], letters[k + 1]):
+        sliders = [JOINT_TYPES[letter].slider for letter in letters[max(k - 1, 0) : k + 2]]
+        if sliders == [False, True, False]:  # between two joints that say where it slides
             return [Between(points[k - 1], points[k + 1])]
         raise DescriptionError(
             f"{where}.axes: joint {k + 1} of {letters} ({letters[k]}) needs {needed} "

@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 
 import sympy
 
+from symscrew.description.joints import JOINT_TYPES, JointType
+
 Vector = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 Matrix3 = tuple[Vector, Vector, Vector]
 
@@ -70,6 +72,11 @@ class Joint:
     pitch: sympy.Expr | None = None
     driven: tuple[int, ...] = ()
     reference: tuple[sympy.Expr, ...] = ()
+
+    @property
+    def kind(self) -> JointType:
+        """What its type is: its elementary motions, and all that follows from them."""
+        return JOINT_TYPES[self.type]
 
 
 @dataclass(frozen=True)

@@ -120,16 +120,16 @@ class Reader:
         return tuple(self.axis(axis, f"{where}[{k}]") for k, axis in enumerate(given))
 
     def _pitch(self, value: Any, letter: str, where: str) -> sympy.Expr | None:
-        if (value is None) == (letter == "H"):
-            rule = "a helical joint needs its pitch [m/rad]" if letter == "H" else "only H joints have a pitch"
+        helical = JOINT_TYPES[letter].helical
+        if (value is None) == helical:
+            rule = "a helical joint needs its pitch [m/rad]" if helical else "only H joints have a pitch"
             raise DescriptionError(f"{where}: {rule}, got {shorten(value)} for a joint of type {letter}")
         return None if value is None else self.number(value, where)
 
     def _reference(self, value: Any, letter: str, where: str) -> tuple[sympy.Expr, ...]:
         if value is None:
             return ()
-        motions = JOINT_TYPES[letter].motions
-        count = 0 if any(m.kind == "S" for m in motions) or letter == "E" else len(motions)
+        count = JOINT_TYPES[letter].references
         given = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
         if len(given) != count:
             raise DescriptionError(

@@ -18,7 +18,7 @@ import sympy
 
 from symscrew.description import toml_file
 from symscrew.description.expressions import to_text
-from symscrew.description.joints import JOINT_TYPES
+from symscrew.description.joints import JOINT_TYPES, JointType, Triad
 from symscrew.description.limb_letters import LimbType, parse_mechanism_string
 from symscrew.description.names import check_mechanism_name
 from symscrew.errors import DescriptionError
@@ -61,7 +61,7 @@ def description_text(name: str, limbs: str) -> str:
         kind, layouts = "serial", [_arm(types[0])]
         if "*" not in limbs:
             types = (_all_driven(types[0]),)
-    elif all(set(t.letters) <= set("RP") and len(t.letters) <= 3 for t in types):
+    elif all(len(t.letters) <= 3 and all(k.hinge or k.slider for k in _kinds(t.letters)) for t in types):
         kind, layouts = "planar", [_planar(t, k, len(types)) for k, t in enumerate(types)]
     else:
         kind, layouts = "parallel", _spatial(types)
@@ -110,11 +110,15 @@ def _frame(angle: sympy.Expr) -> tuple[Point, Point]:
 Z = sympy.Matrix([0, 0, 1])
 
 
+def _kinds(letters: str) -> list[JointType]:
+    return [JOINT_TYPES[letter] for letter in letters]
+
+
 def _spatial(types: Sequence[LimbType]) -> list[Layout]:
     """Single joints at the middle, all other limbs on circles; six or more in pairs, as hexapods have them."""
     around = [t for t in types if len(t.letters) > 1]
     count = max(len(around), 1)
-    paired = count >= 6 and all(t.letters[-1] == "S" for t in around)
+    paired = count >= 6 and all(_kinds(t.letters)[-1].ball for t in around)
     hub = len(around) < len(types)
     result, place = [], 0
     for limb in types:
@@ -132,23 +136,23 @@ def _spatial(types: Sequence[LimbType]) -> list[Layout]:
 
 
 def _hub(letter: str) -> Layout:
-    axes = {1: (_vector(0, 1, 0) if letter in "RP" else Z,), 2: (_vector(1, 0, 0), _vector(0, 1, 0)), 0: ()}
-    if letter == "P":
-        axes[1] = (Z,)
-    return Layout((_vector(0, 0, 0),), (axes[JOINT_TYPES[letter].axes],))
+    kind, x, y = JOINT_TYPES[letter], _vector(1, 0, 0), _vector(0, 1, 0)
+    axes = {0: (), 1: (y if kind.hinge else Z,), 2: (x, y)}
+    return Layout((_vector(0, 0, 0),), (axes[kind.axes],))
 
 
 def _leg(letters: str, base: sympy.Expr, top: sympy.Expr, *, hub: bool, paired: bool) -> Layout:
     """A limb in its radial plane: straight, with elbows outwards, or from a vertical rail."""
     radial, tangential = _frame(base)
-    rail = letters[0] == "P"
+    kinds = _kinds(letters)
+    rail = kinds[0].slider
     start = R * radial + (H / 3 * Z if rail else 0 * Z)
     end = r * _frame(top)[0] + H * Z
-    inner = [k for k, letter in enumerate(letters) if 0 < k < len(letters) - 1 and letter != "P"]
+    inner = [k for k in range(1, len(kinds) - 1) if not kinds[k].slider]
     inner = inner[1:] if rail and len(inner) and len(letters) > 2 else inner
     placed: dict[int, Point] = {0: R * radial, len(letters) - 1: end}
     if rail and len(letters) > 2:
-        first = next((k for k in range(1, len(letters)) if letters[k] != "P"), len(letters) - 1)
+        first = next((k for k in range(1, len(letters)) if not kinds[k].slider), len(letters) - 1)
         placed.setdefault(first, start)
     for i, k in enumerate(inner, start=1):
         f = sympy.Rational(i, len(inner) + 1)
@@ -161,33 +165,42 @@ def _leg(letters: str, base: sympy.Expr, top: sympy.Expr, *, hub: bool, paired: 
         normal = radial if paired else (along.dot(Z) * radial - along.dot(radial) * Z) / flat
         normal = normal.applyfunc(sympy.simplify)
         line = (along / flat).applyfunc(sympy.simplify)
-        axes.append(_axes(letters, k, radial, tangential, normal, line, hub=hub))
+        axes.append(_axes(kinds, k, Directions(radial, tangential, normal, line), hub=hub))
     return Layout(points, tuple(axes))
 
 
-def _axes(
-    letters: str, k: int, radial: Point, tangential: Point, normal: Point, line: Point, *, hub: bool
-) -> tuple[Point, ...]:
-    letter, first, last = letters[k], k == 0, k == len(letters) - 1
-    if letter == "S":
+@dataclass(frozen=True)
+class Directions:
+    """Unit vectors at a limb: away from the middle, around it, across the limb in its plane, and along it."""
+
+    radial: Point
+    tangential: Point
+    normal: Point
+    line: Point
+
+
+def _axes(kinds: Sequence[JointType], k: int, at: Directions, *, hub: bool) -> tuple[Point, ...]:
+    """Axes of joint k of a limb; none where they follow by themselves."""
+    kind, first, last = kinds[k], k == 0, k == len(kinds) - 1
+    if kind.axes == 0:
         return ()
-    if letter == "U":
+    if kind.axes == 2:
         if first:  # with a joint in the middle: through it, as in the source paper; else for pure translation
-            return (radial, tangential) if hub or letters[-1] == "S" else (tangential, normal)
-        seen = letters[:k].count("U") + letters[:k].count("R")
-        return (normal, tangential) if last and seen else (tangential, normal)
-    if letter == "P":
-        if first:
-            return (Z,)
-        if last:
-            return (radial,)
-        return () if "P" not in (letters[k - 1], letters[k + 1]) else ((line,) if letters[k - 1] != "P" else (radial,))
-    if letter == "R":
-        turned = sum(1 for x in letters[:k] if x == "R")
-        return ((tangential, tangential, tangential, radial, normal)[min(turned, 4)],)
-    if letter == "E":
-        return (tangential,)
-    return (line,) if not first else (Z,)
+            return (at.radial, at.tangential) if hub or kinds[-1].ball else (at.tangential, at.normal)
+        seen = any(x.universal or x.hinge for x in kinds[:k])
+        return (at.normal, at.tangential) if last and seen else (at.tangential, at.normal)
+    if kind.slider:
+        if first or last:
+            return (Z if first else at.radial,)
+        if kinds[k - 1].slider:
+            return (at.radial,)
+        return (at.line,) if kinds[k + 1].slider else ()
+    if kind.hinge:
+        turned = sum(x.hinge for x in kinds[:k])
+        return ((at.tangential, at.tangential, at.tangential, at.radial, at.normal)[min(turned, 4)],)
+    if kind.triad is Triad.NORMAL:
+        return (at.tangential,)
+    return (at.line,) if not first else (Z,)
 
 
 def _between(placed: dict[int, Point], count: int) -> tuple[Point, ...]:
@@ -205,17 +218,18 @@ def _planar(limb: LimbType, place: int, count: int) -> Layout:
     angle = 2 * sympy.pi * place / count + sympy.pi / 2
     radial, sideways = _frame(angle)
     start, end, letters = R * radial, r * _frame(angle + sympy.pi / 6)[0], limb.letters
-    inner = [k for k in range(1, len(letters) - 1) if letters[k] != "P"]
+    kinds = _kinds(letters)
+    inner = [k for k in range(1, len(letters) - 1) if not kinds[k].slider]
     placed = {0: start, len(letters) - 1: end}
     for i, k in enumerate(inner, start=1):
         f = sympy.Rational(i, len(inner) + 1)
         placed[k] = start + f * (end - start) - 4 * f * (1 - f) * b * sideways
     points = _between(placed, len(letters))
     axes: list[tuple[Point, ...]] = []
-    for k, letter in enumerate(letters):
-        if letter == "R":
+    for k, kind in enumerate(kinds):
+        if kind.hinge:
             axes.append((Z,))
-        elif 0 < k < len(letters) - 1 and "P" not in (letters[k - 1], letters[k + 1]):
+        elif 0 < k < len(letters) - 1 and not (kinds[k - 1].slider or kinds[k + 1].slider):
             axes.append(())
         else:
             axes.append(((sideways, radial, sideways)[k % 3],))
@@ -229,15 +243,15 @@ def _arm(limb: LimbType) -> Layout:
     turns, slides = (Z, y, y, x, y, Z), (Z, x, y)
     axes: list[tuple[Point, ...]] = []
     points, turned, slid = [0 * Z], 0, 0
-    for k, letter in enumerate(limb.letters):
+    for k, kind in enumerate(_kinds(limb.letters)):
         if k:
             points.append(points[-1] + l * steps[(k - 1) % 6] * (1 if k < 4 else HALF))
-        if letter == "P":
+        if kind.slider:
             axes.append((slides[slid % 3],))
             slid += 1
-        elif letter == "S":
+        elif kind.axes == 0:
             axes.append(())
-        elif letter == "U":
+        elif kind.axes == 2:
             axes.append((x, y))
         else:
             axes.append((turns[turned % 6],))
@@ -306,13 +320,14 @@ def _platform(kind: str, layouts: Sequence[Layout]) -> list[str]:
 def _limb(kind: str, place: int, limb: LimbType, layout: Layout) -> list[str]:
     letters, name = limb.letters, "arm" if kind == "serial" else f"limb{place + 1}"
     tip = "tool" if kind == "serial" else "platform"
-    names = ", ".join(JOINT_TYPES[x].name for x in letters)
+    kinds = _kinds(letters)
+    names = ", ".join(kind.name for kind in kinds)
     drives = "a star marks a driven freedom" if any(limb.driven) else "no drive: put a star after a joint to drive it"
     lines = [f"# {names}; {drives}."]
     lines += [f"[limbs.{name}]", f'type = "{limb.marked}"', 'base = "base"', f'tip = "{tip}"']
-    inside = all(not axes for letter, axes in zip(letters, layout.axes, strict=True) if letter == "P")
-    skip = "P" in letters and inside
-    places = [p for p, letter in zip(layout.points, letters, strict=True) if not (skip and letter == "P")]
+    sliders = [axes for kind, axes in zip(kinds, layout.axes, strict=True) if kind.slider]
+    skip = bool(sliders) and not any(sliders)
+    places = [p for p, kind in zip(layout.points, kinds, strict=True) if not (skip and kind.slider)]
     lines += ["points = [  # one per joint, base first" + (", a P sits in the middle" if skip else "")]
     lines += [f"  {_row(p)}," for p in places] + ["]"]
     if any(layout.axes):
@@ -321,8 +336,8 @@ def _limb(kind: str, place: int, limb: LimbType, layout: Layout) -> list[str]:
             f"  [{', '.join(_row(a) for a in axes)}],  # {x}" for x, axes in zip(letters, layout.axes, strict=True)
         ]
         lines.append("]")
-    if "H" in letters:
-        pitches = ", ".join('"0.002"' if x == "H" else '""' for x in letters)
+    if any(kind.helical for kind in kinds):
+        pitches = ", ".join('"0.002"' if kind.helical else '""' for kind in kinds)
         lines.append(f"pitch = [{pitches}]  # [m/rad]")
     if len(letters) > 1:
         lines += _rods(kind, layout.points)

@@ -13,7 +13,6 @@ import mpmath
 import sympy
 
 from symscrew.description.expressions import numeric
-from symscrew.description.joints import JOINT_TYPES
 from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Vector
 from symscrew.errors import DescriptionError, did_you_mean
 
@@ -156,7 +155,7 @@ def _check_axes(mechanism: Mechanism, joint: Joint) -> None:
             )
     if len(axes) == 2 and _length(_cross(axes[0], axes[1])) < 1e-12:
         raise DescriptionError(
-            f"joints.{joint.name}.axes: the two axes of a {JOINT_TYPES[joint.type].name} joint are parallel; "
+            f"joints.{joint.name}.axes: the two axes of a {joint.kind.name} joint are parallel; "
             "expected different directions (or use one R joint)"
         )
 
@@ -176,14 +175,15 @@ def _check_closure(mechanism: Mechanism, joint: Joint, feature: Feature, size: f
     """The joint's place on the child must be its place on the parent, but for what the joint can move."""
     where = f"joints.{joint.name}"
     axes = [_numbers(mechanism, axis, where) for axis in joint.axes]
-    kinds = {motion.kind for motion in JOINT_TYPES[joint.type].motions}
-    if feature.point is not None and joint.type != "free":
+    sliding = joint.kind.sliding
+    if feature.point is not None and len(sliding) < 3:
         here, there = _numbers(mechanism, joint.point, where), _numbers(mechanism, feature.point, where)
         gap = (there[0] - here[0], there[1] - here[1], there[2] - here[2])
-        if "P" in kinds and axes:
-            along = _dot(gap, axes[0])
-            across = _length((gap[0] - along * axes[0][0], gap[1] - along * axes[0][1], gap[2] - along * axes[0][2]))
-            distance = abs(along) if joint.type == "E" else across
+        if sliding:  # along one axis, or in the plane whose normal is the only axis given
+            axis = axes[sliding[0]] if len(sliding) == 1 else axes[0]
+            along = _dot(gap, axis)
+            across = _length((gap[0] - along * axis[0], gap[1] - along * axis[1], gap[2] - along * axis[2]))
+            distance = across if len(sliding) == 1 else abs(along)
         else:
             distance = _length(gap)
         if distance > CLOSURE_TOLERANCE * max(size, float(_length(gap))):

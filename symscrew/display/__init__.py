@@ -16,14 +16,14 @@ if TYPE_CHECKING:
         curve_style,
         draw_curves,
         drive_figure,
-        figure,
+        empty_figure,
+        indexed_symbol,
         joint_figure,
         reaction_figure,
         save_figure,
-        symbol,
     )
-    from symscrew.display.terminal import Progress, colours, installation, one_line, show, table
-    from symscrew.display.view import open_page, read, write_page
+    from symscrew.display.terminal import Progress, aligned_table, colours, installation, one_line, print_table
+    from symscrew.display.view import open_page, read_mechanism_and_motion, write_page
 
 __all__ = [
     "COLOURS",
@@ -32,23 +32,23 @@ __all__ = [
     "TIME",
     "Curve",
     "Progress",
+    "aligned_table",
     "assumption_figure",
     "colours",
     "curve_style",
     "draw_curves",
     "drive_figure",
-    "figure",
+    "empty_figure",
+    "indexed_symbol",
     "installation",
     "joint_figure",
     "mechanism_figure",
     "one_line",
     "open_page",
+    "print_table",
     "reaction_figure",
-    "read",
+    "read_mechanism_and_motion",
     "save_figure",
-    "show",
-    "symbol",
-    "table",
     "write_page",
 ]
 

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from symscrew.description import JOINT_TYPES, Mechanism
-from symscrew.display.plots import COLOURS, curve_style, symbol
+from symscrew.display.plots import COLOURS, curve_style, indexed_symbol
 from symscrew.display.shape import along, body_points, numbers, plate
 
 Array = np.ndarray
@@ -37,7 +37,8 @@ class Camera:
     def __call__(self, points: Array) -> Array:
         """Points (..., 3) on the picture (..., 2)."""
         seen = (points - self.middle) @ self.axes.T
-        return seen[..., :2] * (self.distance / (self.distance - seen[..., 2:]))
+        on_picture: Array = seen[..., :2] * (self.distance / (self.distance - seen[..., 2:]))
+        return on_picture
 
     def depth(self, points: Array) -> float:
         """How near to the viewer points (n, 3) are on average."""
@@ -69,7 +70,8 @@ def mechanism_figure(
         axes = made.add_axes((0.0, 0.0, 1.0, 1.0))
         bodies = [(name, places) for name, places in points.items() if len(places)]
         for order, (body, places) in enumerate(sorted(bodies, key=lambda item: _depth(mechanism, view, *item))):
-            _body(axes, view, mechanism, body, places, 2 + 0.01 * order)
+            colour, bar = _colour(mechanism, body), _bar(mechanism, body)
+            _body(axes, view, places, colour=colour, bar=bar, order=2 + 0.01 * order)
         _frame(axes, view, length)
         _joints(axes, view, mechanism)
         if labels:
@@ -86,16 +88,25 @@ def _depth(mechanism: Mechanism, view: Camera, body: str, places: Array) -> floa
     return -np.inf if body == mechanism.ground else view.depth(places)
 
 
-def _body(axes: Axes, view: Camera, mechanism: Mechanism, body: str, places: Array, order: float) -> None:
-    colour = GROUND if body == mechanism.ground else PLATFORM if body == mechanism.platform else LINK
+def _colour(mechanism: Mechanism, body: str) -> str:
+    return GROUND if body == mechanism.ground else PLATFORM if body == mechanism.platform else LINK
+
+
+def _bar(mechanism: Mechanism, body: str) -> float:
+    """Width of a body that is a bar [points of type]; 0 for the ground, which is none."""
+    if body == mechanism.ground:
+        return 0.0
+    # the outer part of a sliding pair is drawn thicker than the one that slides in it
+    outer = any(j.kind.slider and j.parent == body for j in mechanism.joints.values())
+    return 4.6 if outer else 2.2
+
+
+def _body(axes: Axes, view: Camera, places: Array, *, colour: str, bar: float, order: float) -> None:
+    """A plate where three or more points lie in a plane, else a bar along the points."""
     flat = plate(places) if len(places) > 2 else None
     if flat is None:
-        if body == mechanism.ground:
-            return
-        # the outer part of a sliding pair is drawn thicker than the one that slides in it
-        outer = any(j.type == "P" and j.parent == body for j in mechanism.joints.values())
-        thick = 4.6 if outer else 2.2
-        axes.plot(*view(along(places)).T, color=colour, linewidth=thick, solid_capstyle="round", zorder=order)
+        if bar:
+            axes.plot(*view(along(places)).T, color=colour, linewidth=bar, solid_capstyle="round", zorder=order)
         return
     inside, corners = flat
     axes.fill(*view(corners).T, facecolor=colour, alpha=0.16, edgecolor="none", zorder=order)
@@ -146,7 +157,7 @@ def _labels(axes: Axes, view: Camera, mechanism: Mechanism, length: float) -> No
         size = float(np.linalg.norm(away))
         outwards = away / size if size > 0.12 * length else np.array([-0.75, -0.65 if at[1] < middle[1] else 0.65])
         axes.annotate(
-            symbol(name),
+            indexed_symbol(name),
             xy=_pair(at),
             xytext=_pair(11.0 * outwards),
             textcoords="offset points",

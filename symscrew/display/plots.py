@@ -1,7 +1,7 @@
 """Figures in one style: those of the source paper's section 5 and the accuracy of what they show.
 
 Curves differ in colour (a palette that survives colour blindness), dash pattern and, where methods are
-compared, markers. Functions return figures; `save` writes them.
+compared, markers. Functions return figures; `save_figure` writes them.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ STYLE: dict[str, Any] = {
     "axes.formatter.useoffset": False,
     "axes.formatter.limits": (-4, 5),
 }
-DPI = 200
+DPI = 200  # of pictures: sharp in print
 
 
 def curve_style() -> Any:
@@ -79,7 +79,7 @@ class Curve:
     unit: str
 
 
-def figure(rows: int, columns: int, *, width: float = 7.0, height: float = 2.1) -> tuple[Figure, list[Axes]]:
+def empty_figure(rows: int, columns: int, *, width: float = 7.0, height: float = 2.1) -> tuple[Figure, list[Axes]]:
     """An empty figure of small axes with a common time axis; `height` [in] is that of one row."""
     with curve_style():
         made = Figure(figsize=(width, rows * height + 0.25), layout="constrained")
@@ -130,7 +130,7 @@ def joint_figure(t: Array, groups: Mapping[str, Sequence[Curve]], *, rate: bool)
     count = len(panels) + bool(sliders)
     columns = min(3, count)
     rows = -(-count // columns)
-    made, axes = figure(rows, columns, height=2.25)
+    made, axes = empty_figure(rows, columns, height=2.25)
     what = "angular rate" if rate else "angle"
     for k, (frame, (title, curves)) in enumerate(zip(axes, panels, strict=False)):
         draw_curves(frame, t, curves, title=f"({_letter(k)}) {title}", label=f"{what}  [rad{suffix}]")
@@ -153,7 +153,7 @@ def drive_figure(t: Array, cases: Mapping[str, tuple[Sequence[Curve], Array]]) -
 
     `cases`: title -> (curves of method A, values (n, drives) of method B).
     """
-    made, axes = figure(2, len(cases), height=2.3)
+    made, axes = empty_figure(2, len(cases), height=2.3)
     every = max(1, len(t) // 20)
     for k, (title, (curves, other)) in enumerate(cases.items()):
         upper, lower = axes[k], axes[len(cases) + k]
@@ -187,7 +187,7 @@ def reaction_figure(t: Array, places: Mapping[str, Sequence[Curve]], *, label: s
     """Joint reactions (figure 11): a frame per place, three components each."""
     columns = min(3, len(places))
     rows = -(-len(places) // columns)
-    made, axes = figure(rows, columns, height=1.95)
+    made, axes = empty_figure(rows, columns, height=1.95)
     for k, (frame, (title, curves)) in enumerate(zip(axes, places.items(), strict=False)):
         draw_curves(frame, t, curves, title=f"({_letter(k)}) {title}", label=label)
     _finish(axes, len(places), columns)
@@ -196,7 +196,7 @@ def reaction_figure(t: Array, places: Mapping[str, Sequence[Curve]], *, label: s
 
 def assumption_figure(t: Array, demanded: Curve, residual: Curve) -> Figure:
     """The component that the constraint demands, and what is left over when it is assumed to be zero."""
-    made, axes = figure(1, 2, height=2.2)
+    made, axes = empty_figure(1, 2, height=2.2)
     draw_curves(
         axes[0], t, [demanded], title="(a) demanded by the constraint", label=f"{demanded.name}  [{demanded.unit}]"
     )
@@ -210,10 +210,10 @@ def assumption_figure(t: Array, demanded: Curve, residual: Curve) -> Figure:
     return made
 
 
-def symbol(name: str) -> str:
+def indexed_symbol(name: str) -> str:
     """A letter with digits as a symbol with an index, anything else as it is.
 
-    >>> symbol("C4"), symbol("coupler_middle")
+    >>> indexed_symbol("C4"), indexed_symbol("coupler_middle")
     ('$C_{4}$', 'coupler middle')
     """
     stem = name.rstrip("0123456789")

@@ -10,7 +10,8 @@ from symscrew.description import Mechanism, Vector
 
 Array = np.ndarray
 
-FLAT = 1e-9
+FLAT = 1e-9  # [m] and [m^2]: points nearer than this are one, corners flatter than this are none
+PLANE = 1e-6  # relative: triangles flatter than this span no plane; [m]: points nearer than this lie in it
 
 
 def numbers(mechanism: Mechanism, vector: Vector) -> Array:
@@ -57,9 +58,9 @@ def plate(places: Array) -> tuple[Array, Array] | None:
             for k in range(j):
                 normal = np.cross(places[j] - places[i], places[k] - places[i])
                 size = np.linalg.norm(normal)
-                if size < 1e-6 * np.ptp(places, axis=0).max() ** 2:
+                if size < PLANE * np.ptp(places, axis=0).max() ** 2:
                     continue
-                inside = np.abs((places - places[i]) @ (normal / size)) < 1e-6
+                inside = np.abs((places - places[i]) @ (normal / size)) < PLANE
                 if best is None or inside.sum() > best[0]:
                     best = (int(inside.sum()), inside, normal / size)
     if best is None:

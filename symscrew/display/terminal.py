@@ -54,10 +54,10 @@ def colours(stream: TextIO) -> bool:
     return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
-def show(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print a table on stdout: coloured and as wide as the terminal there, in Markdown elsewhere."""
     if not colours(sys.stdout):
-        print(table(header, rows))
+        print(aligned_table(header, rows))
         return
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -77,10 +77,10 @@ def _is_number(text: str) -> bool:
     return text.lstrip("+-").replace(".", "", 1).isdigit()
 
 
-def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def aligned_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """A Markdown table with aligned columns; it reads well as plain text too.
 
-    >>> print(table(["name", "n"], [["seed", "2"]]))
+    >>> print(aligned_table(["name", "n"], [["seed", "2"]]))
     | name | n |
     |------|---|
     | seed | 2 |

@@ -28,10 +28,10 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
     still = [tape.zero] * len(tree.v)
     result = generalised_forces(system, acting, still)
     given = all(q.op == "symbol" for q in system.inputs.q)  # else angles may stand in their cosines and sines only
-    if not given or acting.simplifications or any(not is_zero(c) for c in acting.ground.omega):
+    if not given or acting.simplified or any(not is_zero(c) for c in acting.ground.omega):
         return result
     lean = acting.lean_inertia()
-    resting = rates(tree, system.frames, system.placed, still, still, acting.ground)
+    resting = rates(system.linkage, still, still, ground=acting.ground)
     weights = {k: inertial_wrench(lean[k], resting[k]) for k in range(1, len(lean))}
     weighed = balanced_forces(system, acting, still, weights)
     for places in _branches(system):

@@ -32,7 +32,7 @@ from symscrew.algebra import (
     solve_for,
     transform,
 )
-from symscrew.kinematics import GROUND, Cut, Frame, Link, Placement, Row, Tree, on_hub
+from symscrew.kinematics import GROUND, Cut, Frame, Link, Linkage, Placement, Row, Tree, on_hub
 
 ONE: Column = "1"
 Wrench = tuple[Vector, Vector]
@@ -70,6 +70,11 @@ class Setting:
     )  # forces, couples it cannot bear
     joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
     bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
+
+    @property
+    def linkage(self) -> Linkage:
+        """The tree at these placements."""
+        return Linkage(self.tree, tuple(self.frames), tuple(self.placed))
 
     def row_scale(self, v_index: int | None) -> float:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
@@ -113,7 +118,7 @@ class Setting:
             if cut.hub != link.index or c in self.bars:
                 continue
             for column, (f, m) in at_cut(c).items():
-                accumulate(result, column, *on_hub(cut, self.tree, self.placed, f, m))
+                accumulate(result, column, *on_hub(cut, self.linkage, f, m))
         return result
 
     def add_bars(self, link: Link, before: Wrenches, multipliers: Mapping[Column, Affine]) -> None:

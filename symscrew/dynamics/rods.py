@@ -31,18 +31,7 @@ from symscrew.algebra import (
 from symscrew.dynamics.equilibrium import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
 from symscrew.effects import Acting
-from symscrew.kinematics import (
-    GROUND,
-    Cut,
-    Inertia,
-    Link,
-    Rates,
-    System,
-    carry_across,
-    combined,
-    regrouped,
-    seen_before,
-)
+from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped
 from symscrew.loops import rod_limb
 
 
@@ -65,7 +54,7 @@ class Rod:
 
 def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
     """The rods of a system by the index of their cut joints: nothing but gravity and other bodies acts on them."""
-    if "no_gyroscopic_terms" in acting.simplifications:  # part of a rod's rate of momentum is left out then
+    if not acting.keeps_gyroscopic_moments:  # part of a rod's rate of momentum is left out then
         return {}
     taken = {*acting.joint_forces, *acting.reflected_inertia, *system.drive_rows()}
     driven = system.cut_drives()
@@ -157,7 +146,7 @@ def _sum(wrenches: Sequence[Wrench]) -> Wrench:
 
 def _line(system: System, rod: Rod) -> Vector:
     """From the near to the far end, in the axes before the parent's motion."""
-    far = seen_before(system.tree, system.placed, rod.hub, rod.parent, rod.far)
+    far = system.linkage.seen_before(rod.hub, rod.parent, rod.far)
     return subtract(far, _before(system, rod.parent, rod.near))
 
 
@@ -195,7 +184,7 @@ def _before(system: System, link: int, vector: Vector) -> Vector:
 
 
 def _across(system: System, source: int, target: int, vector: Vector) -> Vector:
-    return carry_across(system.tree, system.placed, source, target, vector)
+    return system.linkage.carry_across(source, target, vector)
 
 
 def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vector) -> Vector:

@@ -17,6 +17,7 @@ from symscrew.effects.registry import (
     effect_to_table,
     known_effects,
     load_effects,
+    simplifications,
     type_name,
 )
 
@@ -36,6 +37,7 @@ __all__ = [
     "effect_to_table",
     "known_effects",
     "load_effects",
+    "simplifications",
     "transformed",
     "type_name",
 ]

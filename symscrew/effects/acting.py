@@ -1,5 +1,7 @@
 """What the effects of a scene put on a mechanism: motion of the ground, wrenches on links, joint forces, states.
 
+    effects --push, drive, store, feed, state, input, ...--> Acting --read--> dynamics, functions, simulation
+
 Effects write into an `Acting` through its methods, the dynamics read it. Wrenches are kept per link, in the
 axes before the link's motion, at its origin: where the recursions take them.
 """
@@ -21,7 +23,6 @@ from symscrew.kinematics import (
     Rates,
     System,
     acceleration_matrix,
-    carry,
     drive_row,
     inertial_wrench,
     on_hub,
@@ -39,6 +40,18 @@ class Acts(Protocol):
 
     def prepare(self, acting: Acting) -> None:
         """Before anything acts."""
+
+    @property
+    def simplifies(self) -> str:
+        """What it leaves out, in words; empty: nothing."""
+
+    @property
+    def keeps_motion(self) -> bool:
+        """Whether rates and accelerations enter the inertial forces."""
+
+    @property
+    def keeps_gyroscopic_moments(self) -> bool:
+        """Whether omega x J omega does."""
 
     def act(self, acting: Acting) -> None:
         """Add what it contributes."""
@@ -66,17 +79,23 @@ class Acting(Parts):
         self.powers: dict[str, Node] = {}
         self.states: list[State] = []
         self.state_rates: dict[str, Node] = {}
-        self.simplifications: set[str] = set()
+        self.simplified = any(effect.simplifies for effect in effects)
+        self.keeps_motion = all(effect.keeps_motion for effect in effects)
+        self.keeps_gyroscopic_moments = all(effect.keeps_gyroscopic_moments for effect in effects)
         self.transmissions: dict[int, Transmission] = {}
         self.needs_reactions = False
         self.passes = 1
         self._reactions = reactions
-        for effect in effects:
+        for effect in effects:  # all of them first: gravity has to know the attitude that another effect gives the base
             effect.prepare(self)
         for effect in effects:
             effect.act(self)
         forgotten = [s.name for s in self.states if s.name not in self.state_rates]
         assert not forgotten, f"effects give no rate of their states {forgotten}"
+
+    def __repr__(self) -> str:
+        names = [port.name for port, _ in self.inputs]
+        return f"Acting({self.system.mechanism.name}: {len(self.loads)} loads, inputs {', '.join(names) or 'none'})"
 
     # -- what the ground does -----------------------------------------------------------------------------
 
@@ -96,9 +115,9 @@ class Acting(Parts):
         """Rates of every link for given accelerations of the tree, the ground's motion and gravity included."""
         system = self.system
         v = system.inputs.v
-        if "quasi_static" in self.simplifications:
+        if not self.keeps_motion:
             a = v = (system.tape.zero,) * len(system.tree.v)
-        return rates(system.tree, system.frames, system.placed, v, a, self.ground)
+        return rates(system.linkage, v, a, ground=self.ground)
 
     # -- inertia ---------------------------------------------------------------------------------------------
 
@@ -109,11 +128,13 @@ class Acting(Parts):
 
     def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
-        if "no_gyroscopic_terms" not in self.simplifications:
+        if self.keeps_gyroscopic_moments:
             return inertial_wrench(inertia, moving[link])
         true = self.system.inertia[link]
         if true.mass is self.system.tape.zero:
             return inertial_wrench(inertia, moving[link])
+        # omega x J omega with J about the centre of mass: second moments about the link's origin, less those of the
+        # mass at its centre (Steiner); the rest of the rate of momentum stays
         spread = scale(1 / true.mass, true.first)
         own = tuple(
             tuple(true.second[i][j] - true.first[i] * self.system.tape.node(spread[j]) for j in range(3))
@@ -137,7 +158,7 @@ class Acting(Parts):
     def known_forces(self, a: Sequence[Node]) -> dict[int, Node]:
         """Generalised forces along freedoms of the tree, those of reflected inertias at accelerations a included."""
         known = dict(self.joint_forces)
-        if "quasi_static" not in self.simplifications:
+        if self.keeps_motion:
             for index, inertia in self.reflected_inertia.items():
                 known[index] = known.get(index, self.system.tape.zero) - inertia * a[index]
         return known
@@ -238,7 +259,7 @@ class Acting(Parts):
         link = system.tree.link_of_body[point.body]
         if link == GROUND:
             return
-        f, m = (carry(system.tree, system.placed, GROUND, link, vector, before=True) for vector in (force, moment))
+        f, m = (system.linkage.carry(GROUND, link, vector, before=True) for vector in (force, moment))
         arm = system.placed[link].before(system.local_point(link, system.geometry.vector(point.at)))
         self._load(link, f, add(m, cross(arm, f)))
 
@@ -255,7 +276,7 @@ class Acting(Parts):
         place = system.local_point(link, system.geometry.vector(point.at))
         f, m = (tuple(dot(column, v) for column in zip(*back, strict=True)) for v in (force, moment))
         placed = system.placed[link]
-        self._load(link, placed.before(f), placed.before(add(m, cross(place, f))))  # type: ignore[arg-type]
+        self._load(link, placed.before(f), placed.before(add(m, cross(place, f))))
 
     def drive(self, joint: str, freedom: int, force: Node) -> None:
         """A generalised force on a joint's freedom, like a drive: > 0 pushes the child along its screw."""
@@ -264,8 +285,9 @@ class Acting(Parts):
             index = system.tree.velocity_indices(joint)[freedom]
             self.joint_forces[index] = self.joint_forces.get(index, system.tape.zero) + force
             return
+        # a joint that closes a loop has no rate of its own in v: its force acts as a pair of wrenches on tip and hub
         cut = next(c for c in system.cuts if c.joint.name == joint)
-        row = drive_row(cut, freedom, system.tree, system.placed)
+        row = drive_row(cut, freedom, system.linkage)
         factor = -force if cut.tip_is_parent else force
         f, couple = scale(factor, row.force), scale(factor, row.couple)
         placed = system.placed
@@ -273,7 +295,7 @@ class Acting(Parts):
             tip = placed[cut.tip]
             self._load(cut.tip, tip.before(f), tip.before(add(couple, cross(cut.tip_point, f))))
         if cut.hub != GROUND:
-            f, m = on_hub(cut, system.tree, placed, scale(-1, f), scale(-1, couple))
+            f, m = on_hub(cut, system.linkage, scale(-1, f), scale(-1, couple))
             self._load(cut.hub, f, m)
 
     def _load(self, link: int, force: Vector, moment: Vector) -> None:

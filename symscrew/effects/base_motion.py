@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy
 
-from symscrew.algebra import Node, Vector, add, cross
+from symscrew.algebra import Matrix, Node, Vector, add, cross
 from symscrew.effects.acting import Acting, power_of_wrench
 from symscrew.effects.effect import Effect, Number
 from symscrew.effects.parts import TIME
@@ -45,7 +46,7 @@ class BaseMotion(Effect):
     attitude: bool = False
 
     @property
-    def depends_on(self) -> frozenset[str]:  # type: ignore[override]
+    def depends_on(self) -> frozenset[str]:
         """Gravity, where the attitude is known: the field turns in the axes of the ground."""
         return frozenset({"gravity"}) if self.pose or self.attitude else frozenset()
 
@@ -75,7 +76,7 @@ class BaseMotion(Effect):
         """The power of the inertial forces."""
         system, ground = acting.system, acting.base
         still = [system.tape.zero] * len(system.tree.v)
-        frozen = rates(system.tree, system.frames, system.placed, still, still, ground)
+        frozen = rates(system.linkage, still, still, ground=ground)
         for link in system.tree.links[1:]:
             force, moment = inertial_wrench(system.inertia[link.index], frozen[link.index])
             acting.feed("base_motion", -power_of_wrench(system, link.index, force, moment))
@@ -115,9 +116,10 @@ def _halves(six: tuple[Node, ...]) -> tuple[Vector, Vector]:
     return (six[0], six[1], six[2]), (six[3], six[4], six[5])
 
 
-def _back(rotation: tuple, k: int, vector: list[Node]) -> Node:
+def _back(rotation: Matrix, k: int, vector: Sequence[Node]) -> Node:
     """Component k of rotation^T vector."""
-    return rotation[0][k] * vector[0] + rotation[1][k] * vector[1] + rotation[2][k] * vector[2]
+    column: list[Node] = [row[k] for row in rotation]
+    return column[0] * vector[0] + column[1] * vector[1] + column[2] * vector[2]
 
 
 def _inputs(acting: Acting) -> tuple[tuple[Node, ...], tuple[Node, ...]]:

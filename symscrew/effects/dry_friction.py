@@ -52,7 +52,7 @@ class DryFriction(Effect):
     name: str = ""
 
     @property
-    def depends_on(self) -> frozenset[str]:  # type: ignore[override]
+    def depends_on(self) -> frozenset[str]:
         """The reactions, where the level depends on the load."""
         return frozenset() if self.load == 0 else frozenset({"reactions"})
 

@@ -1,4 +1,10 @@
-"""What an effect is: a frozen dataclass that says what it puts on a system, or leaves out of it."""
+"""What an effect is: a frozen dataclass that says what it puts on a system, or leaves out of it.
+
+    mechanism --transform--> mechanism --prepare, act--> Acting: what the dynamics read
+
+An effect answers for itself. The dynamics ask what all effects of a scene add up to and which part of the inertial
+forces they keep; they know none of them by its name.
+"""
 
 from __future__ import annotations
 
@@ -18,16 +24,28 @@ ALWAYS = {"always": True}  # metadata of a field that is shown even at its defau
 
 @dataclass(frozen=True, repr=False)
 class Effect:
-    """One effect of a scene: a frozen dataclass that says what it puts on a system.
+    """One effect of a scene: a frozen dataclass that says what it puts on a system, and what it leaves out.
 
-    `depends_on` says why the effect cannot simply be added to others: "reactions" (its force depends on the
-    joints' reactions), "drives" (it changes what the drives do), "inertia" (it changes masses, and with them what
-    inertia and gravity do), "motion" (it changes which accelerations count), "gravity" (it turns the field);
-    empty for a force screw of the state and of time, which adds up. A simplification says so in `simplifies`.
+    A simplification names itself in `simplifies` ("massless limbs"; empty: it leaves nothing out) and says which part
+    of the inertial forces is not kept:
+
+        keeps_motion               rates and accelerations of the mechanism enter them
+        keeps_gyroscopic_moments   omega x J omega enters the moment about every centre of mass
     """
 
-    depends_on: ClassVar[frozenset[str]] = frozenset()
-    simplifies: ClassVar[bool] = False
+    simplifies: ClassVar[str] = ""
+    keeps_motion: ClassVar[bool] = True
+    keeps_gyroscopic_moments: ClassVar[bool] = True
+
+    @property
+    def depends_on(self) -> frozenset[str]:
+        """Why the effect cannot simply be added to others; empty for a force screw of the state and of time.
+
+        "reactions": its force depends on the joints' reactions; "drives": it changes what the drives do; "inertia":
+        it changes masses, and with them what inertia and gravity do; "motion": it changes which accelerations count;
+        "gravity": it turns the field.
+        """
+        return frozenset()
 
     def __post_init__(self) -> None:
         """Exact numbers as texts and lists as tuples, so that an effect read back from a file is the same."""
@@ -39,7 +57,7 @@ class Effect:
         return mechanism
 
     def prepare(self, acting: Acting) -> None:
-        """Before anything acts: simplifications, motion of the ground."""
+        """Before anything acts: motion of the ground."""
 
     def act(self, acting: Acting) -> None:
         """Add force screws, joint forces, energy, inputs and states."""

@@ -11,7 +11,7 @@ from symscrew.effects.records import Contact
 from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
 
-EXPONENTS = (1, 1.5, 2)
+EXPONENTS = (1, 1.5, 2)  # of a depth without calling pow: linear, Hertz's for spheres, and the square
 
 
 @dataclass(frozen=True, repr=False)
@@ -103,9 +103,9 @@ class EndStop(Effect):
         for end, sign in ((self.lower, -1), (self.upper, 1)):
             if end is not None:
                 depth = sign * (place - acting.number(end, f"{what}: limit"))
-                self._side(acting, k, depth, sign * rate, sign, (stiffness, damping))
+                self._side(acting, k, depth=depth, speed=sign * rate, sign=sign, law=(stiffness, damping))
 
-    def _side(self, acting: Acting, k: int, depth: Node, speed: Node, sign: int, law: tuple[Node, Node]) -> None:
+    def _side(self, acting: Acting, k: int, *, depth: Node, speed: Node, sign: int, law: tuple[Node, Node]) -> None:
         """One end: its force against the depth, what it stores and what it takes."""
         tape = acting.system.tape
         stiffness, damping = law

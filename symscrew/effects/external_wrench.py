@@ -64,5 +64,5 @@ class ExternalWrench(Effect):
             acting.push_in_body_axes(point, force, moment)
             twist, axes = system.twist[link], system.frames[link].axes
             local = system.local_point(link, system.geometry.vector(point.at))
-            velocity, spin = (tuple(dot(row, v) for row in axes) for v in (twist.velocity_at(local), twist.angular))  # type: ignore[assignment]
+            velocity, spin = (tuple(dot(row, v) for row in axes) for v in (twist.velocity_at(local), twist.angular))
         acting.feed(f"external_wrench_{self.point}", system.tape.node(dot(force, velocity) + dot(moment, spin)))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import sympy
 
 from symscrew.algebra import Node
-from symscrew.description import JOINT_TYPES, parse
+from symscrew.description import parse
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError
@@ -47,7 +47,7 @@ class JointSpring(Effect):
         what = f"spring in joint {self.joint!r}"
         joint = acting.joint(self.joint, what)
         c = acting.number(self.damping, f"{what}: damping", least=0)
-        if [m.kind for m in JOINT_TYPES[joint.type].motions] == ["S"] and self.freedom is None:
+        if joint.kind.ball and self.freedom is None:
             self._spherical(acting, what, c)
             return
         k = acting.freedom(self.joint, self.freedom, what)

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from symscrew.description import Body, Mechanism
-from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
@@ -24,10 +23,14 @@ class MasslessLimbs(Effect):
         keep = ["slider"]
     """
 
-    depends_on: ClassVar[frozenset[str]] = frozenset({"inertia"})
-    simplifies: ClassVar[bool] = True
+    simplifies: ClassVar[str] = "massless limbs"
 
     keep: tuple[str, ...] = ()
+
+    @property
+    def depends_on(self) -> frozenset[str]:
+        """The inertia: weights go with the masses."""
+        return frozenset({"inertia"})
 
     def transform(self, mechanism: Mechanism) -> Mechanism:
         """The mechanism without the limbs' inertias."""
@@ -44,7 +47,3 @@ class MasslessLimbs(Effect):
                 )
         bodies = {name: body if name in kept else Body(name) for name, body in mechanism.bodies.items()}
         return replace(mechanism, bodies=bodies)
-
-    def prepare(self, acting: Acting) -> None:
-        """Declare it."""
-        acting.simplifications.add("massless_limbs")

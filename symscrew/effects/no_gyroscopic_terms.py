@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect
 
 
@@ -21,9 +20,10 @@ class NoGyroscopicTerms(Effect):
         type = "no_gyroscopic_terms"
     """
 
-    depends_on: ClassVar[frozenset[str]] = frozenset({"inertia"})
-    simplifies: ClassVar[bool] = True
+    simplifies: ClassVar[str] = "no gyroscopic terms"
+    keeps_gyroscopic_moments: ClassVar[bool] = False
 
-    def prepare(self, acting: Acting) -> None:
-        """Declare it."""
-        acting.simplifications.add("no_gyroscopic_terms")
+    @property
+    def depends_on(self) -> frozenset[str]:
+        """The inertia: a payload's gyroscopic moment is left out as well."""
+        return frozenset({"inertia"})

@@ -11,7 +11,7 @@ import numpy as np
 import sympy
 
 from symscrew.algebra import Node, dot, expression_node
-from symscrew.description import JOINT_TYPES, Joint, Point, Reader, check_name, exact, numeric
+from symscrew.description import Joint, Point, Reader, check_name, exact, numeric
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.kinematics import System, closure_rate, cut_displacement, drive_row, tree_displacement
 
@@ -115,7 +115,7 @@ class Parts:
 
     def freedoms(self, joint: str, freedom: int | None, what: str) -> list[int]:
         """Indices of the freedoms that are meant: all of them where none is named."""
-        count = JOINT_TYPES[self.joint(joint, what).type].freedom
+        count = self.joint(joint, what).kind.freedom
         if freedom is None:
             return list(range(count))
         if isinstance(freedom, bool) or not isinstance(freedom, int) or not 0 <= freedom < count:
@@ -155,11 +155,11 @@ class Parts:
 
     def slides(self, joint: str, freedom: int) -> bool:
         """Whether a freedom is a translation."""
-        return JOINT_TYPES[self.system.mechanism.joints[joint].type].freedoms[freedom].kind == "P"
+        return self.system.mechanism.joints[joint].kind.freedoms[freedom].prismatic
 
     def label(self, name: str, joint: str, freedom: int, what: str) -> str:
         """The given name, or the joint's, with the freedom where it has several."""
-        several = JOINT_TYPES[self.system.mechanism.joints[joint].type].freedom > 1
+        several = self.system.mechanism.joints[joint].kind.freedom > 1
         return check_name(name or (f"{joint}_{freedom}" if several else joint), f"{what}: name")
 
     # -- motion of joints --------------------------------------------------------------------------------------
@@ -167,7 +167,7 @@ class Parts:
     def displacement(self, joint: str, freedom: int, what: str) -> Node:
         """Displacement of a freedom [m or rad], of a tree joint or of one that closes a loop."""
         found = self.joint(joint, what)
-        if any(m.kind == "S" for m in JOINT_TYPES[found.type].motions):
+        if found.kind.spherical:
             raise DescriptionError(
                 f"{what}: joint {joint!r} turns freely in space and has no single displacement; "
                 "expected a joint of revolute, prismatic or helical motions"
@@ -187,12 +187,12 @@ class Parts:
         if joint in system.tree.joints:
             return system.joint_rates(system.inputs.v)[system.tree.velocity_indices(joint)[freedom]]
         cut = next(c for c in system.cuts if c.joint.name == joint)
-        motions = JOINT_TYPES[cut.joint.type].freedoms
-        rows = tuple(drive_row(cut, k, system.tree, system.placed) for k in range(len(motions)))
+        motions = cut.joint.kind.freedoms
+        rows = tuple(drive_row(cut, k, system.linkage) for k in range(len(motions)))
         sign = -1 if cut.tip_is_parent else 1
-        seen = closure_rate(replace(cut, rows=rows), system.tree, system.placed, system.twist)
-        turning = [k for k, m in enumerate(motions) if m.kind == "R"]
-        if len(turning) == 2:
+        seen = closure_rate(replace(cut, rows=rows), system.linkage, system.twist)
+        turning = [k for k, m in enumerate(motions) if m.revolute]
+        if len(turning) == 2:  # of skew axes, each row sees a part of the other rate too: solve the two for both
             skew = system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))
             if skew is not system.tape.zero:
                 other = turning[1 - turning.index(freedom)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import sympy
 
@@ -29,12 +28,15 @@ class Payload(Effect):
         com = [0, 0, 0.4]
     """
 
-    depends_on: ClassVar[frozenset[str]] = frozenset({"inertia"})
-
     body: str
     mass: Number
     com: tuple[Number, ...]
     inertia: tuple[Number, ...] = ()
+
+    @property
+    def depends_on(self) -> frozenset[str]:
+        """The inertia: the payload's weight goes with gravity."""
+        return frozenset({"inertia"})
 
     def transform(self, mechanism: Mechanism) -> Mechanism:
         """The mechanism with the payload's body heavier."""
@@ -65,7 +67,7 @@ def _joined(a: Body, b: Body) -> Body:
     if a.mass is None or a.com is None or b.mass is None or b.com is None:
         return b
     mass = a.mass + b.mass
-    com: Vector = tuple((a.mass * x + b.mass * y) / mass for x, y in zip(a.com, b.com, strict=True))  # type: ignore[assignment]
+    com: Vector = tuple((a.mass * x + b.mass * y) / mass for x, y in zip(a.com, b.com, strict=True))
     d = [y - x for x, y in zip(a.com, b.com, strict=True)]
     square = sum((c * c for c in d), start=sympy.S.Zero)
     reduced = a.mass * b.mass / mass

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect
 
 
@@ -21,9 +20,10 @@ class QuasiStatic(Effect):
         type = "quasi_static"
     """
 
-    depends_on: ClassVar[frozenset[str]] = frozenset({"motion"})
-    simplifies: ClassVar[bool] = True
+    simplifies: ClassVar[str] = "quasi-static"
+    keeps_motion: ClassVar[bool] = False
 
-    def prepare(self, acting: Acting) -> None:
-        """Declare it."""
-        acting.simplifications.add("quasi_static")
+    @property
+    def depends_on(self) -> frozenset[str]:
+        """The motion: what follows from accelerations is left out of every effect."""
+        return frozenset({"motion"})

@@ -17,13 +17,14 @@ from fractions import Fraction
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from types import UnionType
+from typing import Any, Union, get_args, get_origin, get_type_hints
 
 from symscrew.description import Mechanism, read_tables, read_text
 from symscrew.effects.effect import Effect, transformed
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
-HELPERS = ("acting", "effect", "parts", "records", "registry")
+HELPERS = ("acting", "effect", "parts", "records", "registry")  # files of this folder that hold no effect
 
 
 @cache
@@ -31,6 +32,17 @@ def known_effects() -> dict[str, type[Effect]]:
     """Type name (the name of the file) to class, in alphabetical order."""
     names = sorted(m.name for m in pkgutil.iter_modules([str(Path(__file__).parent)]) if m.name not in HELPERS)
     return {name: getattr(import_module(f"symscrew.effects.{name}"), class_name(name)) for name in names}
+
+
+def simplifications() -> dict[str, Effect]:
+    """In words ("massless limbs"), the simplifications that need no further keys, in alphabetical order of types."""
+    known = [kind for kind in known_effects().values() if kind.simplifies]
+    return {kind.simplifies: kind() for kind in known if not _required(kind)}
+
+
+def _required(kind: type[Effect]) -> list[str]:
+    """Keys that a table of this type must have."""
+    return [f.name for f in dataclasses.fields(kind) if f.default is dataclasses.MISSING]
 
 
 def class_name(kind: str) -> str:
@@ -64,6 +76,7 @@ def effect_from_table(table: Any, where: str = "effects") -> Effect:
         raise DescriptionError(f"{where}: unknown effect {shorten(kind)}; {did_you_mean(kind, known)}")
     made = names[kind]
     fields = {f.name: f for f in dataclasses.fields(made)}
+    kinds = get_type_hints(made)  # not the fields' own annotations: these are texts in some files and types in others
     values = {}
     for key, value in table.items():
         if key == "type":
@@ -74,32 +87,38 @@ def effect_from_table(table: Any, where: str = "effects") -> Effect:
                 f"{where}: unknown key {shorten(key)} of the effect {kind}; {did_you_mean(str(key), fields)} "
                 f"(its keys: {known_keys})"
             )
-        values[key] = _checked(value, fields[key], f"{where}.{key}")
-    missing = [name for name, f in fields.items() if f.default is dataclasses.MISSING and name not in values]
+        values[key] = _checked(value, kinds[key], f"{where}.{key}")
+    missing = [name for name in _required(made) if name not in values]
     if missing:
         raise DescriptionError(f"{where}: the effect {kind} needs the key {missing[0]!r}")
     return made(**values)
 
 
-def _checked(value: Any, field: dataclasses.Field, where: str) -> Any:
+def _checked(value: Any, annotation: Any, where: str) -> Any:
     """A value of a table, of the kind that the field's annotation asks for."""
-    kind = str(field.type)
+    kinds = _kinds(annotation)
     if isinstance(value, bool):
-        expected, good = "text or numbers", "bool" in kind
+        expected, good = "text or numbers", bool in kinds
     elif isinstance(value, str):
-        expected, good = "a list or a number", "str" in kind or "Number" in kind
+        expected, good = "a list or a number", str in kinds
     elif isinstance(value, int | float | Decimal | Fraction):
-        integer = kind.startswith("int")
-        expected = "an index" if integer else ("true or false" if kind == "bool" else "text or a list")
-        good = isinstance(value, int) if integer else "Number" in kind.split("tuple")[0]
+        integer = int in kinds and float not in kinds
+        expected = "an index" if integer else ("true or false" if kinds == {bool} else "text or a list")
+        good = isinstance(value, int) if integer else float in kinds
     elif isinstance(value, list | tuple):
-        expected, good = "a single value", "tuple" in kind
+        expected, good = "a single value", tuple in kinds
         value = tuple(_frozen(v, where) for v in value)
     else:
         expected, good = "text, a number, true or false, or a list", False
     if not good:
         raise DescriptionError(f"{where}: expected {expected}, got {shorten(value)}")
     return _finite(value, where)
+
+
+def _kinds(annotation: Any) -> set[type]:
+    """The types of a union, or the one type; `tuple` for any tuple."""
+    parts = get_args(annotation) if get_origin(annotation) in (Union, UnionType) else (annotation,)
+    return {get_origin(part) or part for part in parts}
 
 
 def _finite(value: Any, where: str) -> Any:
@@ -143,7 +162,7 @@ def _plain(value: Any) -> Any:
 
 
 def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:
-    """Refuse effects that do not fit the mechanism.
+    """Refuse effects that do not fit the mechanism, by letting them act on it once.
 
     Raises:
         DescriptionError: names the effect, what was expected, what came, and the cure.

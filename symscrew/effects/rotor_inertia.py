@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from symscrew.description import JOINT_TYPES
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError
@@ -36,7 +35,7 @@ class RotorInertia(Effect):
         """An inertia that moves with one freedom."""
         what = f"rotor inertia of joint {self.joint!r}"
         k = acting.freedom(self.joint, self.freedom, what)
-        if JOINT_TYPES[acting.joint(self.joint, what).type].freedoms[k].kind == "S":
+        if acting.joint(self.joint, what).kind.freedoms[k].spherical:
             raise DescriptionError(f"{what}: expected a freedom with an axis of its own, got one of a spherical joint")
         inertia = acting.number(self.inertia, f"{what}: inertia", least=0)
         ratio = acting.number(self.ratio, f"{what}: ratio")

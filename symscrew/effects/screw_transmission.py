@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
@@ -35,14 +34,17 @@ class ScrewTransmission(Effect):
         velocity = 1e-4
     """
 
-    depends_on: ClassVar[frozenset[str]] = frozenset({"drives"})
-
     joint: str
     lead: Number
     efficiency: Number = 1
     back_efficiency: Number | None = None
     velocity: Number | None = None
     freedom: int | None = None
+
+    @property
+    def depends_on(self) -> frozenset[str]:
+        """The drives: u is the motor's torque."""
+        return frozenset({"drives"})
 
     def act(self, acting: Acting) -> None:
         """Put the screw between the entry of u and the force on the joint."""

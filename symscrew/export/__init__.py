@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from symscrew.export.casadi_external import jacobians_model, print_external
     from symscrew.export.cpp import print_cpp
     from symscrew.export.example import SPILLS, print_cmake, print_example
+    from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
-    from symscrew.export.listing import banner, decimal, live_instructions, packed, plain
+    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
     from symscrew.export.manifest_file import (
         OutputError,
         effect_from_json,
         manifest,
-        model_hash,
         read_json,
         read_manifest,
         read_port,
@@ -33,16 +33,19 @@ if TYPE_CHECKING:
 
 __all__ = [
     "DOUBLE",
+    "HASHES",
     "PRECISIONS",
     "SINGLE",
     "SPILLS",
     "TABLE",
+    "FileHash",
     "OutputError",
     "Precision",
     "banner",
     "casadi_functions",
     "decimal",
     "effect_from_json",
+    "file_hash",
     "jacobians_model",
     "live_instructions",
     "manifest",
@@ -54,12 +57,14 @@ __all__ = [
     "print_cpp",
     "print_example",
     "print_external",
+    "print_hashes",
     "print_javascript",
     "print_markdown",
     "print_numpy",
     "print_readme",
     "print_script",
     "program_function",
+    "read_hashes",
     "read_json",
     "read_manifest",
     "read_port",

@@ -9,16 +9,18 @@ Nothing is allocated, no state is kept, matrices are column-major. On failure al
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread, c_wide
-from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane
+from symscrew.export.c_function import function, lane
 from symscrew.export.c_iteration import iteration_functions
+from symscrew.export.c_names import argument_names, arguments, declare
 from symscrew.export.c_parameters import parameter_type
 from symscrew.export.c_precision import DOUBLE, TABLE, Precision
+from symscrew.export.c_printed import Printed
 from symscrew.export.c_rank_revealing import routines, second_path
 from symscrew.export.c_single import error_lines, single_errors
-from symscrew.export.listing import banner, check_names, function_lines, wrapped
+from symscrew.export.listing import banner, check_names, filled, function_lines, wrapped
 from symscrew.model import Model
 from symscrew.program import STATUS, Iteration, Program, RankRevealing
 
@@ -55,6 +57,42 @@ sines are the same). With -fopenmp, %d states and more are shared among threads.
 states: define %s_STATE_BY_STATE to do without."""
 ABOUT_LANES = """Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster;
 results are those of limb after limb, but for what the compiler contracts. Define %s_LIMB_BY_LIMB to do without."""
+
+HEAD = """\
+#include "MODEL.h"
+
+#include <math.h>
+#include <string.h>
+
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"
+#endif
+
+/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")
+#endif
+#if defined(__GNUC__)
+#define UPPER_INLINE __attribute__((always_inline))
+#else
+#define UPPER_INLINE
+#endif
+
+const char *MODEL_status_text(int status)
+{
+    switch (status) {
+CASES
+    default: return "unknown status";
+    }
+}
+
+static void MODEL_set_nan(REAL *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = (REAL)NAN;
+    }
+}
+"""
 
 
 def print_c(model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True) -> dict[str, str]:
@@ -114,64 +152,15 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
 
 
 def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True) -> str:
-    """Definitions of all functions."""
-    real = precision.real
-    lines = [
-        *_comment(banner(model)),
-        f'#include "{model.name}.h"',
-        "",
-        "#include <math.h>",
-        *(["#include <string.h>"] if batches else []),
-        "",
-        "#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__",
-        '#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"',
-        "#endif",
-        "",
-        "/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */",
-        "#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)",
-        '#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")',
-        "#endif",
-        "#if defined(__GNUC__)",
-        f"#define {model.name.upper()}_INLINE __attribute__((always_inline))",
-        "#else",
-        f"#define {model.name.upper()}_INLINE",
-        "#endif",
-        "",
-        f"const char *{model.name}_status_text(int status)",
-        "{",
-        "    switch (status) {",
-        *(f'    case {code}: return "{text}";' for code, text in STATUS.items()),
-        '    default: return "unknown status";',
-        "    }",
-        "}",
-        "",
-        f"static void {model.name}_set_nan({real} *array, size_t size)",
-        "{",
-        "    for (size_t k = 0; k < size; ++k) {",
-        f"        array[k] = ({real})NAN;",
-        "    }",
-        "}",
-    ]
-    programs = model.programs.items()
+    """Definitions of all functions: what they share, then function after function."""
     printed = {
         name: Printed(model.name, f"{model.name}_{name}", straight_line(p), precision, lanes and name in IN_LANES)
-        for name, p in programs
+        for name, p in model.programs.items()
     }
-    straight = [name for name, program in programs if not isinstance(program, Iteration)]
+    straight = [name for name, program in model.programs.items() if not isinstance(program, Iteration)]
     blocks = [name for name in straight if batches and c_batch.by_lanes(printed[name])]
-    if any(p.angles.gathered for p in printed.values()):
-        lines += ["", *c_angles.prologue(model.name, precision)]
-    every = _straight_lines(model.name, model.programs, precision)
-    lines += c_parts.prologue(model.name, every)
-    if any(c_unread.fours(p.inputs, p.program.checked)[0] for p in every if not c_parts.long(p)):
-        lines += c_unread.prologue(model.name, precision)
-    lines += c_lanes.prologue(model.name, [p.packing for p in printed.values() if p.packing], precision)
-    if batches:
-        angles = any(p.angles.gathered for p in printed.values())
-        lines += ["", *c_batch.prologue(model.name, precision, [printed[n] for n in blocks], angles=angles)]
-    seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]
-    if seconds:
-        lines += ["", *routines(model.name, precision, internal=any(p.wrenches for p in seconds))]
+    lines = [*_comment(banner(model)), *_head(model.name, precision, batches=batches)]
+    lines += _shared(model, printed, blocks, precision=precision, batches=batches)
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
         if isinstance(program, Iteration):
@@ -185,6 +174,35 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     return "\n".join([*lines, ""])
 
 
+def _head(model: str, precision: Precision, *, batches: bool) -> list[str]:
+    """Includes, what a compiler must not do, the texts of statuses, and NaN for results of states that fail."""
+    cases = "\n".join(f'    case {code}: return "{text}";' for code, text in STATUS.items())
+    words = {"REAL": precision.real, "CASES": cases, "UPPER": model.upper(), "MODEL": model}
+    lines = filled(HEAD, words)
+    return lines if batches else [line for line in lines if line != "#include <string.h>"]
+
+
+def _shared(
+    model: Model, printed: Mapping[str, Printed], blocks: Sequence[str], *, precision: Precision, batches: bool
+) -> list[str]:
+    """Types and routines that several functions call; `blocks` are the functions that take states in blocks."""
+    name, lines = model.name, list[str]()
+    angles = any(p.angles.gathered for p in printed.values())
+    if angles:
+        lines += ["", *c_angles.prologue(name, precision)]
+    every = _straight_lines(name, model.programs, precision)
+    lines += c_parts.prologue(name, every)
+    if any(c_unread.fours(p.inputs, p.program.checked)[0] for p in every if not c_parts.long(p)):
+        lines += c_unread.prologue(name, precision)
+    lines += c_lanes.prologue(name, [p.packing for p in printed.values() if p.packing], precision)
+    if batches:
+        lines += ["", *c_batch.prologue(name, precision, [printed[n] for n in blocks], angles=angles)]
+    seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]
+    if seconds:
+        lines += ["", *routines(name, precision, internal=any(p.wrenches for p in seconds))]
+    return lines
+
+
 def _lane(printed: Printed) -> list[str]:
     """The lane of a function, in parts if it is long."""
     return c_parts.lane_in_parts(printed) if c_parts.long(printed) else lane(printed)
@@ -195,7 +213,7 @@ def _one_state(printed: Printed, program: Program) -> list[str]:
     signature = declare(printed.symbol, arguments(program, printed.precision))
     if not isinstance(program, RankRevealing):
         return function(printed, signature)
-    precision, names = printed.precision, printed.handed()
+    precision = printed.precision
 
     def define(name: str, part: Program) -> list[str]:
         inner = Printed(printed.model, name, part, precision)
@@ -203,8 +221,8 @@ def _one_state(printed: Printed, program: Program) -> list[str]:
 
     second = f"{printed.symbol}_rank_revealing"
     way_out = declare(second, arguments(program, precision), "static int ")
-    call = f"{second}({', '.join(names)})"
-    lines = second_path(printed.model, printed.symbol, way_out, program, names, define, precision)
+    call = f"{second}({', '.join(printed.handed())})"
+    lines = second_path(printed, way_out, define)
     return [*lines, "", *function(printed, signature, call)]
 
 

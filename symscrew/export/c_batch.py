@@ -15,16 +15,81 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.export import c_parts, c_wide
-from symscrew.export.c_function import Printed, argument_names, arguments, declare, wrapped_code
+from symscrew.export.c_names import argument_names, arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
+from symscrew.export.c_printed import Printed
 from symscrew.export.c_wide import LANES
+from symscrew.export.listing import filled
 from symscrew.program import COUNTED, Iteration, Port, Program
 
-MOST_ENTRIES = 4096  # of all arrays of a function: blocks of more would take too much of the stack
-FEW = 2  # states that are as fast one by one
+# Entries of all arrays of a function: a block of more would take over a quarter of a megabyte of the stack, and such a
+# function runs state by state.
+MOST_ENTRIES = 4096
+FEW = 2  # states that are as fast one by one as in a block of eight; more go in a block
 VOID = "static void "
-THREADED = 1024  # states from which on threads are worth their start
+THREADED = 1024  # states from which on threads are worth their start; fewer stay in one
 BY_LANES = frozenset(op for op, kind in COUNTED.items() if kind != "trig")
+
+
+ROUTINES = """
+/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
+static inline void MODEL_prefetch(size_t size, size_t stride, const REAL *array)
+{
+#if defined(__GNUC__)
+    for (size_t k = 0; k < size; ++k) {
+        __builtin_prefetch(array + k * stride);
+    }
+#else
+    (void)size;
+    (void)stride;
+    (void)array;
+#endif
+}
+
+/* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one
+   fills the lanes that are left. */
+static inline void MODEL_gather(
+    size_t size, size_t first, size_t some, size_t stride, const REAL *restrict array,
+    REAL *restrict block)
+{
+    if (stride == 0) {
+        for (size_t lane = 0; lane < EIGHT; ++lane) {
+            const REAL *state = array + (first + (lane < some ? lane : some - 1)) * size;
+            for (size_t k = 0; k < size; ++k) {
+                block[k * EIGHT + lane] = state[k];
+            }
+        }
+        return;
+    }
+    for (size_t k = 0; k < size; ++k) {
+        const REAL *entry = array + k * stride + first;
+        for (size_t lane = 0; lane < EIGHT; ++lane) {
+            block[k * EIGHT + lane] = entry[lane < some ? lane : some - 1];
+        }
+    }
+}
+
+static inline void MODEL_scatter(
+    size_t size, size_t first, size_t some, size_t stride, const REAL *restrict block,
+    REAL *restrict array)
+{
+    if (stride == 0) {
+        for (size_t lane = 0; lane < some; ++lane) {
+            REAL *state = array + (first + lane) * size;
+            for (size_t k = 0; k < size; ++k) {
+                state[k] = block[k * EIGHT + lane];
+            }
+        }
+        return;
+    }
+    for (size_t k = 0; k < size; ++k) {
+        REAL *entry = array + k * stride + first;
+        for (size_t lane = 0; lane < some; ++lane) {
+            entry[lane] = block[k * EIGHT + lane];
+        }
+    }
+}
+"""
 
 
 def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool) -> list[str]:
@@ -32,68 +97,11 @@ def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, ang
 
     `blocks`: the functions that have blocks; `angles`: some functions take sines of angles.
     """
-    upper, real = model.upper(), precision.real
+    upper, words = model.upper(), {"REAL": precision.real, "EIGHT": str(LANES), "MODEL": model}
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
         *(c_wide.types(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
-        "",
-        "/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */",
-        f"static inline void {model}_prefetch(size_t size, size_t stride, const {real} *array)",
-        "{",
-        "#if defined(__GNUC__)",
-        "    for (size_t k = 0; k < size; ++k) {",
-        "        __builtin_prefetch(array + k * stride);",
-        "    }",
-        "#else",
-        "    (void)size;",
-        "    (void)stride;",
-        "    (void)array;",
-        "#endif",
-        "}",
-        "",
-        "/* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one",
-        "   fills the lanes that are left. */",
-        f"static inline void {model}_gather(",
-        f"    size_t size, size_t first, size_t some, size_t stride, const {real} *restrict array,",
-        f"    {real} *restrict block)",
-        "{",
-        "    if (stride == 0) {",
-        f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-        f"            const {real} *state = array + (first + (lane < some ? lane : some - 1)) * size;",
-        "            for (size_t k = 0; k < size; ++k) {",
-        f"                block[k * {LANES} + lane] = state[k];",
-        "            }",
-        "        }",
-        "        return;",
-        "    }",
-        "    for (size_t k = 0; k < size; ++k) {",
-        f"        const {real} *entry = array + k * stride + first;",
-        f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-        f"            block[k * {LANES} + lane] = entry[lane < some ? lane : some - 1];",
-        "        }",
-        "    }",
-        "}",
-        "",
-        f"static inline void {model}_scatter(",
-        f"    size_t size, size_t first, size_t some, size_t stride, const {real} *restrict block,",
-        f"    {real} *restrict array)",
-        "{",
-        "    if (stride == 0) {",
-        "        for (size_t lane = 0; lane < some; ++lane) {",
-        f"            {real} *state = array + (first + lane) * size;",
-        "            for (size_t k = 0; k < size; ++k) {",
-        f"                state[k] = block[k * {LANES} + lane];",
-        "            }",
-        "        }",
-        "        return;",
-        "    }",
-        "    for (size_t k = 0; k < size; ++k) {",
-        f"        {real} *entry = array + k * stride + first;",
-        "        for (size_t lane = 0; lane < some; ++lane) {",
-        f"            entry[lane] = block[k * {LANES} + lane];",
-        "        }",
-        "    }",
-        "}",
+        *filled(ROUTINES, words),
         *(_sincos_block(model, precision) if angles else []),
     ]
 
@@ -269,7 +277,7 @@ def _some(model: str, symbol: str, program: Program | Iteration, precision: Prec
     one = f"{symbol}_one(first + lane, stride, {', '.join(names)})"
     lines = [declare(f"{symbol}_some", given, "static int "), "{", "    int worst = 0;"]
     if lanes:
-        lines += [f"#if {c_wide.guard(model)}", *_blocked(model, symbol, program, precision, one), "#endif"]
+        lines += [f"#if {c_wide.guard(model)}", *_blocked(model, symbol, program, precision, one=one), "#endif"]
     return [
         *lines,
         "    for (size_t lane = 0; lane < some; ++lane) {",
@@ -292,7 +300,7 @@ def _told(indent: str) -> list[str]:
     return [indent + line for line in lines]
 
 
-def _blocked(model: str, symbol: str, program: Program | Iteration, precision: Precision, one: str) -> list[str]:
+def _blocked(model: str, symbol: str, program: Program | Iteration, precision: Precision, *, one: str) -> list[str]:
     """Three to eight states as a block: where they are, if they lie side by side, else in a copy."""
     ports = (*program.inputs, *program.outputs)
     names, read = argument_names(ports), len(program.inputs)

@@ -7,191 +7,16 @@ several states side by side are another one (see `c_wide`): a `Form` says what i
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
-from itertools import groupby
+from collections.abc import Iterable, Sequence
 
 from symscrew.export import c_lanes, c_unread
-from symscrew.export.c_angles import Angles, calls, gather
-from symscrew.export.c_order import short_lived
-from symscrew.export.c_precision import Precision
-from symscrew.export.listing import balanced_sum, checked_slots, expressions, input_entries, live_instructions, wrapped
-from symscrew.program import Instruction, Iteration, Packing, Port, Program, packed
+from symscrew.export.c_angles import calls
+from symscrew.export.c_names import arguments, declare, wrapped_code
+from symscrew.export.c_printed import Form, Printed, place
+from symscrew.export.listing import balanced_sum, checked_slots, expressions
+from symscrew.program import Instruction, Packing
 
-NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
-NAMES_OF_MATH += " sinf cosf tanf sqrtf expf atan2f fabsf"
-NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
-NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
-NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
-NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
-NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
-PACKED = range(100, 2000)  # instructions of functions that are tried in lanes
-PER_OUTPUT = 6  # and how many there are for every output: else the time goes into taking results out
-SUMS = 4  # of what must be finite: one alone is a long chain of additions that wait for each other
-RUN = 8  # zeros in a row that are written by a loop
-TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
-
-
-def argument_names(ports: Sequence[Port]) -> list[str]:
-    """The ports' names as C arguments: those that the code needs itself get an underscore."""
-    return [port.name + "_" if port.name in TAKEN else port.name for port in ports]
-
-
-def arguments(program: Program | Iteration, precision: Precision, restrict: str = "restrict") -> list[str]:
-    """The declared arguments of a function: its inputs and outputs."""
-    names = argument_names((*program.inputs, *program.outputs))
-    read = len(program.inputs)
-    real = precision.real
-    return [f"{'const ' if i < read else ''}{real} *{restrict} {name}" for i, name in enumerate(names)]
-
-
-def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
-    """A declaration with an argument per line."""
-    return f"{prefix}{symbol}(\n    " + ",\n    ".join(given or ["void"]) + ")"
-
-
-def wrapped_code(statement: str, indent: str = "    ") -> list[str]:
-    """A long statement over several lines, broken at blanks."""
-    return wrapped(statement, first=indent, later=indent + "    ", width=110)
-
-
-@dataclass(frozen=True)
-class Form:
-    """How the statements of a function are written: for one state, or for several in vectors.
-
-    Entry k of an argument lies at k * `stride`, of our own arrays at k * `pitch`; `read` and `written` are formats of
-    a place that is read or written, `constant` of a number that is written; `table` is of operations.
-    """
-
-    real: str
-    table: Mapping[str, str]
-    stride: str = "1"
-    pitch: str = "1"
-    read: str = "{}"
-    written: str = "{}"
-    constant: str = "{}"
-
-
-def place(array: str, entry: int, step: str = "1") -> str:
-    """Entry k of an array whose entries are `step` apart."""
-    if entry < 2:
-        return f"{array}[{('0', step)[entry]}]"
-    return f"{array}[{entry}]" if step == "1" else f"{array}[{entry} * {step}]"
-
-
-@dataclass(frozen=True)
-class Printed:
-    """A straight-line program on its way into C: the names of its arguments, its angles, its pivots."""
-
-    model: str
-    symbol: str
-    program: Program
-    precision: Precision
-    lanes: bool = False
-
-    @cached_property
-    def packing(self) -> Packing | None:
-        """Its form with equal limbs side by side, if `lanes` are wanted and pay."""
-        kept = [s for slots in self.program.results for s in slots if isinstance(s, int)]
-        count = len(self.program.instructions)
-        if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
-            return None
-        guards = [slot for slot, _ in self.program.guards]
-        arrays = {slot: array for slot, (array, _) in self.entries.items()}
-        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)], arrays)
-
-    @cached_property
-    def names(self) -> dict[str, str]:
-        """Port name to argument name."""
-        ports = (*self.program.inputs, *self.program.outputs)
-        return dict(zip((p.name for p in ports), argument_names(ports), strict=True))
-
-    @cached_property
-    def angles(self) -> Angles:
-        """What is computed before everything else."""
-        live, _ = live_instructions(self.program)
-        kept = {s for slots in self.program.results for s in slots if isinstance(s, int)}
-        return gather(live, kept | {slot for slot, _ in self.program.guards})
-
-    @cached_property
-    def order(self) -> list[Instruction]:
-        """Everything else, in an order that suits registers."""
-        return short_lived(self.angles.rest)
-
-    @cached_property
-    def prefix(self) -> str:
-        """A prefix of local variables that no argument can be mistaken for."""
-        used = " ".join(self.names.values())
-        return next(p for p in ("x", "t", "w", "local_", "symscrew_local_") if not re.search(rf"\b{p}\d", used))
-
-    def operand(self, value: int | float) -> str:
-        """A slot or constant."""
-        return f"{self.prefix}{value}" if isinstance(value, int) else self.precision.number(value)
-
-    def handed(self, *, outputs: bool = True) -> list[str]:
-        """The names of the arguments, to hand them on."""
-        ports = (*self.program.inputs, *self.program.outputs) if outputs else self.program.inputs
-        return [self.names[p.name] for p in ports]
-
-    @cached_property
-    def alone(self) -> Form:
-        """How one state is written."""
-        return Form(self.precision.real, self.precision.table)
-
-    @cached_property
-    def inputs(self) -> dict[int, tuple[str, int]]:
-        """The array and entry of slots that are entries of inputs."""
-        return {slot: (self.names[port.name], k) for slot, (port, k) in enumerate(input_entries(self.program))}
-
-    @cached_property
-    def entries(self) -> dict[int, tuple[str, int]]:
-        """The array and entry of slots that are there from the start: entries of inputs, sines and cosines."""
-        found = dict(self.inputs)
-        for k, (_, *pair) in enumerate(self.angles.gathered):
-            pairs = zip(("sine", "cosine"), pair, strict=True)
-            found |= {slot: (array, k) for array, slot in pairs if slot is not None}
-        return found
-
-    def entered(self, form: Form) -> dict[int, str]:
-        """What reads slots that are there from the start."""
-        own = ("sine", "cosine")
-        return {
-            slot: form.read.format(place(array, k, form.pitch if array in own else form.stride))
-            for slot, (array, k) in self.entries.items()
-        }
-
-    def loads(self, slots: Iterable[int], form: Form) -> list[str]:
-        """Statements that read slots that are there from the start."""
-        entered = self.entered(form)
-        return [f"    const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
-
-    @cached_property
-    def cleared(self) -> list[tuple[str, range]]:
-        """Runs of zeros in outputs, which are written before the lane, by loops."""
-        found = []
-        for port, slots in zip(self.program.outputs, self.program.results, strict=True):
-            first = 0
-            for zero, some in groupby(repr(slot) == "0.0" for slot in slots):
-                run = range(first, first := first + len(list(some)))
-                if zero and len(run) >= RUN:
-                    found.append((self.names[port.name], run))
-        return found
-
-    @cached_property
-    def stored(self) -> list[tuple[str, int, int | float]]:
-        """The entries of outputs, and what goes there, but for zeros that are there already."""
-        outputs = zip(self.program.outputs, self.program.results, strict=True)
-        cleared = {(name, k) for name, run in self.cleared for k in run}
-        named = [(self.names[port.name], slots) for port, slots in outputs]
-        return [(name, k, s) for name, slots in named for k, s in enumerate(slots) if (name, k) not in cleared]
-
-    def unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
-        """Nothing is said of ports of which nothing is read."""
-        entries = input_entries(self.program)
-        used = {entries[slot][0].name for slot in read if slot < len(entries)}
-        return [f"    (void){self.names[port.name]};" for port in ports if port.name not in used]
+SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
 
 def inlined(printed: Printed) -> str:
@@ -217,54 +42,73 @@ def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, in
     What is read is read where it is first needed, results are written and summed where they are known, so that few
     values live at once. What is only summed comes first: at the end it would wait for the results in its sum.
     """
-    prefix, operand, entered = printed.prefix, printed.operand, printed.entered(form)
-    lines: list[str] = []
-    known: set[int] = set()
-    places: dict[str, list[str]] = {}  # by the text of what goes there: as keys the constant 1.0 and slot 1 are one
-    slots: dict[str, int | float] = {}
+    body = _Body(printed, form)
     for array, k, slot in stored:
-        places.setdefault(operand(slot), []).append(form.written.format(place(array, k, form.stride)))
-        slots[operand(slot)] = slot
-    waiting = dict.fromkeys(checked_slots(printed.program))
-    terms = 0
-
-    def first_read(slot: int | float) -> None:
-        if isinstance(slot, int) and slot not in known:
-            known.add(slot)
-            lines.append(f"const {form.real} {prefix}{slot} = {entered[slot]};")
-
-    def ready(slot: int | float) -> None:
-        nonlocal terms
-        text = operand(slot) if isinstance(slot, int) else form.constant.format(operand(slot))
-        lines.extend(f"{at} = {text};" for at in places.pop(operand(slot), ()))
-        if isinstance(slot, int) and slot in waiting:
-            del waiting[slot]
-            name = f"sum{terms % SUMS}"
-            lines.append(f"{name} = {name} + {text};" if terms >= SUMS else f"{form.real} {name} = {text};")
-            terms += 1
-
-    firsts, others = c_unread.fours(printed.inputs, waiting)
+        body.goes_to(slot, form.written.format(place(array, k, form.stride)))
+    firsts, others = c_unread.fours(printed.inputs, body.waiting)
     if form.stride == "1" and firsts:
-        waiting = dict.fromkeys(others)
-        lines.append(c_unread.statement(printed.model, printed.inputs, firsts))
-        lines.append(f"{form.real} sum0 = {c_unread.total(printed.model)};")
-        terms = 1
+        body.sum_fours(firsts, others)
     used = {s for i in printed.order for s in (i.target, *i.args) if isinstance(s, int)}
-    used |= {slot for slot in slots.values() if isinstance(slot, int)}
-    for slot in [s for s in waiting if s not in used]:
-        first_read(slot)
-        ready(slot)
-    texts = expressions(printed.order, form.table, operand)
+    used |= {slot for slot in body.slots.values() if isinstance(slot, int)}
+    for slot in [s for s in body.waiting if s not in used]:
+        body.read(slot)
+        body.ready(slot)
+    texts = expressions(printed.order, form.table, printed.operand)
     for instruction, (target, text) in zip(printed.order, texts, strict=True):
         for arg in instruction.args:
-            first_read(arg)
-        known.add(target)
-        lines.append(f"const {form.real} {prefix}{target} = {text};")
-        ready(target)
-    for slot in [*(slots[text] for text in places), *waiting]:
-        first_read(slot)
-        ready(slot)
-    return lines, balanced_sum([f"sum{k}" for k in range(min(terms, SUMS))] or [printed.precision.number(0.0)])
+            body.read(arg)
+        body.known.add(target)
+        body.lines.append(f"const {form.real} {printed.prefix}{target} = {text};")
+        body.ready(target)
+    for slot in [*(body.slots[text] for text in body.places), *body.waiting]:
+        body.read(slot)
+        body.ready(slot)
+    sums = [f"sum{k}" for k in range(min(body.terms, SUMS))]
+    return body.lines, balanced_sum(sums or [printed.precision.number(0.0)])
+
+
+class _Body:
+    """Statements while they are written: what is read already, where results go, and what is to be summed yet."""
+
+    def __init__(self, printed: Printed, form: Form) -> None:
+        self.printed, self.form, self.entered = printed, form, printed.entered(form)
+        self.lines: list[str] = []
+        self.known: set[int] = set()
+        self.places: dict[str, list[str]] = {}  # by the text of what goes there: as keys 1.0 and slot 1 are one
+        self.slots: dict[str, int | float] = {}
+        self.waiting = dict.fromkeys(checked_slots(printed.program))
+        self.terms = 0
+
+    def goes_to(self, slot: int | float, at: str) -> None:
+        """A result is stored at a place."""
+        text = self.printed.operand(slot)
+        self.places.setdefault(text, []).append(at)
+        self.slots[text] = slot
+
+    def sum_fours(self, firsts: Sequence[int], others: Iterable[int]) -> None:
+        """The sum starts with inputs that are only checked, four at a time."""
+        self.waiting = dict.fromkeys(others)
+        self.lines.append(c_unread.statement(self.printed.model, self.printed.inputs, firsts))
+        self.lines.append(f"{self.form.real} sum0 = {c_unread.total(self.printed.model)};")
+        self.terms = 1
+
+    def read(self, slot: int | float) -> None:
+        """A slot that is there from the start gets its variable when it is first needed."""
+        if isinstance(slot, int) and slot not in self.known:
+            self.known.add(slot)
+            self.lines.append(f"const {self.form.real} {self.printed.prefix}{slot} = {self.entered[slot]};")
+
+    def ready(self, slot: int | float) -> None:
+        """What is known goes to its places, and into the sum."""
+        operand = self.printed.operand(slot)
+        text = operand if isinstance(slot, int) else self.form.constant.format(operand)
+        self.lines.extend(f"{at} = {text};" for at in self.places.pop(operand, ()))
+        if isinstance(slot, int) and slot in self.waiting:
+            del self.waiting[slot]
+            name = f"sum{self.terms % SUMS}"
+            summed = f"{name} = {name} + {text};" if self.terms >= SUMS else f"{self.form.real} {name} = {text};"
+            self.lines.append(summed)
+            self.terms += 1
 
 
 def angles_function(printed: Printed) -> list[str]:
@@ -340,7 +184,7 @@ def unread(printed: Printed) -> list[str]:
     return lines
 
 
-def _statements(printed: Printed, instructions: Iterable) -> list[str]:
+def _statements(printed: Printed, instructions: Iterable[Instruction]) -> list[str]:
     real, table = printed.precision.real, printed.precision.table
     found = expressions(instructions, table, printed.operand)
     return [f"    const {real} {printed.prefix}{target} = {text};" for target, text in found]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from symscrew.export.c_function import Printed, argument_names, arguments, declare, function, lane, wrapped_code
+from symscrew.export.c_function import function, lane
+from symscrew.export.c_names import argument_names, arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
+from symscrew.export.c_printed import Printed
 from symscrew.export.listing import balanced_sum, step_ports
 from symscrew.program import Iteration
 

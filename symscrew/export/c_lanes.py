@@ -18,7 +18,15 @@ from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum
 from symscrew.program import Instruction, Pack, Packing, Vector
 
-SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+# operation of a pack to its text: operands, the vector type and a vector of ones
+TABLE = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "div": "{0} / {1}",
+    "sqrt": "{vector}_sqrt({0})",
+    "reciprocal": "{ones} / {0}",
+}
 
 
 def condition(model: str, width: int, precision: Precision) -> str:
@@ -96,12 +104,8 @@ class Body:
     def pack(self, pack: Pack) -> None:
         """A pack."""
         parts = [self._operand(vector) for vector in pack.operands]
-        if pack.op == "sqrt":
-            text = f"{self.vector}_sqrt({parts[0]})"
-        elif pack.op == "reciprocal":
-            text = f"{self.literal((1.0,) * self.packing.width)} / {parts[0]}"
-        else:
-            text = f" {SIGNS[pack.op]} ".join(parts)
+        ones = self.literal((1.0,) * self.packing.width)
+        text = TABLE[pack.op].format(*parts, vector=self.vector, ones=ones)
         self.lines.append(f"const {self.vector} {self.name(pack.number)} = {text};")
 
     def _operand(self, vector: Vector) -> str:

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from symscrew.export.c_function import Printed, wrapped_code
+from symscrew.export.c_names import wrapped_code
+from symscrew.export.c_printed import Printed
 from symscrew.export.listing import balanced_sum, expressions
 from symscrew.program import Instruction
 
@@ -114,6 +115,7 @@ class Loop:
 def loop_statements(
     printed: Printed,
     loop: Loop,
+    *,
     entry: Mapping[int, Entry],
     stored: Mapping[int, Sequence[Entry]],
     waiting: Mapping[int, int],

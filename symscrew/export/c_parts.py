@@ -20,15 +20,19 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
-from symscrew.export.c_function import Printed, angles_function, arguments, declare, sines, wrapped_code
+from symscrew.export.c_function import angles_function, sines
 from symscrew.export.c_loops import Entry, Loop, loop_statements
+from symscrew.export.c_names import arguments, declare, wrapped_code
+from symscrew.export.c_printed import Printed
 from symscrew.export.c_repeats import Run, runs
 from symscrew.export.listing import balanced_sum, checked_slots, expressions
 from symscrew.program import Instruction
 
-LONG = 5500  # functions of more than so many instructions and entries stored are printed in parts
+# Functions of more than so many instructions and entries stored are printed in parts, without blocks of states; up to
+# there in one piece, which has blocks and takes some seconds to compile at most.
+LONG = 5500
 STORED = 4  # instructions that an entry of an output counts as: compilers take a function's stores by pairs
-PART = 500  # instructions of a part
+PART = 500  # instructions of a part: those of 250 and of 1000 are not faster
 
 
 def long(printed: Printed) -> bool:
@@ -158,7 +162,7 @@ class Parts:
             entry = {s: self.entries.get(s) or ("waiting", self.waiting[s]) for s in before}
             entry |= {s: ("waiting", self.waiting[s]) for s in piece.read_from_arrays()}
             own = frozenset(i.target for i in piece.instructions) & frozenset(checked)
-            return loop_statements(printed, piece, entry, self.stored, self.waiting, own)
+            return loop_statements(printed, piece, entry=entry, stored=self.stored, waiting=self.waiting, checked=own)
         terms = [printed.operand(s) for s in checked if self.defined.get(s) == part]
         total = balanced_sum(terms or [printed.precision.number(0.0)])
         return [*(f"    {statement}" for statement in self.statements(part)), *wrapped_code(f"return {total};")]

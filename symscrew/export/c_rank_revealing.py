@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from symscrew.export.c_precision import Precision
+from symscrew.export.c_printed import Printed
+from symscrew.export.listing import filled
 from symscrew.program import RANK, Program, RankRevealing
 
 Define = Callable[[str, Program], list[str]]
@@ -229,27 +231,19 @@ def routines(model: str, precision: Precision, *, internal: bool) -> list[str]:
     text = ROUTINES + ("\n" + INTERNAL if internal else "")
     bounds = {"RANK": RANK, "LEAST": 1e-30, "EQUAL": 1e-15, "LOST": 1e-14}
     words = {word: precision.threshold(bound) for word, bound in bounds.items()}
-    for word, meaning in (words | {"REAL": precision.real, "@": precision.suffix, "MODEL": model}).items():
-        text = text.replace(word, meaning)
-    return text.splitlines()
+    return filled(text, words | {"REAL": precision.real, "@": precision.suffix, "MODEL": model})
 
 
-def second_path(
-    model: str,
-    symbol: str,
-    signature: str,
-    program: RankRevealing,
-    names: Sequence[str],
-    define: Define,
-    precision: Precision,
-) -> list[str]:
-    """The second path of one function: `signature` declares it, `names` are its arguments in order."""
+def second_path(printed: Printed, signature: str, define: Define) -> list[str]:
+    """The second path of one function: `signature` declares it, `define` prints the programs that it is made of."""
+    model, symbol, program, precision = printed.model, printed.symbol, printed.program, printed.precision
+    assert isinstance(program, RankRevealing)
     assert program.dense is not None
+    names = printed.handed()
     real = precision.real
     n, m = len(program.rates), len(program.rows)
     inputs, outputs = names[: len(program.inputs)], names[len(program.inputs) :]
     given = "".join(f"{name}, " for name in inputs)
-    joints = program.outputs[1].size if program.wrenches else 0
     lines = define(f"{symbol}_dense", program.dense)
     if program.wrenches:
         lines += ["", *define(f"{symbol}_wrenches", program.wrenches)]
@@ -281,7 +275,7 @@ def second_path(
         f"    for (int j = 0; j < {n}; ++j) {{",
         f"        {a}[j] *= rate_scale[j];",
         "    }",
-        *(_with_internal_loads(model, symbol, given, outputs, m, n, joints, precision) if program.wrenches else []),
+        *(_with_internal_loads(printed, program, given, outputs) if program.wrenches else []),
         "    if (rank < 0 || !isfinite(total)) {",
         *(f"        {model}_set_nan({x}, {p.size});" for x, p in zip(outputs, program.outputs, strict=True)),
         "        return isfinite(total) ? 1 : 2;",
@@ -292,11 +286,11 @@ def second_path(
     return lines
 
 
-def _with_internal_loads(
-    model: str, symbol: str, given: str, outputs: Sequence[str], m: int, n: int, size: int, precision: Precision
-) -> list[str]:
+def _with_internal_loads(printed: Printed, program: RankRevealing, given: str, outputs: Sequence[str]) -> list[str]:
     """Reactions for the multipliers found, plus the internal loads that make their sum of squares smallest."""
+    model, symbol, precision = printed.model, printed.symbol, printed.precision
     a, reactions = outputs
+    n, m, size = len(program.rates), len(program.rows), program.outputs[1].size
     real, zero = precision.real, precision.number(0.0)
     return [
         f"    {real} sized[{size}], shifted[{size}], loads[{m * m}] = {{{zero}}}, columns[{m * size}] = {{{zero}}};",

@@ -8,6 +8,7 @@ are the same on every machine. A compiler that contracts a * b + c rounds less o
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from symscrew.export.listing import wrapped
 from symscrew.model import Model, inputs_at
 from symscrew.program import Iteration, Program, evaluate
 
-STATES, SEED = 256, 32
+STATES, SEED = 256, 32  # random states that errors are measured at: the header prints one digit of the largest
 
 
 def rounded(array: object) -> np.ndarray:
@@ -29,7 +30,7 @@ def rounded(array: object) -> np.ndarray:
 def evaluate_single(program: Program, arguments: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
     """Results (states, size) of a program whose every operation rounds to `float`."""
     columns = [rounded(a)[..., k] for a, p in zip(arguments, program.inputs, strict=True) for k in range(p.size)]
-    values: list = [*columns, *([None] * (program.slots - len(columns)))]
+    values: list[Any] = [*columns, *([None] * (program.slots - len(columns)))]
     states = max((len(a) for a in arguments), default=1)
     with np.errstate(all="ignore"):
         for i in program.instructions:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum
 
-FOUR = 4
+FOUR = 4  # entries that are added at once: those of one AVX register of doubles
 
 
 def prologue(model: str, precision: Precision) -> list[str]:

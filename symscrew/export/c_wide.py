@@ -12,11 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 
-from symscrew.export.c_function import Form, Printed, arguments, declare, sines, statements, unread, wrapped_code
+from symscrew.export.c_function import sines, statements, unread
+from symscrew.export.c_names import arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
+from symscrew.export.c_printed import Form, Printed
 from symscrew.export.listing import checked_slots
 
-LANES = 8
+LANES = 8  # states of a block: those of one AVX-512 register of doubles, and of two or four smaller ones
 
 
 def guard(model: str) -> str:

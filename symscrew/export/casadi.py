@@ -22,7 +22,7 @@ from symscrew.export.listing import check_names, checked_slots, live_instruction
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
-LARGEST = 1.7976931348623157e308
+LARGEST = 1.7976931348623157e308  # the largest double: CasADi has no test for infinity, and NaN is not below either
 
 TABLE: Mapping[str, Callable[..., Any]] = {  # of SX scalars; `SX.binary` takes a sixth of the time of operators
     "add": partial(ca.SX.binary, ca.OP_ADD),
@@ -117,7 +117,7 @@ def _attempt(iteration: Iteration, target: ca.Function, substeps: int) -> ca.Fun
     begin = ca.vertcat(q, 0)
     fixed = [y, start, branch, *parameters]
     parts = ca.DM([(k + 1) / substeps for k in range(substeps)]).T
-    state = target(begin, 1.0, *fixed) if substeps == 1 else _folded(target, substeps, begin, parts, fixed)
+    state = target(begin, 1.0, *fixed) if substeps == 1 else _folded(target, substeps, begin, fixed, varying=parts)
     return ca.Function(f"{iteration.name}_attempt_{substeps}", [q, *fixed], [state])
 
 
@@ -131,7 +131,7 @@ def _target(iteration: Iteration, newton: ca.Function) -> ca.Function:
     running = ca.vertcat(state[:-1], ca.if_else(state[-1] == 0, -1, state[-1]))
     fixed = [start + (y - start) * part, branch, *parameters]
     steps = iteration.max_steps
-    after = _folded(newton, steps, running, None, fixed)
+    after = _folded(newton, steps, running, fixed)
     done = ca.vertcat(after[:-1], ca.if_else(after[-1] < 0, 3, after[-1]))
     return ca.Function(f"{iteration.name}_target", [state, part, y, start, branch, *parameters], [done])
 
@@ -155,7 +155,7 @@ def _newton(iteration: Iteration, step: ca.Function) -> ca.Function:
     return ca.Function(f"{iteration.name}_newton", [state, y, branch, *parameters], [result])
 
 
-def _folded(function: ca.Function, times: int, begin: Any, varying: Any, fixed: Sequence[Any]) -> Any:
+def _folded(function: ca.Function, times: int, begin: Any, fixed: Sequence[Any], *, varying: Any = None) -> Any:
     """The state after `times` calls, each with its column of `varying` and the same `fixed` arguments."""
     repeated = [ca.repmat(x, 1, times) for x in fixed]
     return function.fold(times)(begin, *([] if varying is None else [varying]), *repeated)

@@ -16,6 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from symscrew.export.c import print_c
 from symscrew.export.listing import banner
 from symscrew.model import Model
@@ -99,7 +101,7 @@ def jacobians_model(model: Model) -> tuple[Model, dict[str, Jacobian]]:
     return replace(model, name=f"{model.name}_jacobians", programs=programs, test_inputs=inputs), found
 
 
-def _test_inputs(model: Model, name: str) -> tuple:  # type: ignore[type-arg]
+def _test_inputs(model: Model, name: str) -> tuple[np.ndarray, ...]:
     """The states of a function; for an iteration its solution, then y and the parameters."""
     given = model.test_inputs[name]
     if not isinstance(model.programs[name], Iteration):
@@ -124,13 +126,13 @@ def _function(model: str, name: str, program: Program | Iteration) -> list[str]:
     symbol = f"{model}_casadi_{name}"
     inputs, outputs = program.inputs, program.outputs
     words = sum(port.size for port in (*inputs, *outputs))
-    arguments = [f"input(arg[{i}], &w, {port.size})" for i, port in enumerate(inputs)]
+    given = [(port, f"input(arg[{i}], &w, {port.size})") for i, port in enumerate(inputs)]
     lines = [f"EXTERNAL({symbol}, {len(inputs)}, {len(outputs)}, {words})", ""]
     lines += _names(symbol, "in", [port.name for port in inputs])
     lines += _names(symbol, "out", [port.name for port in outputs])
     lines += _sparsities(symbol, "in", [_dense(port) for port in inputs])
     lines += _sparsities(symbol, "out", [_dense(port) for port in outputs])
-    return [*lines, *_body(symbol, f"{model}_{name}", inputs, arguments, list(enumerate(outputs)))]
+    return [*lines, *_body(symbol, f"{model}_{name}", inputs=given, results=list(enumerate(outputs)))]
 
 
 def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
@@ -153,9 +155,9 @@ def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     lines += _sparsities(symbol, "out", patterns)
     # the solution of an iteration is the first output, which CasADi hands over after the inputs
     order = [len(inputs), 0, *range(2, len(inputs))] if iteration else list(range(len(inputs)))
-    arguments = [f"input(arg[{k}], &w, {port.size})" for k, port in zip(order, made.program.inputs, strict=True)]
+    given = [(port, f"input(arg[{k}], &w, {port.size})") for k, port in zip(order, made.program.inputs, strict=True)]
     results = [(o * len(inputs) + i, port) for port, (o, i, _, _) in _placed(made)]
-    return [*lines, *_body(symbol, f"{model}_jacobians_{made.program.name}", made.program.inputs, arguments, results)]
+    return [*lines, *_body(symbol, f"{model}_jacobians_{made.program.name}", inputs=given, results=results)]
 
 
 def _placed(made: Jacobian) -> Iterator[tuple[Port, tuple[int, int, tuple[int, ...], tuple[int, ...]]]]:
@@ -165,11 +167,16 @@ def _placed(made: Jacobian) -> Iterator[tuple[Port, tuple[int, int, tuple[int, .
 
 
 def _body(
-    symbol: str, function: str, inputs: Sequence[Port], arguments: Sequence[str], results: Sequence[tuple[int, Port]]
+    symbol: str,
+    function: str,
+    *,
+    inputs: Sequence[tuple[Port, str]],
+    results: Sequence[tuple[int, Port]],
 ) -> list[str]:
+    """The call of a function of the C code: inputs with what they are in C, outputs with their places in `res`."""
     lines = [f"int {symbol}(const casadi_real **arg, casadi_real **res, casadi_int *iw, casadi_real *w, int mem)", "{"]
     passed = []
-    for k, (port, argument) in enumerate(zip(inputs, arguments, strict=True)):
+    for k, (port, argument) in enumerate(inputs):
         lines += [f"    const casadi_real *in{k} = {argument};"] if port.size else []
         passed.append(f"in{k}" if port.size else "NULL")
     for k, (place, port) in enumerate(results):
@@ -178,7 +185,7 @@ def _body(
     call = ", ".join(passed)
     return [
         *lines,
-        *("    (void)arg;" for _ in range(not any(port.size for port in inputs))),
+        *("    (void)arg;" for _ in range(not any(port.size for port, _ in inputs))),
         "    (void)iw;",
         "    (void)w;",
         "    (void)mem;",

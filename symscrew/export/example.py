@@ -51,15 +51,17 @@ def print_example(model: Model, precision: Precision = DOUBLE) -> str:
     ]
     for name in names:
         states = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
-        lines += ["", *_call(model.name, name, model.programs[name], states, precision)]
+        lines += ["", *_call(model.name, name, model.programs[name], states=states, precision=precision)]
     lines += ["", "int main(void)", "{", "    int failures = 0;"]
     lines += [f"    failures += show_{name}() > 0;" for name in names]
     return "\n".join([*lines, "    return failures != 0;", "}", ""])
 
 
 def _call(
-    model: str, name: str, program: Program | Iteration, states: Sequence[np.ndarray], precision: Precision
+    model: str, name: str, program: Program | Iteration, *, states: Sequence[np.ndarray], precision: Precision
 ) -> list[str]:
+    """`show_<name>`: calls a function at one state and prints what it gives."""
+    symbol = f"{model}_{name}"
     lines = [f"static int show_{name}(void)", "{"]
     arguments = []
     for i, (port, state) in enumerate(zip(program.inputs, states, strict=True)):
@@ -74,8 +76,8 @@ def _call(
             lines += [f"    static const char *const entries{i}[{port.size}] = {{"]
             lines += [f'        "{_entry(port, k)}",' for k in range(port.size)]
             lines += ["    };", f"    {precision.real} output{i}[{port.size}];"]
-    lines += [f"    const int status = {model}_{name}({', '.join(arguments)});"]
-    lines += [f'    printf("{model}_{name}: status %d, %s\\n", status, {model}_status_text(status));']
+    lines += [f"    const int status = {symbol}({', '.join(arguments)});"]
+    lines += [f'    printf("{symbol}: status %d, %s\\n", status, {model}_status_text(status));']
     lines += [
         f'    print_array("{port.name}", output{i}, {port.size}, entries{i});'
         for i, port in enumerate(program.outputs)

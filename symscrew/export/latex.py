@@ -36,4 +36,4 @@ def markdown(name: str, latex: str) -> str:
 
 
 def _entry(entry: sympy.Expr, names: Mapping[sympy.Symbol, str] | None) -> str:
-    return sympy.latex(entry, symbol_names=dict(names or {}))
+    return str(sympy.latex(entry, symbol_names=dict(names or {})))

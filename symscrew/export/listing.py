@@ -17,7 +17,7 @@ from symscrew.model import Model
 from symscrew.program import STATUS, Instruction, Iteration, Port, Program, RankRevealing
 
 Operand = Callable[[int | float], str]
-MAX_LABELS = 96
+MAX_LABELS = 96  # entries of a port that are named in comments: more are not read there, and all are in the manifest
 
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
@@ -130,6 +130,13 @@ def wrapped(text: str, *, first: str = "", later: str = "", width: int = 100) ->
     """`text` as lines of at most `width` characters."""
     wrapper = textwrap.TextWrapper(width, first, later, break_long_words=False, break_on_hyphens=False)
     return wrapper.wrap(plain(text)) or [first.rstrip()]
+
+
+def filled(text: str, words: Mapping[str, str]) -> list[str]:
+    """The lines of a text of the target, some of its words replaced, those of a model last: nothing looks into them."""
+    for word, meaning in words.items():
+        text = text.replace(word, meaning)
+    return text.splitlines()
 
 
 def packed(entries: Sequence[str], *, indent: str = "      ", width: int = 100) -> list[str]:

@@ -20,7 +20,7 @@ from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
 TOOL = "symscrew"
-LARGEST = 64_000_000
+LARGEST = 64_000_000  # bytes of a file that is read: what is longer is no manifest, and would fill the memory
 
 
 class OutputError(ValueError):
@@ -125,7 +125,8 @@ def read_manifest(directory: Path) -> dict[str, Any]:
     for key in ("effects", "targets", "files"):
         if not isinstance(content.get(key), list):
             raise OutputError(f"{directory}/manifest.json: expected a list {key!r}, got {content.get(key)!r:.60}")
-    return content
+    found: dict[str, Any] = content
+    return found
 
 
 def read_json(path: Path) -> Any:

@@ -11,14 +11,13 @@ from collections.abc import Iterator, Sequence
 
 import sympy
 
-from symscrew.description import JOINT_TYPES, Mechanism, Vector, to_text
+from symscrew.description import Mechanism, Vector, to_text
 from symscrew.export.latex import markdown, matrix_latex
 from symscrew.export.listing import banner, plain
 from symscrew.functions import Quantities, Quantity
 from symscrew.model import Model
 
-READABLE = 120
-LONGEST = 400
+READABLE = 120  # operations of a formula that is printed: two lines or three; of more only their number is
 
 
 def print_markdown(model: Model) -> dict[str, str]:
@@ -57,7 +56,7 @@ def _joints(mechanism: Mechanism) -> list[str]:
     rows = [
         [
             joint.name,
-            JOINT_TYPES[joint.type].name,
+            joint.kind.name,
             f"{joint.parent} to {joint.child}",
             _vector(joint.point),
             "; ".join(_vector(axis) for axis in joint.axes),

@@ -140,7 +140,7 @@ def print_numpy(model: Model) -> dict[str, str]:
     )
     lines += ['"""', "", "from __future__ import annotations", "", "import numpy as np", "", *RUNTIME.splitlines()]
     if any(isinstance(program, RankRevealing) for program in model.programs.values()):
-        lines += ["", "", *SECOND_PATH.splitlines(), "", "", *inspect.getsource(second_path).splitlines()]
+        lines += ["", "", *SECOND_PATH.splitlines(), "", "", *_second_path_alone()]
     for name, program in model.programs.items():
         if isinstance(program, Iteration):
             lines += ["", "", *_iteration(name, program)]
@@ -149,6 +149,11 @@ def print_numpy(model: Model) -> dict[str, str]:
         else:
             lines += ["", "", *_function(name, function_lines(name, program), program)]
     return {f"{model.name}_numpy.py": "\n".join([*lines, ""])}
+
+
+def _second_path_alone() -> list[str]:
+    """The text of `second_path` itself, but for the star: `_rank_revealing` hands settings over in their order."""
+    return [line for line in inspect.getsource(second_path).splitlines() if line != "    *,"]
 
 
 def _function(name: str, about: Sequence[str], program: Program) -> list[str]:

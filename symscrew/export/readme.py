@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 import numpy as np
@@ -14,17 +14,6 @@ from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
 SHOWN = ("inverse_dynamics_platform", "inverse_dynamics", "inverse_dynamics_independent")
-FILES = {
-    "c": "`{0}.h`, `{0}.c`: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from",
-    "casadi": "`*.casadi`: CasADi functions, one per file",
-    "numpy": "`{0}_numpy.py`: NumPy functions on batches of states, without this tool",
-    "external": "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi",
-    "javascript": "`{0}.js`: JavaScript for a page or Node",
-    "fmu": "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only",
-    "mjcf": "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints",
-    "urdf": "`{0}.urdf`: URDF",
-    "markdown": "`model.md`: screws, momentum screws, equations and symbols to read",
-}
 ALWAYS = (
     "`manifest.json`: functions, arguments, units and labels; `ops.json`: operation counts",
     "`test_vectors.json`: inputs and results of every function; `mechanism.toml`: the description",
@@ -32,13 +21,20 @@ ALWAYS = (
 
 
 def print_readme(
-    model: Model, targets: Sequence[str], precision: Precision = DOUBLE, further: Sequence[str] = ()
+    model: Model, targets: Mapping[str, str], precision: Precision = DOUBLE, further: Sequence[str] = ()
 ) -> str:
-    """The text; deterministic, its examples use the first test state of one function; `further` lines at the end."""
+    """The text; deterministic, its examples use the first test state of one function.
+
+    Args:
+        model: what was printed.
+        targets: name to what its files are, in which {0} stands for the model's name.
+        precision: of the C.
+        further: lines at the end.
+    """
     name = _shown(model)
     program = model.programs[name]
     lines = [f"# {model.name}", "", *(f"{line}  " for line in banner(model)[:3]), "", "## Files"]
-    lines += [f"- {FILES[target].format(model.name)}" for target in targets]
+    lines += [f"- {about.format(model.name)}" for about in targets.values()]
     lines += [f"- {text}" for text in ALWAYS]
     lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
     lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
@@ -78,9 +74,10 @@ def _about(program: Program | Iteration, name: str) -> list[str]:
 
 
 def _states(
-    model: Model, name: str, opening: str, closing: str, number: Callable[[float], str] = repr
+    model: Model, name: str, brackets: tuple[str, str], number: Callable[[float], str] = repr
 ) -> dict[str, str]:
     """Input name -> the numbers of the first test state, in the brackets of a language."""
+    opening, closing = brackets
     arrays = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
     ports = model.programs[name].inputs
     texts = [", ".join(number(float(x)) for x in array) for array in arrays]
@@ -94,7 +91,7 @@ def _first(program: Program | Iteration) -> Port:
 def _c(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
     real = precision.real
     sizes = [f"{real} {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
-    states = _states(model, name, "{", "}", _typed_number(precision)).items()
+    states = _states(model, name, ("{", "}"), _typed_number(precision)).items()
     typed = _typed(model)
     inputs = [f"    const {real} {k}_[] = {v};" for k, v in states if v != "{}" and not (typed and k == "p")]
     passed = [f"{p.name}_" if p.size else "NULL" for p in (*program.inputs, *program.outputs)]
@@ -130,7 +127,7 @@ def _typed(model: Model) -> list[str]:
 
 
 def _cpp(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
-    states = _states(model, name, "{", "}", _typed_number(precision)).items()
+    states = _states(model, name, ("{", "}"), _typed_number(precision)).items()
     sizes = {port.name: port.size for port in program.inputs}
     typed = _typed(model)
     first = f"result.{_member(program)}[0]"
@@ -166,7 +163,7 @@ def _member(program: Program | Iteration) -> str:
 
 
 def _numpy(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"{k}_ = np.array([{v}])" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"{k}_ = np.array([{v}])" for k, v in _states(model, name, ("[", "]")).items()]
     main = [
         "import numpy as np",
         f"import {model.name}_numpy as model",
@@ -179,7 +176,7 @@ def _numpy(model: Model, name: str, program: Program | Iteration) -> list[str]:
 
 
 def _casadi(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, ("[", "]")).items()]
     given = ", ".join(f"{p.name}={p.name}_" for p in program.inputs)
     main = [
         "import casadi",
@@ -195,7 +192,7 @@ def _casadi(model: Model, name: str, program: Program | Iteration) -> list[str]:
 
 
 def _external(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"{k}_ = {v}" for k, v in _states(model, name, ("[", "]")).items()]
     library = f"lib{model.name}_external.so"
     main = [
         "import casadi",
@@ -212,7 +209,7 @@ def _external(model: Model, name: str, program: Program | Iteration) -> list[str
 
 
 def _javascript(model: Model, name: str, program: Program | Iteration) -> list[str]:
-    inputs = [f"const {k}_ = {v};" for k, v in _states(model, name, "[", "]").items()]
+    inputs = [f"const {k}_ = {v};" for k, v in _states(model, name, ("[", "]")).items()]
     given = ", ".join(f"{p.name}_" for p in program.inputs)
     main = [
         f'const model = require("./{model.name}.js");',

@@ -1,4 +1,7 @@
-"""modelDescription.xml of both standards."""
+"""modelDescription.xml of FMI 2.0 and 3.0: the variables of a unit, their units and how they depend on each other.
+
+2.0: <ScalarVariable><Real/></ScalarVariable>, indices from 1       3.0: <Float64/>, value references from 0
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 from symscrew import __version__
 from symscrew.fmu.unit_variables import Variable
 
+# unit -> exponents of the SI base units, which the standards ask for; a unit that is not here goes by its name alone
 BASE_UNITS = {
     "s": {"s": 1}, "m": {"m": 1}, "rad": {"rad": 1}, "kg": {"kg": 1}, "m/s": {"m": 1, "s": -1},
     "rad/s": {"rad": 1, "s": -1}, "m/s^2": {"m": 1, "s": -2}, "rad/s^2": {"rad": 1, "s": -2},
@@ -17,9 +21,19 @@ BASE_UNITS = {
 
 
 def describe(
-    version: int, name: str, token: str, text: str, listed: Sequence[Variable], duration: float, step: float
+    listed: Sequence[Variable], *, version: int, name: str, token: str, text: str, duration: float, step: float
 ) -> bytes:
-    """The model description: `name` is the model identifier, `text` what it is."""
+    """The model description.
+
+    Args:
+        listed: the variables, in the order of their value references.
+        version: of FMI, 2 or 3.
+        name: the model identifier.
+        token: by which an importer tells that sources and description belong together.
+        text: what the model is.
+        duration: default length of a simulation [s].
+        step: default communication step [s].
+    """
     root = Element("fmiModelDescription", {
         "fmiVersion": f"{version}.0", "modelName": name, "description": text,
         "instantiationToken" if version == 3 else "guid": token,
@@ -45,7 +59,8 @@ def describe(
         (_two if version == 2 else _three)(parts, reference, variable)
     _structure(version, root, listed)
     indent(root)
-    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, encoding="utf-8")
+    body: bytes = tostring(root, encoding="utf-8")
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + body
 
 
 def _units(root: Element, listed: Sequence[Variable]) -> None:

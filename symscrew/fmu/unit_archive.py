@@ -1,4 +1,7 @@
-"""The unit itself: sources, model description and, where there is a compiler, a binary, in one archive."""
+"""The unit itself: sources, model description and, where there is a compiler, a binary, in one archive.
+
+scene --fixed-step loop in C--> sources/<name>.c + modelDescription.xml + documentation --zip--> <name>.fmu
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ import platform
 import sys
 import tempfile
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from html import escape
 from importlib import resources
@@ -20,16 +23,17 @@ from symscrew.effects import Effect
 from symscrew.errors import DescriptionError
 from symscrew.export import decimal
 from symscrew.fmu.model_description import describe
-from symscrew.fmu.unit_variables import DEFAULT_STEP, Variable, structured, variables
+from symscrew.fmu.unit_variables import DEFAULT_STEP, Start, Variable, structured, variables
 from symscrew.runtime import compile_c, find_compiler
 from symscrew.scene import Scene
 from symscrew.simulation import REAL_TIME, Plant, initial_state, initial_states, loop_plant, loop_source
 from symscrew.whole_files import replaced
 
+# platform -> folder of binaries in FMI 2.0 and 3.0; elsewhere the unit goes without one, and its note says so
 FOLDERS = {"linux": ("linux64", "x86_64-linux"), "darwin": ("darwin64", "x86_64-darwin")}
 FLAGS = ("-fvisibility=hidden", "-Wno-unused-function")
-DATE = (1980, 1, 1, 0, 0, 0)
-UNIX = 3
+DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that an archive can hold; the present one would change its bytes
+UNIX = 3  # the system that an archive is said to be made on, for the same reason
 ABOUT = """Co-simulation takes steps of at most the parameter <code>step</code>, each projected onto the closure of the
 loops; model exchange has the states q, v and x. Inputs are the drives (u) and what effects take from outside. Without a
 binary for your system, compile the one C file in <code>sources</code>."""
@@ -43,8 +47,14 @@ def at_rest(mechanism: Mechanism, effects: Sequence[Effect]) -> Scene:
 def build_unit(scene: Scene, path: Path, *, version: int = 3) -> list[str]:
     """Write a scene as a functional mock-up unit with a binary for this system; returns notes for the user.
 
+    Args:
+        scene: its inputs that no table or expression gives become inputs of the unit, with the drives.
+        path: the archive, which is replaced whole.
+        version: of FMI, 2 or 3.
+
     Raises:
-        DescriptionError: see `contents`.
+        DescriptionError: see `unit_contents`.
+        CompileError: the compiler refused the unit's C.
     """
     files = unit_contents(scene, version=version)
     notes = _add_binary(scene.name, files[f"sources/{scene.name}.c"], version, files)
@@ -79,12 +89,16 @@ def unit_contents(scene: Scene, *, version: int = 3) -> dict[str, bytes]:
     start = (q, v, initial_states(scene, plant.model))
     entries = [entry for port in given.values() for entry in port]
     listed = variables(plant, start, entries)
-    text = source(scene, plant, start, len(entries), version)
+    # the token names the sources, in which it stands itself: hashed first, then put in its place
+    text = source(scene, plant, start, outside=len(entries), version=version)
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
     text = text.replace("@TOKEN@", token)
     step = scene.integrator.step or DEFAULT_STEP
     about = scene.mechanism.description or scene.mechanism.name
-    xml = describe(version, scene.name, token, about, listed, float(scene.duration), float(step))
+    xml = describe(
+        listed, version=version, name=scene.name, token=token, text=about,
+        duration=float(scene.duration), step=float(step),
+    )  # fmt: skip
     files = {"modelDescription.xml": xml, f"sources/{scene.name}.c": text.encode()}
     if version == 3:
         files["sources/buildDescription.xml"] = build_description(scene.name)
@@ -105,11 +119,11 @@ def outside_inputs(scene: Scene) -> dict[str, list[tuple[str, str]]]:
     }
 
 
-def source(scene: Scene, plant: Plant, start: tuple, outside: int, version: int) -> str:  # type: ignore[type-arg]
-    """All C of the unit in one file."""
+def source(scene: Scene, plant: Plant, start: Start, *, outside: int, version: int) -> str:
+    """All C of the unit in one file; `outside` counts the effects' inputs that are given from outside."""
 
-    def numbers(values: object) -> str:
-        return "{" + (", ".join(decimal(float(x)) for x in values) or "0.0") + "}"  # type: ignore[attr-defined]
+    def numbers(values: Iterable[float]) -> str:
+        return "{" + (", ".join(decimal(float(x)) for x in values) or "0.0") + "}"
 
     q, v, x = start
     head = [

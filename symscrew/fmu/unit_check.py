@@ -1,4 +1,8 @@
-"""Does a unit do what the model says? Its C is compiled, its accelerations and one of its steps are compared."""
+"""Does a unit do what the model says? Its C is compiled, its accelerations and one of its steps are compared.
+
+accelerations: der(v) of the unit against forward_dynamics of the evaluator, at the test states
+a step:        DoStep of the unit from its start against one RK4 step of `simulate`
+"""
 
 from __future__ import annotations
 
@@ -18,8 +22,8 @@ from symscrew.model import Model
 from symscrew.runtime import CompileError, compile_c
 from symscrew.simulation import simulate
 
-ACCELERATIONS = 1e-10  # the unit closes the loops of a state that it is given
-STEP = 1e-12
+ACCELERATIONS = 1e-10  # relative: the unit closes the loops of a state that it is given, which moves it by as much
+STEP = 1e-12  # [rad, m, rad/s, m/s]: equal operations in another order; a step of Euler's method is off by 1e-7
 UNUSED = tuple(f"-Wno-unused-{part}" for part in ("function", "parameter", "const-variable"))
 Double, Reference = ctypes.c_double, ctypes.c_uint32
 
@@ -51,6 +55,9 @@ class _Unit:
         names = re.findall(r'<Float64 name="([^"]+)" valueReference="(\d+)"', description)
         self.references = {name: int(number) for name, number in names}
         library.fmi3InstantiateCoSimulation.restype = ctypes.c_void_p
+
+    def __repr__(self) -> str:
+        return f"_Unit({len(self.references)} variables)"
 
     def initialised(self, values: Mapping[str, float]) -> ctypes.c_void_p:
         """An instance whose variables start at these values."""

@@ -10,7 +10,8 @@ import numpy as np
 
 from symscrew.simulation import Plant
 
-DEFAULT_STEP = 1e-3
+DEFAULT_STEP = 1e-3  # [s], where the scene names none: RK4 errs by about (w step)^4, 1e-12 for motion of 1 rad/s
+Start = tuple[np.ndarray, np.ndarray, np.ndarray]  # q, v and the effects' states x at the start
 
 
 @dataclass(frozen=True)
@@ -26,9 +27,7 @@ class Variable:
     derivative: int | None = None
 
 
-def variables(
-    plant: Plant, start: tuple[np.ndarray, np.ndarray, np.ndarray], outside: Sequence[tuple[str, str]]
-) -> list[Variable]:
+def variables(plant: Plant, start: Start, outside: Sequence[tuple[str, str]]) -> list[Variable]:
     """Time, step, inputs u and those of effects, parameters, states q, v, x, and the states' rates.
 
     `outside`: (name, unit) of every entry of the effects' inputs that are given from outside.

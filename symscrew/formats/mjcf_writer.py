@@ -108,7 +108,7 @@ def _add_body(writing: Writing, branch: Branch) -> None:
     body.set("pos", decimals(point - writing.origins[branch.parent]))
     writing.elements[branch.body], writing.origins[branch.body] = body, point
     _add_inertial(writing, branch.body, point)
-    alone = branch.joint.type == "free" and branch.parent == mechanism.ground and not branch.inverted
+    alone = branch.joint.kind.unconstrained and branch.parent == mechanism.ground and not branch.inverted
     _add_joints(writing, body, branch.joint, inverted=branch.inverted, floating=alone)
 
 
@@ -120,16 +120,16 @@ def _add_joints(writing: Writing, body: Element, joint: Joint, *, inverted: bool
             _add_motor(writing, joint.name, index, 6)
         return
     for step in steps(writing.mechanism, joint, inverted=inverted):
-        if step.kind == "H":
+        if step.motion.helical:
             _add_screw(writing, body, step)
             continue
-        made = SubElement(body, "joint", name=step.name, type=TYPES[step.kind])
-        if step.kind != "S":
+        made = SubElement(body, "joint", name=step.name, type=TYPES[step.motion.kind])
+        if step.motion.single:
             made.set("axis", decimals(step.axis))
         if step.reference:
             made.set("ref", decimals([step.reference]))
         for index in step.driven:
-            _add_motor(writing, step.name, index, 3 if step.kind == "S" else 1)
+            _add_motor(writing, step.name, index, step.motion.freedom)
 
 
 def _add_screw(writing: Writing, body: Element, step: Step) -> None:
@@ -196,11 +196,12 @@ def _close(writing: Writing, joint: Joint) -> None:
     """The equality that stands for a joint closing a loop."""
     point = numbers(writing.mechanism, joint.point)
     ends = [joint.parent, joint.child]
-    if joint.type == "fixed":
+    kind = joint.kind
+    if kind.freedom == 0:
         _add_equality(writing, "weld", joint.name, ends, None)
-    elif joint.type == "S" and not joint.driven:
+    elif kind.ball and not joint.driven:
         _add_equality(writing, "connect", joint.name, ends, point)
-    elif joint.type == "R" and not joint.driven:
+    elif kind.hinge and not joint.driven:
         # read back, the ground is the parent: the coordinate keeps its sign
         axis = numbers(writing.mechanism, joint.axes[0]) * (-1 if joint.child == writing.mechanism.ground else 1)
         for k, place in enumerate((point, point + writing.numbers.length * axis)):

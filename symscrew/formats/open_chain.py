@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symscrew.description import JOINT_TYPES, Joint, Mechanism, Vector
+from symscrew.description import Joint, Mechanism, Motion, Vector
 from symscrew.reference import plane_axes
 
 Array = np.ndarray
@@ -17,13 +17,13 @@ Array = np.ndarray
 class Step:
     """An elementary motion of a joint, from the ground outwards.
 
-    `kind` is "R", "P", "H" or "S"; `axis` the unit axis in the reference configuration, `reference` the
+    `motion` says what it is; `axis` is the unit axis in the reference configuration, `reference` the
     coordinate's value there, `driven` the indices of its driven freedoms. The name is the joint's, with the
     index of the motion where the joint has several.
     """
 
     name: str
-    kind: str
+    motion: Motion
     axis: Array
     reference: float
     pitch: float
@@ -81,27 +81,21 @@ def steps(mechanism: Mechanism, joint: Joint, *, inverted: bool = False) -> list
 
     The coordinates are the joint's own in both cases: passing a motion backwards negates its axis.
     """
-    kind = JOINT_TYPES[joint.type]
-    axes = [numbers(mechanism, axis) for axis in joint.axes]
-    if joint.type == "free":
-        axes = list(np.eye(3))
-    elif joint.type == "E":
-        axes = [*plane_axes(axes[0]), axes[0]]
+    kind = joint.kind
+    axes = kind.motion_axes([numbers(mechanism, axis) for axis in joint.axes], list(np.eye(3)), plane_axes)
     result = []
-    first = 0
-    for k, motion in enumerate(kind.motions):
-        size = 3 if motion.kind == "S" else 1
+    names = kind.motion_names(joint.name)
+    for k, (name, motion, first) in enumerate(zip(names, kind.motions, kind.starts, strict=True)):
         result.append(
             Step(
-                joint.name if len(kind.motions) == 1 else f"{joint.name}.{k}",
-                motion.kind,
+                name,
+                motion,
                 np.array([0.0, 0.0, 1.0]) if motion.axis is None else axes[motion.axis] * (-1 if inverted else 1),
                 float(mechanism.number(joint.reference[k])) if k < len(joint.reference) else 0.0,
                 0.0 if joint.pitch is None else float(mechanism.number(joint.pitch)),
-                tuple(index - first for index in joint.driven if first <= index < first + size),
+                tuple(index - first for index in joint.driven if first <= index < first + motion.freedom),
             )
         )
-        first += size
     return result[::-1] if inverted else result
 
 

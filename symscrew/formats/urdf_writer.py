@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
 
-from symscrew.description import Body, Mechanism
+from symscrew.description import NO_MOTION, Body, Mechanism, rotation
 from symscrew.errors import DescriptionError
 from symscrew.formats.open_chain import Array, Branch, Step, chains, numbers, steps
 from symscrew.formats.outline import fresh
@@ -61,7 +61,7 @@ def _add_joint(
 ) -> list[str]:
     """The joint or chain of joints that carries a body; the names of the driven ones."""
     joint, driven = branch.joint, []
-    if joint.type == "H":
+    if joint.kind.helical:
         raise DescriptionError(f"joints.{joint.name}: a URDF has no helical joint; write MJCF (.xml)")
     parts = _parts(mechanism, branch)
     link, shift = branch.parent, origins[branch.body] - origins[branch.parent]
@@ -70,19 +70,19 @@ def _add_joint(
         if k + 1 < len(parts):
             name = fresh(f"{branch.body}_{step.name.replace('.', '_')}", used)
             used.append(name)
-        floating = step.kind == "free"
-        made = SubElement(root, "joint", name=step.name, type="floating" if floating else TYPES.get(step.kind, "fixed"))
+        whole = "floating" if joint.kind.unconstrained else "fixed"
+        made = SubElement(root, "joint", name=step.name, type=TYPES.get(step.motion.kind, whole))
         place, turn = shift, np.zeros(3)
-        if step.kind == "P":
+        if step.motion.prismatic:
             place = shift - step.reference * step.axis
-        elif step.kind == "R" and step.reference:
+        elif step.motion.revolute and step.reference:
             turn = _roll_pitch_yaw(rotation_about(-step.reference * step.axis))
         SubElement(made, "origin", xyz=decimals(place), rpy=decimals(turn))
         SubElement(made, "parent", link=link)
         SubElement(made, "child", link=name)
-        if step.kind in TYPES:
+        if step.motion.kind in TYPES:
             SubElement(made, "axis", xyz=decimals(step.axis))
-        if step.kind == "P":
+        if step.motion.prismatic:
             SubElement(made, "limit", lower=f"-{WIDE}", upper=WIDE, effort=WIDE, velocity=WIDE)
         if k + 1 < len(parts):
             SubElement(root, "link", name=name)
@@ -94,19 +94,20 @@ def _add_joint(
 def _parts(mechanism: Mechanism, branch: Branch) -> list[Step]:
     """The URDF joints of a joint, each with one freedom, or floating or fixed."""
     joint = branch.joint
-    if joint.type in ("fixed", "free"):
+    free = joint.kind.unconstrained
+    if free or not joint.kind.freedom:
         if joint.driven:
             raise DescriptionError(f"joints.{joint.name}: a URDF cannot drive a floating joint; leave out 'driven'")
-        if joint.type == "free" and branch.inverted:
+        if free and branch.inverted:
             raise DescriptionError(
                 f"joints.{joint.name}: a floating joint must lead away from the ground; swap its ends"
             )
-        return [Step(joint.name, joint.type, np.zeros(3), 0.0, 0.0, ())]
+        return [Step(joint.name, NO_MOTION, np.zeros(3), 0.0, 0.0, ())]
     result = []
     for step in steps(mechanism, joint, inverted=branch.inverted):
-        if step.kind == "S":
+        if step.motion.spherical:
             result += [
-                Step(f"{joint.name}.{'xyz'[i]}", "R", axis, 0.0, 0.0, (0,) if i in step.driven else ())
+                Step(f"{joint.name}.{'xyz'[i]}", rotation(), axis, 0.0, 0.0, (0,) if i in step.driven else ())
                 for i, axis in enumerate(np.eye(3))
             ]
         else:

@@ -52,7 +52,7 @@ class Derivatives:
 
 def covers(system: System, acting: Acting) -> bool:
     """Whether the equations here hold for a system and what acts on it."""
-    plain = not (acting.needs_reactions or acting.simplifications or acting.transmissions)
+    plain = not (acting.needs_reactions or acting.simplified or acting.transmissions)
     return bool(system.cuts) and not system.cut_drives() and plain
 
 

@@ -80,7 +80,7 @@ class Equations:
             system.drive_rows(),
             system.cut_drives(),
             system.length,
-            system.virtual_directions(),
+            system.structure.virtual_directions(),
             self.forces.known_forces(system.inputs.a),
         )
         self.inertia = self.forces.lean_inertia()

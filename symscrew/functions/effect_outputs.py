@@ -31,7 +31,7 @@ def _power(system: System, effects: Sequence[Effect], acting: Acting, loops: Loo
     """Power per effect; with load-dependent effects and with transmissions also from u."""
     inputs: list[tuple[Port, Sequence[Node]]] = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
     _, drives = driven(system, effects)
-    if acting.needs_reactions and "quasi_static" in acting.simplifications:
+    if acting.needs_reactions and not acting.keeps_motion:
         acting = Equations(system, effects).forces
     elif acting.needs_reactions:
         acting = solved(system, effects, loops).acting

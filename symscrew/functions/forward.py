@@ -55,7 +55,7 @@ def closing_functions(system: System, loops: Loops) -> list[Function]:
 
 def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
     """Whether accelerations follow from forces: not without mass, not in a quasi-static scene."""
-    return "quasi_static" not in Acting(system, effects).simplifications and moves_mass(system, effects, loops)
+    return Acting(system, effects).keeps_motion and moves_mass(system, effects, loops)
 
 
 def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:

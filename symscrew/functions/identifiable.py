@@ -222,13 +222,13 @@ def _walks(system: System, loops: Loops, count: int, random: np.random.Generator
     signs = np.sign(system.numeric(loops.pivots, (system.inputs.q, q))) if loops.pivots else np.zeros((walkers, 0))
     found = [q]
     for _ in range(ROUNDS):
-        jacobian = system.numeric(system.dense_jacobian(), (system.inputs.q, q)).reshape(walkers, -1, n) * scales
+        jacobian = system.numeric(system.closure.dense(), (system.inputs.q, q)).reshape(walkers, -1, n) * scales
         pairs = zip(headings, jacobian, strict=True)
         tangent = np.array([h - np.linalg.pinv(j, rcond=1e-9) @ (j @ h) for h, j in pairs])
         size = np.abs(tangent).max(axis=1, keepdims=True)
         step = STEP * tangent / np.where(size > 0, size, 1.0) * random.uniform(0.5, 1.0, (walkers, 1))
         moved = system.advance(q, scales * step)
-        closed = system.closed(moved, scales)
+        closed = system.samples.closed(moved)
         same = np.abs(closed - moved).max(axis=1) < STEP
         if loops.pivots:
             same &= (np.sign(system.numeric(loops.pivots, (system.inputs.q, closed))) == signs).all(axis=1)

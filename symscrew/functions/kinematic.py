@@ -24,8 +24,6 @@ from symscrew.kinematics import (
     Cut,
     System,
     body_motions,
-    carry,
-    carry_point,
     cut_displacement,
     displacement,
     joint_screws,
@@ -39,7 +37,7 @@ class Motion:
 
     def __init__(self, system: System) -> None:
         self.system = system
-        self.screws = joint_screws(system.tree, system.frames, system.placed, system.pose)
+        self.screws = joint_screws(system.linkage)
         self.w = system.joint_rates(system.inputs.v)
         self.w_dot = system.joint_rates(system.inputs.a)
         self.links: tuple[BodyMotion, ...] = body_motions(system.tree, self.screws, self.w, self.w_dot)
@@ -154,14 +152,14 @@ def _by_bodies(system: System, motion: Motion, points: Sequence[tuple[int, Vecto
 
 def _carried(system: System, points: Sequence[tuple[int, Vector]]) -> list[list[Node]]:
     """The same, from the links' own axes to the ground link by link."""
-    tree, placed, rates = system.tree, system.placed, system.rates(system.inputs.a)
+    linkage, rates = system.linkage, system.rates(system.inputs.a)
     positions: list[object] = []
     velocities: list[object] = []
     accelerations: list[object] = []
     for link, local in points:
-        positions += carry_point(tree, placed, link, GROUND, local)
-        velocities += carry(tree, placed, link, GROUND, system.twist[link].velocity_at(local))
-        accelerations += carry(tree, placed, link, GROUND, rates[link].at(local))
+        positions += linkage.carry_point(link, GROUND, local)
+        velocities += linkage.carry(link, GROUND, system.twist[link].velocity_at(local))
+        accelerations += linkage.carry(link, GROUND, rates[link].at(local))
     return [[system.tape.node(entry) for entry in part] for part in (positions, velocities, accelerations)]
 
 

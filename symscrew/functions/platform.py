@@ -10,12 +10,11 @@ from symscrew.effects import Effect
 from symscrew.functions.closing import guarded
 from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.kinematics import System, closure_rate
+from symscrew.kinematics import System, Turn, closure_rate
 from symscrew.loops import (
     CrankLimb,
     LengthRow,
     Loops,
-    Turn,
     closed_limbs,
     hub_links,
     length_rows,
@@ -95,7 +94,7 @@ def _motion(
     """v and a of the tree from those of the platform, link `hub`, with rows of rods' lengths in place of others."""
     solver, guards = _limb_elimination(placed, set(hub_v), lengths)
     alone = placed.at(placed.inputs.q, turns, _filled(placed, hub_v))
-    opening = [value for cut in alone.cuts for value in closure_rate(cut, alone.tree, alone.placed, alone.twist)]
+    opening = [value for cut in alone.cuts for value in closure_rate(cut, alone.linkage, alone.twist)]
     for row in lengths:
         opening[row.index] = row.opening(alone)
     v = _all_rates(placed, solver, hub_v, opening)

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import sympy
 
-from symscrew.algebra import Node
+from symscrew.algebra import Node, sympy_expression
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions.kinematic import Motion, all_joint_screws
@@ -133,9 +133,9 @@ class Quantities:
         definitions = []
         for node, symbol in named.items():
             earlier = {other: s for other, s in named.items() if other.index < node.index}
-            definitions.append((symbol, tape.to_sympy(node, earlier)))
+            definitions.append((symbol, sympy_expression(node, earlier)))
         rows = len(nodes[0]) if nodes else 0
-        matrix = sympy.Matrix(rows, len(nodes), lambda i, j: tape.to_sympy(nodes[j][i], named))
+        matrix = sympy.Matrix(rows, len(nodes), lambda i, j: sympy_expression(nodes[j][i], named))
         return Quantity(name, matrix, tuple(definitions), _symbols(self.system))
 
 

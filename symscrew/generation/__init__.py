@@ -1,13 +1,33 @@
-"""Folders of generated code: every target that is asked for, written whole or not at all."""
+"""Folders of generated code: every target that is asked for, written whole or not at all.
+
+    model --render--> {file: bytes} --generate--> folder, or with hashes in place of the long files
+
+The table of targets is in `symscrew.generation.targets`.
+"""
 
 from typing import TYPE_CHECKING
 
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.generation.folder import EMBEDDED, FORMATS, generate, render
-    from symscrew.generation.targets import SINGLE_TARGETS, TARGETS, USUAL
+    from symscrew.generation.folder import EMBEDDED, generate, render
+    from symscrew.generation.target_file import Case, Finding
+    from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
+    from symscrew.generation.value_comparison import Results, compare_values
 
-__all__ = ["EMBEDDED", "FORMATS", "SINGLE_TARGETS", "TARGETS", "USUAL", "generate", "render"]
+__all__ = [
+    "EMBEDDED",
+    "TARGETS",
+    "USUAL",
+    "Case",
+    "Finding",
+    "Results",
+    "by_value",
+    "compare_values",
+    "generate",
+    "printable",
+    "render",
+    "with_brought",
+]
 
 __getattr__ = doors(__name__)

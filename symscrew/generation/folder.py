@@ -1,15 +1,8 @@
-"""A model as files: C, CasADi, NumPy, and what a user or `check` needs beside them.
+"""A model as files: those of every target, and what a user or `check` needs beside them.
 
-    <name>.h  <name>.c  <name>.hpp  example.c  CMakeLists.txt       target "c"
-    <function>.casadi                                               target "casadi"
-    <name>_numpy.py                                                 target "numpy"
-    <name>_external.c  <name>_jacobians.h  <name>_jacobians.c       target "external", with those of "c"
-    <name>.js                                                       target "javascript"
-    <name>.fmu                                                      target "fmu", FMI 3.0 without binaries
-    <name>.xml                                                      target "mjcf"
-    <name>.urdf                                                     target "urdf", open chains only
-    model.md                                                        target "markdown"
-    README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
+    targets (`symscrew.generation.targets`)  --files-->  <name>.h  <name>.c  <name>_numpy.py  *.casadi  ...
+    beside them          README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
+    with hashes only     *.h  manifest.json  ops.json  mechanism.toml  hashes.json in place of the others
 
 Equal input gives equal bytes. Everything is written to a folder of its own first and moved into place at the
 end, and no file is replaced that the tool did not write.
@@ -23,9 +16,7 @@ import os
 import re
 import secrets
 import shutil
-import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,29 +24,21 @@ import numpy as np
 
 from symscrew.description import to_toml
 from symscrew.export import (
-    DOUBLE,
+    HASHES,
     PRECISIONS,
     OutputError,
     manifest,
-    print_c,
-    print_cmake,
-    print_cpp,
-    print_example,
-    print_external,
-    print_javascript,
-    print_markdown,
-    print_numpy,
+    print_hashes,
     print_readme,
+    read_hashes,
     read_manifest,
 )
-from symscrew.fmu import archive, at_rest, readme_section, unit_contents
-from symscrew.formats import text_of
-from symscrew.generation.targets import SINGLE_TARGETS, TARGETS, USUAL
+from symscrew.generation.target_file import Order
+from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
 from symscrew.model import Model
-from symscrew.program import Iteration, Program
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
-FORMATS = {"mjcf": ".xml", "urdf": ".urdf"}
+READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
 _PLAIN_FILE = re.compile(r"[A-Za-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", re.ASCII)
 
 
@@ -66,6 +49,7 @@ def generate(
     *,
     precision: str = "double",
     measured: Sequence[Mapping[str, Any]] = (),
+    hashes_only: bool = False,
 ) -> tuple[Path, ...]:
     """Write the files of a model into `out_dir` and return their paths, sorted.
 
@@ -76,6 +60,8 @@ def generate(
         precision: "double", or "single" for C of type float; the other targets are double only.
         measured: results of `symscrew.verification.embedded.emulation.measure`, which stand in the C header and in
             ops.json then.
+        hashes_only: write what a reader learns from, and of the rest hashes.json with its hashes: enough for
+            `check`, at most a tenth of the size, and no code that could be called.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.
@@ -84,6 +70,7 @@ def generate(
     directory = Path(os.path.abspath(out_dir))
     earlier = _earlier_files(directory)
     files = render(model, targets, precision=precision, measured=measured)
+    files = with_hashes(files) if hashes_only else files
     foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
     if foreign:
         raise OutputError(f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory")
@@ -98,74 +85,45 @@ def render(
     precision: str = "double",
     measured: Sequence[Mapping[str, Any]] = (),
 ) -> dict[str, bytes]:
-    """File name to content of everything that `generate` writes."""
-    unknown = [target for target in targets if target not in TARGETS]
-    if unknown:
-        raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {unknown[0]!r}")
+    """File name to content of everything that `generate` writes, without hashes.json.
+
+    Raises:
+        ValueError: an unknown target or precision, or a target that the precision cannot have.
+    """
+    chosen = with_brought(targets)
     if precision not in PRECISIONS:
         raise ValueError(f"expected the precision {' or '.join(PRECISIONS)}, got {precision!r}")
-    real = PRECISIONS[precision]
-    doubles = [target for target in targets if target not in SINGLE_TARGETS]
-    if real is not DOUBLE and doubles:
-        raise ValueError(f"expected targets among {', '.join(SINGLE_TARGETS)} in single precision, got {doubles[0]!r}")
-    targets = [*targets, "c"] if "external" in targets else targets
-    chosen = [target for target in TARGETS if target in targets]
-    texts: dict[str, str] = {}
-    files: dict[str, bytes] = {}
-    if "c" in targets:
-        texts |= print_c(_noted(model, measured), precision=real) | print_cpp(model, real)
-        texts |= {"example.c": print_example(model, real), "CMakeLists.txt": print_cmake(model)}
-    if "numpy" in targets:
-        texts |= print_numpy(model)
-    if "casadi" in targets:
-        files |= _casadi_files(model)
-    if "external" in targets:
-        texts |= print_external(model)
-    if "javascript" in targets:
-        texts |= print_javascript(model)
-    if "fmu" in targets:
-        files[f"{model.name}.fmu"] = archive(unit_contents(at_rest(model.mechanism, model.effects)))
-    for target, suffix in FORMATS.items():
-        if target in targets:
-            texts[f"{model.name}{suffix}"] = text_of(model.mechanism, suffix)
-    if "markdown" in targets:
-        texts |= print_markdown(model)
-    section = readme_section(model.name, model.system.tree.q[0].label) if "fmu" in targets else []
-    texts["README.md"] = print_readme(model, chosen, real, section)
+    possible = printable(precision)
+    for target in targets:
+        if target not in possible:
+            raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
+    order = Order(model, PRECISIONS[precision], measured)
+    made: dict[str, str | bytes] = {}
+    further: list[str] = []
+    for target in chosen:
+        made |= TARGETS[target].files(order)
+        further += TARGETS[target].section(order)
+    about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}
-    texts["ops.json"] = _table_text(counts | ({EMBEDDED: list(measured)} if measured else {}))
-    texts["test_vectors.json"] = _vectors_text(model)
-    texts["mechanism.toml"] = to_toml(model.mechanism)
-    files |= {name: text.encode("utf-8") for name, text in texts.items()}
-    content = manifest(model, targets=chosen, files=[*files, "manifest.json"], precision=precision)
-    files["manifest.json"] = (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")
-    return files
+    made |= {
+        "README.md": print_readme(model, about, order.precision, further),
+        "ops.json": _table_text(counts | ({EMBEDDED: list(measured)} if measured else {})),
+        "test_vectors.json": _vectors_text(model),
+        "mechanism.toml": to_toml(model.mechanism),
+    }
+    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision)
+    made["manifest.json"] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return {name: data.encode("utf-8") if isinstance(data, str) else data for name, data in made.items()}
 
 
-def _noted(model: Model, measured: Sequence[Mapping[str, Any]]) -> Model:
-    """The model with what its functions cost on microcontrollers among their notes."""
-    programs: dict[str, Program | Iteration] = dict(model.programs)
-    for found in measured:
-        where = f"{found['core']}, {' '.join(found['compiler'].split()[:2])} -O2"
-        for name, entry in found["functions"].items():
-            if name in programs:
-                stack = f"{entry['stack']} of stack (own frames at most {entry['frame']})"
-                size = f"{entry['flash']} bytes of flash, {stack}"
-                note = f"{where}: {size}, {entry['instructions']} instructions"
-                programs[name] = replace(programs[name], notes=(*programs[name].notes, note))
-    return replace(model, programs=programs)
+def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:
+    """Of the files of a folder those that are read, and hashes.json of the others.
 
-
-def _casadi_files(model: Model) -> dict[str, bytes]:
-    from symscrew.export import casadi_functions
-
-    files = {}
-    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
-        for name, function in casadi_functions(model).items():
-            path = Path(temporary) / f"{name}.casadi"
-            function.save(str(path))
-            files[path.name] = path.read_bytes()
-    return files
+    Files whose bytes depend on the version of a library are left out altogether: a hash of them says nothing.
+    """
+    kept = {name: data for name, data in files.items() if name.endswith(READ)}
+    others = {name: data for name, data in files.items() if name not in kept and not by_value(name)}
+    return kept | {HASHES: print_hashes(others).encode("utf-8")}
 
 
 def _table_text(table: Mapping[str, Any]) -> str:
@@ -211,7 +169,9 @@ def _earlier_files(directory: Path) -> set[str]:
     except OutputError as error:  # which says to generate again: that is what this is
         reason = str(error).rpartition(";")[0] or str(error)
         raise OutputError(f"{reason}; remove the directory, or use another one") from error
-    return {f for f in listed if isinstance(f, str) and _PLAIN_FILE.fullmatch(f)} | {"manifest.json"}
+    written = {f for f in listed if isinstance(f, str) and _PLAIN_FILE.fullmatch(f)} | {"manifest.json"}
+    hashed = set(read_hashes(directory))  # in the manifest's list, but not written
+    return (written - hashed) | {HASHES} if hashed else written
 
 
 def _write(directory: Path, files: Mapping[str, bytes], *, stale: set[str]) -> None:

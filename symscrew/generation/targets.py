@@ -1,5 +1,101 @@
-"""The targets that a folder of generated code can have."""
+"""The table of targets: what a folder of generated code can hold, an entry for each.
 
-TARGETS = ("c", "casadi", "numpy", "external", "javascript", "fmu", "mjcf", "urdf", "markdown")
-USUAL = ("c", "casadi", "numpy")
-SINGLE_TARGETS = ("c", "markdown")  # those that single precision has
+    name -> Target -> its file in this folder, which writes what the target is, runs it and compares its numbers
+
+A further target is one such file and one line here; the command line, `generate`, `check` and the manifest walk the
+table. It is read when the command line starts, so that nothing heavy is imported here: a target's file is, when its
+target is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from symscrew.generation.target_file import Case, Finding, Order
+
+
+@dataclass(frozen=True)
+class Target:
+    """One target.
+
+    Attributes:
+        module: its file, which holds `files` and, where they apply, `section` and `compare`
+            (`symscrew.generation.target_file` says what they take and give).
+        about: its files in README.md; {0} is the model's name.
+        precisions: "double", and "single" where it can be printed of type float.
+        brings: other targets whose files its own ones need.
+        by_value: endings of files whose bytes depend on more than this tool: `check` compares their numbers only, and
+            they may be missing.
+    """
+
+    module: str
+    about: str
+    precisions: tuple[str, ...] = ("double",)
+    brings: tuple[str, ...] = ()
+    by_value: tuple[str, ...] = ()
+
+    def files(self, order: Order) -> Mapping[str, str | bytes]:
+        """File name to content."""
+        made: Mapping[str, str | bytes] = import_module(self.module).files(order)
+        return made
+
+    def section(self, order: Order) -> Sequence[str]:
+        """Lines at the end of README.md; none where its file has no `section`."""
+        told: Callable[[Order], Sequence[str]] | None = getattr(import_module(self.module), "section", None)
+        return told(order) if told else ()
+
+    def compare(self, case: Case) -> Iterator[Finding]:
+        """(passed, what) of every comparison; none where its file has no `compare`, beyond that of bytes."""
+        compared: Callable[[Case], Iterator[Finding]] | None = getattr(import_module(self.module), "compare", None)
+        if compared:
+            yield from compared(case)
+
+
+ROOM = "symscrew.generation"
+C = "`{0}.h`, `{0}.c`: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
+EXTERNAL = "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi"
+UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only"
+BOTH = ("double", "single")
+
+TARGETS: dict[str, Target] = {
+    "c": Target(f"{ROOM}.c_target", C, precisions=BOTH),
+    "casadi": Target(f"{ROOM}.casadi_target", "`*.casadi`: CasADi functions, one per file", by_value=(".casadi",)),
+    "numpy": Target(f"{ROOM}.numpy_target", "`{0}_numpy.py`: NumPy functions on batches of states, without this tool"),
+    "external": Target(f"{ROOM}.external_target", EXTERNAL, brings=("c",)),
+    "javascript": Target(f"{ROOM}.javascript_target", "`{0}.js`: JavaScript for a page or Node"),
+    "fmu": Target(f"{ROOM}.fmu_target", UNIT),
+    "mjcf": Target(f"{ROOM}.mjcf_target", "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints"),
+    "urdf": Target(f"{ROOM}.urdf_target", "`{0}.urdf`: URDF"),
+    "markdown": Target(
+        f"{ROOM}.markdown_target", "`model.md`: screws, momentum screws, equations and symbols to read", precisions=BOTH
+    ),
+}
+USUAL = ("c", "casadi", "numpy")  # where nobody asks for others
+
+
+def with_brought(names: Iterable[str]) -> tuple[str, ...]:
+    """The named targets and those that they bring along, in the order of the table.
+
+    Raises:
+        ValueError: one of them is unknown.
+    """
+    wanted = list(names)
+    for name in wanted:
+        if name not in TARGETS:
+            raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {name!r}")
+    brought = {other for name in wanted for other in TARGETS[name].brings}
+    return tuple(name for name in TARGETS if name in wanted or name in brought)
+
+
+def by_value(file: str) -> bool:
+    """Whether a file's bytes depend on more than this tool: on the version of a library that writes it."""
+    return any(file.endswith(target.by_value) for target in TARGETS.values())
+
+
+def printable(precision: str) -> tuple[str, ...]:
+    """The targets that a precision can have, in the order of the table."""
+    return tuple(name for name, target in TARGETS.items() if precision in target.precisions)

@@ -1,67 +1,48 @@
 """Kinematics over a spanning tree: frames, screws and their rates, momentum screws, cut joints.
 
-Mechanism --tree--> links, cut joints --link_frames--> frames --recursion--> twists and their rates
-          --cut_joints--> rows of the loops; `System` holds them with a tape and sample states
+Mechanism --tree--> links, joints to be cut --link_frames--> frames --structure--> linkage at q --recursion--> rates
+          --cut_joints--> reciprocal wrenches --loop_closure, closure_jacobian--> rows of the loops
+`System` holds them at nodes for q, v, a, with `sample_states`
+
+What an elementary motion does with nodes is in `pairs`, a file each.
 """
 
-from symscrew.kinematics.cut_joints import (
-    Cut,
-    Row,
-    acceleration_across,
-    carry,
-    carry_across,
-    carry_before,
-    carry_point,
-    closure_bias,
-    closure_rate,
-    drive_row,
-    on_hub,
-    seen_before,
-    universal_axes,
-    velocity_across,
-)
+from symscrew.kinematics.closure_jacobian import ClosureJacobian
+from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
 from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement
-from symscrew.kinematics.link_frames import Frame
+from symscrew.kinematics.link_inertias import combined, regrouped
+from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Placement, Rates, Wrench
+from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.loop_closure import closure_bias, closure_rate
 from symscrew.kinematics.momentum_screws import MassProperties, momentum_rate, momentum_screw
-from symscrew.kinematics.recursion import (
-    Inertia,
-    Placement,
-    Rates,
-    acceleration_matrix,
-    combined,
-    inertial_wrench,
-    own_screws,
-    placements,
-    quaternion_matrix,
-    rates,
-    regrouped,
-    twists,
-)
-from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws
-from symscrew.kinematics.system import System, Wrench, characteristic_length
+from symscrew.kinematics.pairs import LowerPair, Turn, pair_of, quaternion_matrix
+from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, own_screws, rates, twists
+from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
+from symscrew.kinematics.structure import characteristic_length
+from symscrew.kinematics.system import System
 from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree
 
 __all__ = [
     "GROUND",
+    "NO_SPREAD",
     "BodyMotion",
+    "ClosureJacobian",
     "Cut",
     "Frame",
     "Inertia",
     "Link",
+    "Linkage",
+    "LowerPair",
     "MassProperties",
     "Placement",
     "Rates",
     "Row",
     "System",
     "Tree",
+    "Turn",
     "Wrench",
-    "acceleration_across",
     "acceleration_matrix",
     "body_motions",
-    "carry",
-    "carry_across",
-    "carry_before",
-    "carry_point",
     "characteristic_length",
     "closure_bias",
     "closure_rate",
@@ -73,16 +54,15 @@ __all__ = [
     "joint_screws",
     "momentum_rate",
     "momentum_screw",
+    "motion_screws",
     "on_hub",
     "own_screws",
-    "placements",
+    "pair_of",
     "quaternion_matrix",
     "rates",
     "regrouped",
-    "seen_before",
     "spanning_tree",
     "tree_displacement",
     "twists",
     "universal_axes",
-    "velocity_across",
 ]

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, Vector, cross, dot, product, subtract, transform, transpose
-from symscrew.description import JOINT_TYPES, Joint
-from symscrew.kinematics.cut_joints import Cut, carry, hub_angle, relative_rotation
+from symscrew.algebra import Node, Tape, Vector, cross, dot, product, subtract, transform, transpose
+from symscrew.description import Joint
+from symscrew.kinematics.cut_joints import Cut
+from symscrew.kinematics.loop_closure import hub_angle, relative_rotation
 from symscrew.kinematics.system import System
 
 SMALL_ANGLE = 1e-8
+"""Below this sine [rad] a rotation vector is its axial part times the limit of angle / sine, to better than a double's
+last digit: the next term is the square of it; above it the quotient is divided, which is exact to rounding."""
 
 
 def tree_displacement(system: System, joint: Joint) -> list[Node]:
@@ -18,13 +21,13 @@ def tree_displacement(system: System, joint: Joint) -> list[Node]:
     values: list[Node] = []
     for link in links[::-1] if links and links[0].inverted else links:
         entries = list(system.inputs.q[link.q])
-        values += rotation_vector(system, *entries) if len(entries) == 4 else entries
+        values += rotation_vector(system.tape, entries) if link.motion.spherical else entries
     return values
 
 
-def rotation_vector(system: System, w: Node, x: Node, y: Node, z: Node) -> list[Node]:
-    """Rotation vector [rad] of a unit quaternion, smooth through the identity; angle up to pi."""
-    tape = system.tape
+def rotation_vector(tape: Tape, quaternion: Sequence[Node]) -> list[Node]:
+    """Rotation vector [rad] of a unit quaternion (w, x, y, z), smooth through the identity; angle up to pi."""
+    w, x, y, z = quaternion
     half_sine = tape.sqrt(x * x + y * y + z * z)
     small = tape.function("less", half_sine, tape.constant(SMALL_ANGLE))
     safe = tape.function("select", small, tape.one, half_sine)
@@ -35,9 +38,8 @@ def rotation_vector(system: System, w: Node, x: Node, y: Node, z: Node) -> list[
     return [factor * x, factor * y, factor * z]
 
 
-def matrix_rotation_vector(system: System, m: Sequence[Vector]) -> list[Node]:
+def matrix_rotation_vector(tape: Tape, m: Sequence[Vector]) -> list[Node]:
     """Rotation vector [rad] of a rotation matrix by angle atan2(|axial|, trace - 1); not for angles near pi."""
-    tape = system.tape
     half = tape.reciprocal(tape.node(2))
     axial = [half * (m[2][1] - m[1][2]), half * (m[0][2] - m[2][0]), half * (m[1][0] - m[0][1])]
     sine = tape.sqrt(axial[0] * axial[0] + axial[1] * axial[1] + axial[2] * axial[2])
@@ -50,28 +52,28 @@ def matrix_rotation_vector(system: System, m: Sequence[Vector]) -> list[Node]:
 
 def cut_displacement(system: System, cut: Cut) -> list[Node]:
     """Displacements of a cut joint from the relative pose of its bodies."""
-    tape, tree, placed = system.tape, system.tree, system.placed
-    motions = JOINT_TYPES[cut.joint.type].motions
-    kinds = [m.kind for m in motions]
+    tape, linkage = system.tape, system.linkage
+    kind = cut.joint.kind
+    motions = kind.motions
     references = cut.joint.reference or (0,) * len(motions)
     offset = [system.geometry.scalar(r) if r != 0 else tape.zero for r in references]
-    if kinds == ["S"]:
-        relative = relative_rotation(cut, tree, placed)
+    if kind.ball:
+        relative = relative_rotation(cut, linkage)
         reference_axes = system.frames[cut.tip].axes
         in_body = product(product(reference_axes, relative), transpose(reference_axes))
-        return matrix_rotation_vector(system, in_body if cut.tip_is_parent else transpose(in_body))
+        return matrix_rotation_vector(tape, in_body if cut.tip_is_parent else transpose(in_body))
     gap = _gap_child_from_parent(system, cut)
     sign = 1 if cut.tip_is_parent else -1
     values: list[Node] = []
-    turns = iter(_universal_angles(system, cut) if kinds.count("R") == 2 else [])
+    turns = iter(_universal_angles(system, cut) if kind.universal else [])
     axes = cut.tip_axes
     for position, m in enumerate(motions):
-        if m.kind == "P":
+        if m.prismatic:
             value = dot(axes[m.axis or 0], gap)
-        elif kinds.count("R") == 2:
+        elif kind.universal:
             value = next(turns)
         else:
-            value = sign * hub_angle(cut, tree, placed, system.geometry)
+            value = sign * hub_angle(cut, linkage, system.geometry)
         values.append(tape.node(value) + offset[position])
     return values
 
@@ -87,21 +89,21 @@ def _universal_angles(system: System, cut: Cut) -> list[Node]:
     """Both angles of a cut universal joint, parent's axis first, each from how it turns the other's axis."""
     tape = system.tape
     first_reference, second_reference = cut.tip_axes
-    carried = [carry(system.tree, system.placed, cut.hub, cut.tip, axis) for axis in cut.hub_axes]
+    carried = [system.linkage.carry(cut.hub, cut.tip, axis) for axis in cut.hub_axes]
     # seen from the tip, the hub's copies of the two axes; the own axis of the tip stays
     if cut.tip_is_parent:
         theta1 = _angle_about(tape, first_reference, second_reference, carried[1])
-        back = [carry(system.tree, system.placed, cut.tip, cut.hub, axis) for axis in cut.tip_axes]
+        back = [system.linkage.carry(cut.tip, cut.hub, axis) for axis in cut.tip_axes]
         theta2 = -1 * _angle_about(tape, cut.hub_axes[1], cut.hub_axes[0], back[0])
     else:
-        back = [carry(system.tree, system.placed, cut.tip, cut.hub, axis) for axis in cut.tip_axes]
+        back = [system.linkage.carry(cut.tip, cut.hub, axis) for axis in cut.tip_axes]
         theta1 = _angle_about(tape, cut.hub_axes[0], cut.hub_axes[1], back[1])
         theta2 = -1 * _angle_about(tape, second_reference, first_reference, carried[0])
     return [theta1, theta2]
 
 
-def _angle_about(tape: object, axis: Vector, start: Vector, end: Vector) -> Node:
+def _angle_about(tape: Tape, axis: Vector, start: Vector, end: Vector) -> Node:
     """Angle about `axis` that turns `start` into `end` (their components across the axis)."""
     sine = dot(axis, cross(start, end))
     cosine = dot(start, end) - dot(axis, start) * dot(axis, end)
-    return tape.function("atan2", sine, cosine)  # type: ignore[attr-defined]
+    return tape.function("atan2", sine, cosine)

@@ -14,17 +14,17 @@ from symscrew.algebra import (
     Pose,
     Scalar,
     Twist,
-    helical,
-    prismatic,
+    Vector,
     product,
-    revolute,
     subtract,
     transform,
     transpose,
 )
-from symscrew.kinematics.link_frames import Frame
-from symscrew.kinematics.recursion import Placement
-from symscrew.kinematics.tree import Link, Tree
+from symscrew.description import JointType, Motion
+from symscrew.kinematics.link_quantities import Frame
+from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.pairs import pair_of
+from symscrew.kinematics.tree import Tree
 
 
 @dataclass(frozen=True)
@@ -35,28 +35,23 @@ class BodyMotion:
     rate: Twist
 
 
-def joint_screws(
-    tree: Tree, frames: Sequence[Frame], placed: Sequence[Placement], pose: Sequence[Pose]
-) -> tuple[tuple[Twist, ...], ...]:
+def joint_screws(at: Linkage) -> tuple[tuple[Twist, ...], ...]:
     """Unit screws of every link's motion: one for R, P, H, three through the centre for S (parent's axes)."""
     result: list[tuple[Twist, ...]] = [()]
-    for link in tree.links[1:]:
-        result.append(_link_screws(link, frames[link.index], placed[link.index], pose[link.parent], pose[link.index]))
+    for link in at.tree.links[1:]:
+        k = link.index
+        result.append(link.pair.absolute_screws(at.frames[k], at.placed[k], at.poses[link.parent], at.poses[k]))
     return tuple(result)
 
 
-def _link_screws(link: Link, frame: Frame, placed: Placement, parent: Pose, own: Pose) -> tuple[Twist, ...]:
-    if link.motion.kind == "F":
-        return ()
-    if link.motion.kind == "S":
-        before = transpose(product(parent.rotation, placed.rotation))
-        return tuple(revolute(axis, own.translation) for axis in before)
-    if link.motion.kind == "P":
-        return (prismatic(parent.direction(frame.axis)),)
-    axis = transpose(own.rotation)[2]
-    if link.motion.kind == "H":
-        return (helical(axis, own.translation, frame.pitch),)
-    return (revolute(axis, own.translation),)
+def motion_screws(
+    kind: JointType, axes: Sequence[Vector], point: Vector, pitch: Scalar
+) -> list[tuple[Motion, tuple[Twist, ...]]]:
+    """(motion, unit screws) of a joint from parent to child, over any scalars.
+
+    `axes` are those that its motions refer to (`JointType.motion_axes`), `pitch` that of a helical joint.
+    """
+    return [(m, pair_of(m).screws(ZERO if m.axis is None else axes[m.axis], point, pitch)) for m in kind.motions]
 
 
 def body_motions(

@@ -8,15 +8,14 @@ cut: every limb is then a chain of its own, and only the platform's equations co
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy
 
-from symscrew.description import JOINT_TYPES, Joint, Mechanism, Motion, Vector
+from symscrew.description import NO_MOTION, Joint, Mechanism, Motion, Vector
+from symscrew.kinematics.pairs import LowerPair, pair_of
 
 GROUND = 0
-FIXED = Motion("F")  # the single, immobile link of a fixed joint
-SIZES = {"S": (4, 3), "F": (0, 0)}  # entries in q and v of a motion, where they are not 1
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,8 @@ class Link:
 
     `parent` is the index of the parent link (0 is the ground), `bodies` are its body (none
     for the intermediate part of a universal joint), `q` and `v` are slices into the coordinates. `inverted`
-    says that the tree passes the joint from child to parent: its axis is then negated.
+    says that the tree passes the joint from child to parent: its axis is then negated. `position` is the motion's
+    place among its joint's.
     """
 
     index: int
@@ -46,6 +46,12 @@ class Link:
     bodies: tuple[str, ...]
     q: slice
     v: slice
+    position: int = 0
+
+    @property
+    def pair(self) -> LowerPair:
+        """What its motion does with nodes."""
+        return pair_of(self.motion)
 
 
 @dataclass(frozen=True)
@@ -76,6 +82,16 @@ class Tree:
     def links_of(self, joint: str) -> tuple[Link, ...]:
         """The links that make up a tree joint, from the ground outwards."""
         return tuple(link for link in self.links if link.joint == joint)
+
+    @property
+    def spheres(self) -> tuple[tuple[int, int], ...]:
+        """(first entry in q, first entry in v) of every quaternion."""
+        return tuple((link.q.start, link.v.start) for link in self.links if link.motion.spherical)
+
+    @property
+    def plain(self) -> tuple[tuple[int, int], ...]:
+        """(entry in q, entry in v) of every coordinate whose rate is its entry in v."""
+        return tuple((link.q.start, link.v.start) for link in self.links if link.motion.single)
 
     def velocity_indices(self, joint: str) -> tuple[int, ...]:
         """Indices into v of a tree joint, in the order of its freedoms (parent to child)."""
@@ -124,14 +140,14 @@ def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None)
                 raise AssertionError("validation lets only connected mechanisms through")
             level = 10**6
             continue
-        candidates: dict[str, tuple[tuple, str, bool]] = {}
+        candidates: dict[str, tuple[tuple[bool, int], str, bool]] = {}
         for joint in joints.values():
             for near, far, inverted in (
                 (joint.parent, joint.child, False),
                 (joint.child, joint.parent, True),
             ):
                 if near in frontier and far not in depth:
-                    key = (not joint.driven, JOINT_TYPES[joint.type].freedom)
+                    key = (not joint.driven, joint.kind.freedom)
                     if far not in candidates or key < candidates[far][0]:
                         candidates[far] = (key, joint.name, inverted)
         for body, (_, name, inverted) in candidates.items():
@@ -156,7 +172,7 @@ def _virtual_joint(mechanism: Mechanism) -> Joint | None:
     while body != mechanism.ground:
         name, inverted = reached[body]
         joint = mechanism.joints[name]
-        freedoms += JOINT_TYPES[joint.type].freedom
+        freedoms += joint.kind.freedom
         length += 1
         body = joint.child if inverted else joint.parent
     if len(meeting) < 3 or length < 2:
@@ -174,8 +190,8 @@ def _virtual_joint(mechanism: Mechanism) -> Joint | None:
 
 def _common_normal(mechanism: Mechanism) -> Vector | None:
     """The axis that all revolute joints share and all sliders cross at right angles, or None."""
-    turning = [j.axes[0] for j in mechanism.joints.values() if j.type == "R"]
-    if not turning or any(j.type not in "RP" for j in mechanism.joints.values()):
+    turning = [j.axes[0] for j in mechanism.joints.values() if j.kind.hinge]
+    if not turning or not all(j.kind.hinge or j.kind.slider for j in mechanism.joints.values()):
         return None
     normal = tuple(mechanism.number(c) for c in turning[0])
 
@@ -186,7 +202,7 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
         if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):
             return None
     for joint in mechanism.joints.values():
-        if joint.type == "P" and not equal(
+        if joint.kind.slider and not equal(
             sum(a * n for a, n in zip(joint.axes[0], normal, strict=True)), sympy.S.Zero
         ):
             return None
@@ -196,18 +212,13 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
 def _coordinates(joints: list[Joint]) -> dict[str, tuple[list[Coordinate], list[Coordinate]]]:
     result: dict[str, tuple[list[Coordinate], list[Coordinate]]] = {}
     for joint in joints:
-        motions = JOINT_TYPES[joint.type].motions
         q: list[Coordinate] = []
         v: list[Coordinate] = []
-        for position, motion in enumerate(motions):
-            if motion.kind == "S":
-                q += [Coordinate(f"{joint.name}.q{c}", joint.name, "quaternion", "1") for c in "wxyz"]
-                v += [Coordinate(f"{joint.name}.w{c}", joint.name, "rotation", "rad/s") for c in "xyz"]
-                continue
-            label = joint.name if len(motions) == 1 else f"{joint.name}.{position}"
-            kind, unit = ("length", "m") if motion.kind == "P" else ("angle", "rad")
-            q.append(Coordinate(label, joint.name, kind, unit))
-            v.append(Coordinate(label, joint.name, kind, f"{unit}/s"))
+        for name, motion in zip(joint.kind.motion_names(joint.name), joint.kind.motions, strict=True):
+            for entries, coordinates in ((motion.q, q), (motion.v, v)):
+                for entry in entries:
+                    label = f"{joint.name}{entry.suffix}" if entry.suffix else name
+                    coordinates.append(Coordinate(label, joint.name, entry.kind, entry.unit))
         result[joint.name] = (q, v)
     return result
 
@@ -223,7 +234,7 @@ def _links(
     for name, (q, v) in coordinates.items():
         q_start[name], v_start[name] = q_next, v_next
         q_next, v_next = q_next + len(q), v_next + len(v)
-    links = [Link(GROUND, GROUND, "", FIXED, False, (mechanism.ground,), slice(0, 0), slice(0, 0))]
+    links = [Link(GROUND, GROUND, "", NO_MOTION, False, (mechanism.ground,), slice(0, 0), slice(0, 0))]
     link_of_body = {mechanism.ground: GROUND}
     waiting = dict(reached)
     while waiting:
@@ -234,18 +245,14 @@ def _links(
                 continue
             del waiting[body]
             current = link_of_body[inner]
-            motions = list(enumerate(JOINT_TYPES[joint.type].motions or (FIXED,)))
+            motions = list(enumerate(joint.kind.motions or (NO_MOTION,)))
             q_at, v_at = _offsets(joint, q_start[name], v_start[name])
             for position, motion in reversed(motions) if inverted else motions:
-                q_size, v_size = SIZES.get(motion.kind, (1, 1))
-                in_q = slice(q_at[position], q_at[position] + q_size)
-                in_v = slice(v_at[position], v_at[position] + v_size)
-                links.append(Link(len(links), current, name, motion, inverted, (), in_q, in_v))
+                in_q = slice(q_at[position], q_at[position] + len(motion.q))
+                in_v = slice(v_at[position], v_at[position] + len(motion.v))
+                links.append(Link(len(links), current, name, motion, inverted, (), in_q, in_v, position))
                 current = len(links) - 1
-            old = links[current]
-            links[current] = Link(
-                old.index, old.parent, old.joint, old.motion, old.inverted, (*old.bodies, body), old.q, old.v
-            )
+            links[current] = replace(links[current], bodies=(*links[current].bodies, body))
             link_of_body[body] = current
     return links, link_of_body
 
@@ -253,9 +260,8 @@ def _links(
 def _offsets(joint: Joint, q: int, v: int) -> tuple[list[int], list[int]]:
     """Where each motion of a joint starts in q and v."""
     q_at, v_at = [], []
-    for motion in JOINT_TYPES[joint.type].motions or (FIXED,):
+    for motion in joint.kind.motions or (NO_MOTION,):
         q_at.append(q)
         v_at.append(v)
-        q_size, v_size = SIZES.get(motion.kind, (1, 1))
-        q, v = q + q_size, v + v_size
+        q, v = q + len(motion.q), v + len(motion.v)
     return q_at, v_at

@@ -63,7 +63,7 @@ def _displaced(found: Mobility) -> list[Check]:
             size = sympy.Rational(k, 5) * (sympy.Rational(1, 4) if symbol.name.startswith("p") else 1)
             values[symbol] = size
             exact = CONTEXT.mpf(int(size.p)) / int(size.q)
-            q[column] = exact / network.length if network.edges[edge].motions[int(index or 0)][0] == "P" else exact
+            q[column] = exact / network.length if network.edges[edge].motions[int(index or 0)][0].prismatic else exact
         screws = moved(network, fine, q).screws
         worst = 0.0
         for wrench in pose.constraints:
@@ -80,7 +80,7 @@ def _motions(found: Mobility) -> list[Check]:
     if found.limbs or not found.network.chords or isinstance(found.loops, str):
         return []
     edges = found.network.edges.values()
-    lengths = [kind == "P" for edge in edges for kind, _ in edge.motions for _ in range(3 if kind == "S" else 1)]
+    lengths = [motion.prismatic for edge in edges for motion, _ in edge.motions for _ in range(motion.freedom)]
     worst = 0.0
     for rates in numbers_at(found.loops.rates, found.mechanism):
         scaled = [r / found.network.length if long else r for r, long in zip(rates, lengths, strict=True)]

@@ -88,17 +88,18 @@ def _target(mechanism: Mechanism, network: Network, name: str, value: Any) -> tu
         known = [*mechanism.parameters, *network.edges]
         raise DescriptionError(f"at {name}: no parameter or joint of this name; {did_you_mean(joint, known)}")
     edge = network.edges[joint]
-    kinds = [kind for kind, _ in edge.motions]
+    motions = [motion for motion, _ in edge.motions]
+    spherical = any(motion.spherical for motion in motions)
     place = int(index) if index.isdecimal() else 0
-    if "S" in kinds or place >= len(kinds) or (not index and len(kinds) > 1) or (index and not index.isdecimal()):
+    if spherical or place >= len(motions) or (not index and len(motions) > 1) or (index and not index.isdecimal()):
         raise DescriptionError(
             f"at {name}: expected {joint} or {joint}.i for a single coordinate; this joint of type {edge.type} has "
-            f"{'rotations that are no coordinates' if 'S' in kinds else len(kinds)}"
+            f"{'rotations that are no coordinates' if spherical else len(motions)}"
         )
     reference = mechanism.joints[joint].reference
     start = high_precision(mechanism.number(reference[place])) if place < len(reference) else CONTEXT.zero
     displacement = high_precision(exact(value, where=name)) - start
-    return edge.motions[place][1], displacement / network.length if kinds[place] == "P" else displacement
+    return edge.motions[place][1], displacement / network.length if motions[place].prismatic else displacement
 
 
 def _stacked(variety: ClosureVariety, q: Array, columns: list[int], goal: Array) -> tuple[Array, Array]:
@@ -129,8 +130,8 @@ def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
         moved = rotation @ local + translation
         place = (moved[0] + centre[0], moved[1] + centre[1], moved[2] + centre[2])
         rows = []
-        for kind, column in edge.motions:
-            if kind == "S":
+        for motion, column in edge.motions:
+            if motion.spherical:
                 rows += [tuple(CONTEXT.mpf(c) for c in revolute(axis, place).components) for axis in IDENTITY]
             else:
                 w, v = screws[0, column, :3], screws[0, column, 3:]

@@ -14,7 +14,8 @@ from fractions import Fraction
 import sympy
 
 from symscrew.algebra import IDENTITY, cross, dot, scale, subtract
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.description import Joint, Mechanism
+from symscrew.kinematics import motion_screws
 from symscrew.mobility.exact_field import Exact, Field, NotDecidableError, Number, inverse
 from symscrew.mobility.joint_network import Network
 
@@ -52,32 +53,21 @@ def exact_system(mechanism: Mechanism) -> ExactSystem:
     for name, joint in mechanism.joints.items():
         pitch = field.read(pitches[name]) if name in pitches else Fraction(0)
         # only the line matters: any of its points will do, and the pure direction of a slider needs none
-        kinds = {motion.kind for motion in JOINT_TYPES[joint.type].motions}
-        point = [field.read(c) for c in points[name]] if kinds - {"P"} else [Fraction(0)] * 3
+        turns = any(motion.turns for motion in joint.kind.motions)
+        point = [field.read(c) for c in points[name]] if turns else [Fraction(0)] * 3
         screws[name] = _screws(joint, point, directions[name], pitch)
     return ExactSystem(field, screws)
 
 
 def _screws(joint: Joint, point: Sequence, axes: Sequence[Sequence], pitch: Exact) -> tuple[tuple[Exact, ...], ...]:
-    place = (point[0], point[1], point[2])
-    triad: Sequence = axes
-    if joint.type == "E":
-        triad = across(axes[0], [bool(c) for c in axes[0]])
-    elif joint.type == "free":
-        triad = IDENTITY
-    result = []
-    for motion in JOINT_TYPES[joint.type].motions:
-        directions = IDENTITY if motion.kind == "S" else (triad[motion.axis or 0],)
-        for d in directions:
-            direction = (d[0], d[1], d[2])
-            if motion.kind == "P":
-                result.append((Fraction(0), Fraction(0), Fraction(0), *direction))
-                continue
-            moment = cross(place, direction)
-            if motion.kind == "H":
-                moment = tuple(a + pitch * b for a, b in zip(moment, direction, strict=True))  # type: ignore[assignment]
-            result.append((*direction, *moment))
-    return tuple(result)
+    given = [(a[0], a[1], a[2]) for a in axes]
+    triad = joint.kind.motion_axes(given, IDENTITY, lambda normal: across(normal, [bool(c) for c in normal])[:2])
+    made = motion_screws(joint.kind, triad, (point[0], point[1], point[2]), pitch)
+    return tuple(tuple(_exact(c) for c in twist.components) for _, twists in made for twist in twists)
+
+
+def _exact(entry: Exact | int) -> Exact:
+    return Fraction(entry) if isinstance(entry, int) else entry
 
 
 def across(normal: Sequence, present: Sequence[bool]) -> tuple:

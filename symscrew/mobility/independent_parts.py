@@ -18,7 +18,7 @@ def blocks_of(network: Network) -> tuple[Network, ...]:
 
 def shifted(edge: Edge, start: int) -> Edge:
     """The same joint with its columns from `start`."""
-    motions = tuple((kind, column - edge.start + start) for kind, column in edge.motions)
+    motions = tuple((motion, column - edge.start + start) for motion, column in edge.motions)
     return replace(edge, motions=motions, start=start)
 
 

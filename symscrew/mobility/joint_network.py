@@ -14,18 +14,15 @@ from typing import Any
 from symscrew.algebra import (
     CONTEXT,
     IDENTITY,
-    Twist,
     Vector,
     cross,
     dot,
-    helical,
     high_precision,
-    prismatic,
-    revolute,
     scale,
     subtract,
 )
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.description import Joint, Mechanism, Motion
+from symscrew.kinematics import motion_screws
 
 Screw = tuple
 Row = list
@@ -33,7 +30,7 @@ Row = list
 
 @dataclass(frozen=True)
 class Edge:
-    """A joint: its bodies, its elementary motions as (kind, first column) and where its columns end.
+    """A joint: its bodies, its elementary motions with their first columns and where its columns end.
 
     `point` is scaled; `screws` has one scaled screw per freedom, three for a spherical motion.
     """
@@ -43,7 +40,7 @@ class Edge:
     parent: str
     child: str
     point: Vector
-    motions: tuple[tuple[str, int], ...]
+    motions: tuple[tuple[Motion, int], ...]
     screws: tuple[Screw, ...]
     start: int
 
@@ -147,7 +144,7 @@ def network_of(mechanism: Mechanism) -> Network:
 
 def joint_screws(mechanism: Mechanism, joint: Joint) -> list[Screw]:
     """Unit screws (omega ; v) of a joint's freedoms at O in the reference configuration [1, m], 60 digits."""
-    return _screws(mechanism, joint, CONTEXT.one)[2]
+    return _screws(mechanism, joint, CONTEXT.one)[1]
 
 
 def screw_axes(joint: Joint, given: Sequence[Vector], root: Callable[[Any], Any], size: Callable[[Any], Any]) -> tuple:
@@ -155,52 +152,32 @@ def screw_axes(joint: Joint, given: Sequence[Vector], root: Callable[[Any], Any]
 
     `root` is the square root of the scalars in use, `size` a number to compare them by.
     """
-    if joint.type == "free":
-        return IDENTITY
-    if joint.type != "E":
-        return tuple(given)
-    normal = given[0]
-    sizes = [abs(size(c)) for c in normal]
-    nearest = IDENTITY[sizes.index(min(sizes))]
-    across = subtract(nearest, scale(dot(nearest, normal), normal))
-    first = scale(1 / root(dot(across, across)), across)
-    return (first, cross(normal, first), normal)
 
+    def across(normal: Vector) -> tuple[Vector, Vector]:
+        sizes = [abs(size(c)) for c in normal]
+        nearest = IDENTITY[sizes.index(min(sizes))]
+        rest = subtract(nearest, scale(dot(nearest, normal), normal))
+        first = scale(1 / root(dot(rest, rest)), rest)
+        return first, cross(normal, first)
 
-def motion_screws(joint: Joint, point: Vector, axes: Sequence[Vector], pitch: Any) -> list[tuple[str, list[Twist]]]:
-    """(kind, screws) of the joint's elementary motions from parent to child, over any scalars."""
-    result = []
-    for motion in JOINT_TYPES[joint.type].motions:
-        if motion.kind == "S":
-            result.append(("S", [revolute(axis, point) for axis in IDENTITY]))
-            continue
-        axis = axes[motion.axis or 0]
-        if motion.kind == "P":
-            result.append(("P", [prismatic(axis)]))
-        elif motion.kind == "H":
-            result.append(("H", [helical(axis, point, pitch)]))
-        else:
-            result.append(("R", [revolute(axis, point)]))
-    return result
+    return joint.kind.motion_axes(given, IDENTITY, across)
 
 
 def _edge(mechanism: Mechanism, joint: Joint, length: Any, start: int) -> Edge:
-    point, motions, screws = _screws(mechanism, joint, length)
-    columns, column = [], start
-    for kind, count in motions:
-        columns.append((kind, column))
-        column += count
-    return Edge(joint.name, joint.type, joint.parent, joint.child, point, tuple(columns), tuple(screws), start)
+    point, screws = _screws(mechanism, joint, length)
+    columns = [start + first for first in joint.kind.starts]
+    motions = tuple(zip(joint.kind.motions, columns, strict=True))
+    return Edge(joint.name, joint.type, joint.parent, joint.child, point, motions, tuple(screws), start)
 
 
-def _screws(mechanism: Mechanism, joint: Joint, length: Any) -> tuple[Vector, list[tuple[str, int]], list[Screw]]:
+def _screws(mechanism: Mechanism, joint: Joint, length: Any) -> tuple[Vector, list[Screw]]:
     point = scale(1 / length, _vector(mechanism, joint.point))
     given = [_unit(_vector(mechanism, axis)) for axis in joint.axes]
     axes = screw_axes(joint, given, CONTEXT.sqrt, lambda c: c)
     pitch = _number(mechanism, joint.pitch) / length if joint.pitch is not None else None
-    made = motion_screws(joint, point, axes, pitch)
+    made = motion_screws(joint.kind, axes, point, pitch)
     screws = [tuple(CONTEXT.mpf(c) for c in twist.components) for _, twists in made for twist in twists]
-    return point, [(kind, len(twists)) for kind, twists in made], screws
+    return point, screws
 
 
 def _number(mechanism: Mechanism, value: object) -> Any:

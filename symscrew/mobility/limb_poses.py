@@ -16,7 +16,7 @@ import sympy
 
 from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
 from symscrew.algebra import product as matrix_product
-from symscrew.description import JOINT_TYPES, Joint, Mechanism, Parameter
+from symscrew.description import Joint, Mechanism, Motion, Parameter
 from symscrew.mobility.generators import Generators, NotPolynomialError, Poly
 from symscrew.mobility.symbolic_loops import TooLargeError, null_vectors
 from symscrew.mobility.symbolic_screws import Locus, SymbolicScrews, Vector, expressions_of
@@ -48,17 +48,17 @@ class _Freedom:
 
     joint: Joint
     index: int
-    kind: str
+    motion: Motion
     sense: int
 
 
 def limb_pose(mechanism: Mechanism, name: str) -> LimbPose | str:
     """The constraints of a limb in its own displacements, or a sentence why they are not given."""
     chain = _chain(mechanism, name)
-    if sum(3 if f.kind == "S" else 1 for f in chain) >= 6:
+    if sum(f.motion.freedom for f in chain) >= 6:
         return "six joint freedoms: it constrains nothing unless they become dependent"
     inner = chain[1:-1]
-    if any(f.kind == "S" for f in inner):
+    if any(f.motion.spherical for f in inner):
         return "a spherical joint inside the limb has no angles to be symbols"
     if not inner:
         return "no displacement inside the limb: its constraints keep their form and move with its first joint"
@@ -79,19 +79,19 @@ def _chain(mechanism: Mechanism, name: str) -> list[_Freedom]:
     chain: list[_Freedom] = []
     for joint_name in mechanism.limbs[name].joints:
         joint = mechanism.joints[joint_name]
-        motions = list(enumerate(JOINT_TYPES[joint.type].motions))
+        motions = list(enumerate(joint.kind.motions))
         forward = joint.parent == body
         if not forward:
             motions.reverse()
         body = joint.child if forward else joint.parent
-        chain += [_Freedom(joint, k, motion.kind, 1 if forward else -1) for k, motion in motions]
+        chain += [_Freedom(joint, k, motion, 1 if forward else -1) for k, motion in motions]
     return chain
 
 
 def _symbols(mechanism: Mechanism, inner: Sequence[_Freedom]) -> list[sympy.Symbol]:
     symbols = []
     for k, freedom in enumerate(inner, start=2):
-        name = f"{'p' if freedom.kind == 'P' else 'theta'}_{k}"
+        name = f"{'p' if freedom.motion.prismatic else 'theta'}_{k}"
         while name in mechanism.parameters:
             name += "_"
         symbols.append(sympy.Symbol(name, real=True))
@@ -105,8 +105,8 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
     needed = [e for joint in joints for e in expressions_of(joint)]
     displaced = chain[1 : 1 + len(symbols)]
     for freedom, symbol in zip(displaced, symbols, strict=True):
-        needed += [symbol] if freedom.kind == "P" else [sympy.sin(symbol), sympy.cos(symbol)]
-        if freedom.kind == "H":
+        needed += [symbol] if freedom.motion.prismatic else [sympy.sin(symbol), sympy.cos(symbol)]
+        if freedom.motion.helical:
             raise NotPolynomialError("a helical joint has its angle both as such and in sines")
     work = SymbolicScrews(widened, Generators(widened, needed))
     screws = _displaced_screws(work, chain, symbols)
@@ -129,7 +129,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
     return LimbPose(
         name,
         tuple(symbols),
-        tuple(f"{f.joint.name}.{f.index}" if len(JOINT_TYPES[f.joint.type].motions) > 1 else f.joint.name
+        tuple(f"{f.joint.name}.{f.index}" if len(f.joint.kind.motions) > 1 else f.joint.name
               for f in displaced),
         first.joint.name,
         tuple(tuple(_collected(work.ring.expression(c), symbols) for c in wrench) for wrench in wrenches),
@@ -157,8 +157,8 @@ def _displaced_screws(work: SymbolicScrews, chain: list[_Freedom], symbols: list
     result: list[list[Poly]] = []
     amounts = [None, *symbols, *[None] * (len(chain) - 1 - len(symbols))]
     for freedom, amount in zip(chain, amounts, strict=True):
-        start = sum(3 if m.kind == "S" else 1 for m in JOINT_TYPES[freedom.joint.type].motions[: freedom.index])
-        own = work.unit_screws(freedom.joint)[start : start + (3 if freedom.kind == "S" else 1)]
+        start = freedom.joint.kind.starts[freedom.index]
+        own = work.unit_screws(freedom.joint)[start : start + freedom.motion.freedom]
         for screw in own:
             angular = transform(rotation, screw[:3])
             linear = add(transform(rotation, screw[3:]), cross(translation, angular))
@@ -166,7 +166,7 @@ def _displaced_screws(work: SymbolicScrews, chain: list[_Freedom], symbols: list
         if amount is None:
             continue
         signed = scalars.read(freedom.sense * amount)
-        if freedom.kind == "P":
+        if freedom.motion.prismatic:
             step, moved = IDENTITY, tuple(signed * c for c in own[0][3:])
         else:
             sine = scalars.read(freedom.sense * sympy.sin(amount))

@@ -20,7 +20,6 @@ manifold, on the assembly branch of the reference configuration.
 
 from __future__ import annotations
 
-import copy
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -37,15 +36,11 @@ from symscrew.algebra import (
     Node,
     Tape,
     TooLargeError,
-    Twist,
     Vector,
     Volume,
     dot,
-    helical,
-    prismatic,
     rank_of,
     reciprocal_factors,
-    revolute,
     sampled,
     scale,
     transform,
@@ -54,8 +49,8 @@ from symscrew.algebra import (
     volume,
     zeroed,
 )
-from symscrew.description import JOINT_TYPES
-from symscrew.kinematics import GROUND, Cut, Row, System, carry, carry_point, universal_axes
+from symscrew.description import Motion, rotation
+from symscrew.kinematics import GROUND, Cut, Row, System, pair_of, universal_axes
 
 LONG = 10  # limbs with more freedoms are not looked at from all of their links
 MOST_SUBSETS = 20  # sets of drives that get a margin of their own
@@ -157,7 +152,7 @@ def limbs(system: System) -> dict[str, tuple[str, ...]]:
 
 def _drive_name(system: System, index: int) -> str:
     joint, freedom = system.drives[index]
-    single = JOINT_TYPES[system.mechanism.joints[joint].type].freedom == 1
+    single = system.mechanism.joints[joint].kind.freedom == 1
     return joint if single else f"{joint}.{freedom}"
 
 
@@ -204,34 +199,32 @@ def _candidate_frames(links: Sequence[int]) -> list[int]:
     return found if len(found) <= LONG + 1 else [GROUND]
 
 
-Piece = tuple[int, str, Vector, Vector, object]
+Piece = tuple[int, Motion, Vector, Vector, object]
 
 
 def _pieces(system: System, name: str) -> list[Piece]:
-    """(link, kind, axis, point, pitch) of every freedom of a joint, in coordinates of a link."""
+    """(link, motion, axis, point, pitch) of every freedom of a joint, in coordinates of a link."""
     cut = next((c for c in system.cuts if c.joint.name == name), None)
     if cut is not None:
         return _cut_pieces(system, cut)
     result: list[Piece] = []
     for link in system.tree.links_of(name):
         frame = system.frames[link.index]
-        if link.motion.kind == "S":
-            result += [(link.index, "R", axis, ZERO, None) for axis in IDENTITY]
-        elif link.motion.kind == "P":
-            result.append((link.index, "P", frame.axis, ZERO, None))  # a slider keeps its parent's axes
-        elif link.motion.kind != "F":
-            result.append((link.index, link.motion.kind, (0, 0, 1), ZERO, frame.pitch))
+        if link.motion.spherical:
+            result += [(link.index, rotation(), axis, ZERO, None) for axis in IDENTITY]
+        elif link.motion.single:  # a slider keeps its parent's axes
+            axis = (0, 0, 1) if link.motion.turns else frame.axis
+            result.append((link.index, link.motion, axis, ZERO, frame.pitch))
     return result
 
 
 def _cut_pieces(system: System, cut: Cut) -> list[Piece]:
-    motions = JOINT_TYPES[cut.joint.type].motions
-    if any(m.kind == "S" for m in motions):
-        return [(cut.tip, "R", axis, cut.tip_point, None) for axis in IDENTITY]
-    universal = sum(m.kind == "R" for m in motions) == 2
-    axes = universal_axes(cut, system.tree, system.placed) if universal else cut.tip_axes
+    kind = cut.joint.kind
+    if kind.spherical:
+        return [(cut.tip, rotation(), axis, cut.tip_point, None) for axis in IDENTITY]
+    axes = universal_axes(cut, system.linkage) if kind.universal else cut.tip_axes
     pitch = system.geometry.scalar(cut.joint.pitch) if cut.joint.pitch is not None else None
-    return [(cut.tip, m.kind, axes[m.axis or 0], cut.tip_point, pitch) for m in motions]
+    return [(cut.tip, m, axes[m.axis or 0], cut.tip_point, pitch) for m in kind.motions]
 
 
 def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> list[Node]:
@@ -239,17 +232,17 @@ def _seen(system: System, piece: Piece, frame: int, *, known: bool = False) -> l
 
     Joint after joint between the two, or with `known` from the poses, which all of a long limb's screws share.
     """
-    link, kind, axis, point, pitch = piece
-    tape, tree, placed = system.tape, system.tree, system.placed
+    link, motion, axis, point, pitch = piece
+    tape = system.tape
     by_pose = known and frame == GROUND and link != GROUND
     pose = system.pose[link]
-    axis = transform(pose.rotation, axis) if by_pose else carry(tree, placed, link, frame, axis)
-    if kind == "P":
-        twist: Twist = prismatic(axis)
+    axis = transform(pose.rotation, axis) if by_pose else system.linkage.carry(link, frame, axis)
+    if not motion.turns:
+        (twist,) = pair_of(motion).screws(axis, ZERO, pitch)
         linear = twist.linear
     else:
-        at = pose.point(point) if by_pose else carry_point(tree, placed, link, frame, point)
-        twist = helical(axis, at, pitch) if kind == "H" else revolute(axis, at)
+        at = pose.point(point) if by_pose else system.linkage.carry_point(link, frame, point)
+        (twist,) = pair_of(motion).screws(axis, at, pitch)
         linear = scale(tape.constant(1 / system.length), twist.linear)
     return [tape.node(c) for c in (*twist.angular, *linear)]
 
@@ -284,7 +277,7 @@ class _Closure:
         self.by_length = tape.constant(1 / system.length)
         self.columns = [tape.constant(system.length) if c.kind == "length" else tape.one for c in system.tree.v]
         self.spins: set[int] = set()
-        self.turned = system
+        self.turned = system.closure
         self.cut_drives = system.cut_drives()
         self.rows = [self._entries(cut, cut.rows) for cut in system.cuts]
         known = [{k for row in rows for k in row} for rows in self.rows]
@@ -305,7 +298,7 @@ class _Closure:
         for link in tree.links[1:]:
             below = {k for i in tree.path(link.parent) for k in range(tree.links[i].v.start, tree.links[i].v.stop)}
             own = set(range(link.v.start, link.v.stop))
-            if link.motion.kind == "S" and own <= private and not below & private:
+            if link.motion.spherical and own <= private and not below & private:
                 turning.append(link)
         if not turning:
             return
@@ -313,14 +306,14 @@ class _Closure:
         for link in turning:
             placed[link.index] = replace(placed[link.index], turn=IDENTITY)
             self.spins |= set(range(link.v.start, link.v.stop))
-        self.turned = copy.copy(self.system)
-        self.turned.placed = tuple(placed)
+        linkage = replace(self.system.linkage, placed=tuple(placed))
+        self.turned = replace(self.turned, linkage=linkage)
         self.rows = [self._entries(cut, cut.rows) for cut in self.system.cuts]
 
     def _entries(self, cut: Cut, rows: Sequence[Row]) -> list[dict[int, Node]]:
         """Rows of a cut joint without units."""
         given = replace(cut, rows=tuple(rows))
-        entries = self.system.cut_rows(given)
+        entries = self.system.closure.cut_rows(given)
         if self.spins:
             others = self.turned.cut_rows(given)
             entries = [{k: e for k, e in row.items() if k not in self.spins}
@@ -403,11 +396,11 @@ def _turned(system: System, grid: Grid) -> Grid | None:
     A constraint that passes through an axis of its limb acts on the joint only across that axis.
     """
     tape, tree = system.tape, system.tree
-    hubs = [link for link in tree.links[1:] if link.motion.kind == "S"]
+    hubs = [link for link in tree.links[1:] if link.motion.spherical]
     if len(grid[0]) != 3 or len(hubs) != 1:
         return None
     for link in tree.links[1:]:
-        axes = [carry(tree, system.placed, link.index, hubs[0].index, axis, before=True) for axis in IDENTITY]
+        axes = [system.linkage.carry(link.index, hubs[0].index, axis, before=True) for axis in IDENTITY]
         turned = trimmed(tape, [[tape.node(dot((row[0], row[1], row[2]), axis)) for axis in axes] for row in grid])
         if len(turned) == len(turned[0]) == len(grid):
             return turned

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symscrew.algebra import CONTEXT, IDENTITY, Vector, cross, dot, revolute, scale, subtract
+from symscrew.description import rotation
 from symscrew.mobility.independent_parts import shifted
 from symscrew.mobility.joint_network import Edge, Network
 
@@ -63,7 +64,7 @@ def _other_end(network: Network, at: dict[str, list[Edge]], edge: Edge, body: st
 
 
 def _spherical(edge: Edge) -> bool:
-    return [kind for kind, _ in edge.motions] == ["S"]
+    return [motion.spherical for motion, _ in edge.motions] == [True]
 
 
 def _across(edge: Edge, line: Vector, start: int) -> Edge:
@@ -74,4 +75,4 @@ def _across(edge: Edge, line: Vector, start: int) -> Edge:
     screws = tuple(
         tuple(CONTEXT.mpf(c) for c in revolute(axis, edge.point).components) for axis in (first, cross(line, first))
     )
-    return replace(edge, motions=(("R", start), ("R", start + 1)), screws=screws, start=start)
+    return replace(edge, motions=((rotation(), start), (rotation(), start + 1)), screws=screws, start=start)

@@ -172,10 +172,10 @@ def nearly_parallel(network: Network) -> tuple[str, ...]:
     """Pairs of joints whose axes are almost parallel, in words: they count as not parallel."""
     axes: list[tuple[str, tuple]] = []
     for edge in network.edges.values():
-        for kind, column in edge.motions:
-            if kind != "S":
+        for motion, column in edge.motions:
+            if motion.single:
                 screw = edge.screws[column - edge.start]
-                axes.append((edge.name, screw[3:] if kind == "P" else screw[:3]))
+                axes.append((edge.name, screw[:3] if motion.turns else screw[3:]))
     rough = np.array([[float(c) for c in axis] for _, axis in axes]).reshape(-1, 3)
     texts = {}
     for i in range(len(axes)):

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from symscrew.algebra import CONTEXT
+from symscrew.description import Motion
 from symscrew.mobility.joint_network import Edge, Network
 
 BITS = 256
@@ -23,9 +24,9 @@ IDENTITY: Matrix = [[ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]]
 
 @dataclass(frozen=True)
 class _Motion:
-    """An elementary motion: kind, first column, axis, pitch, point; `hat` and `square` of the axis."""
+    """An elementary motion: what it is, first column, axis, pitch, point; `hat` and `square` of the axis."""
 
-    kind: str
+    motion: Motion
     column: int
     axis: Vector
     pitch: int
@@ -79,26 +80,26 @@ def _fixed(x: Any) -> int:
 def _motions(edge: Edge, centre: Sequence[Any]) -> list[_Motion]:
     point = [edge.point[k] - centre[k] for k in range(3)]
     result = []
-    for kind, column in edge.motions:
+    for motion, column in edge.motions:
         screw = edge.screws[column - edge.start]
-        axis = [CONTEXT.mpf(c) for c in (screw[3:] if kind == "P" else screw[:3])]
+        axis = [CONTEXT.mpf(c) for c in (screw[:3] if motion.turns else screw[3:])]
         pitch = CONTEXT.zero
-        if kind == "H":
+        if motion.helical:
             pitch = sum(a * b for a, b in zip(screw[:3], screw[3:], strict=True))
         x, y, z = (_fixed(c) for c in axis)
         hat = [[0, -z, y], [z, 0, -x], [-y, x, 0]]
         fixed_point = [_fixed(c) for c in point]
-        result.append(_Motion(kind, column, [x, y, z], _fixed(pitch), fixed_point, hat, _times(hat, hat)))
+        result.append(_Motion(motion, column, [x, y, z], _fixed(pitch), fixed_point, hat, _times(hat, hat)))
     return result
 
 
 def _step(motion: _Motion, q: Sequence[Any]) -> Pose:
     """The displacement of one elementary motion."""
     amount = q[motion.column]
-    if motion.kind == "P":
+    if motion.motion.prismatic:
         size = _fixed(amount)
         return IDENTITY, [size * c >> BITS for c in motion.axis]
-    if motion.kind == "S":
+    if motion.motion.spherical:
         vector = [CONTEXT.mpf(c) for c in q[motion.column : motion.column + 3]]
         angle = CONTEXT.sqrt(sum(c * c for c in vector))
         if not angle:
@@ -109,7 +110,7 @@ def _step(motion: _Motion, q: Sequence[Any]) -> Pose:
         return rotation, _fixed_point_of(rotation, motion.point)
     rotation = _rotation(amount, motion.hat, motion.square)
     moved = _fixed_point_of(rotation, motion.point)
-    if motion.kind == "H":
+    if motion.motion.helical:
         advance = _fixed(amount) * motion.pitch >> BITS
         moved = [a + (advance * c >> BITS) for a, c in zip(moved, motion.axis, strict=True)]
     return rotation, moved

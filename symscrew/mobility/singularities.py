@@ -103,7 +103,7 @@ def _close(system: System, q: np.ndarray, free: Sequence[int], scales: np.ndarra
         residual = system.numeric(system.residual, (system.inputs.q, q))[0]
         if np.abs(residual).max() < 1e-13 * max(1.0, system.length):
             return True
-        jacobian = system.numeric(system.dense_jacobian(), (system.inputs.q, q)).reshape(-1, len(scales)) * scales
+        jacobian = system.numeric(system.closure.dense(), (system.inputs.q, q)).reshape(-1, len(scales)) * scales
         step = np.zeros(len(scales))
         step[free] = np.linalg.lstsq(jacobian[:, free], -residual, rcond=1e-9)[0]
         q[:] = system.advance(q, (scales * step)[None])

@@ -18,9 +18,9 @@ import sympy
 
 from symscrew.algebra import IDENTITY, as_vector, high_precision
 from symscrew.description import Joint, Mechanism
+from symscrew.kinematics import motion_screws
 from symscrew.mobility.exact import across
 from symscrew.mobility.generators import Fraction, Generators, NotPolynomialError, Poly
-from symscrew.mobility.joint_network import motion_screws
 from symscrew.mobility.screw_systems import eliminate
 
 Vector = tuple[sympy.Expr, ...]
@@ -130,12 +130,10 @@ class SymbolicScrews:
         scalars = self.scalars()
         point = tuple(scalars.read(c) for c in joint.point)
         axes = tuple(as_vector([scalars.read(c) for c in axis]) for axis in joint.axes)
-        if joint.type == "E":
-            axes = across(axes[0], [self.mechanism.number(c) != 0 for c in joint.axes[0]])
-        elif joint.type == "free":
-            axes = IDENTITY
+        present = [self.mechanism.number(c) != 0 for axis in joint.axes[:1] for c in axis]
+        axes = joint.kind.motion_axes(axes, IDENTITY, lambda normal: across(normal, present)[:2])
         pitch = scalars.read(joint.pitch) if joint.pitch is not None else None
-        made = motion_screws(joint, point, axes, pitch)  # type: ignore[arg-type]
+        made = motion_screws(joint.kind, axes, point, pitch)  # type: ignore[arg-type]
         return [twist.components for _, twists in made for twist in twists]
 
     def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:

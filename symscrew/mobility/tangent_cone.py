@@ -135,8 +135,8 @@ def _carriers(network: Network) -> list[list[tuple[int, int]]]:
     result: list[list[tuple[int, int]]] = [[] for _ in range(network.freedoms)]
     for edge in network.edges.values():
         before = [(column, sign) for name, sign in network.path(edge.parent) for column in network.edges[name].columns]
-        for kind, first in edge.motions:
-            columns = range(first, first + (3 if kind == "S" else 1))
+        for motion, first in edge.motions:
+            columns = range(first, first + motion.freedom)
             for column in columns:
                 result[column] = list(before)
             before += [(column, 1) for column in columns]

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.algebra import CONTEXT
+from symscrew.description import Motion as JointMotion
 from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.residual import ClosureResidual
 
@@ -58,12 +59,12 @@ DIGITS_60 = Arithmetic(
 
 @dataclass(frozen=True)
 class Motion:
-    """One elementary motion of a joint in the arithmetic: its kind, first column, screws and point.
+    """One elementary motion of a joint in the arithmetic: what it is, first column, screws and point.
 
     `hat`, `square`: the cross-product matrix of the axis and its square; `pitch`: the advance along the axis.
     """
 
-    kind: str
+    motion: JointMotion
     column: int
     screws: Array
     point: Array
@@ -147,16 +148,16 @@ class ClosureVariety:
 
     def _step(self, motion: Motion, q: Array) -> Step:
         """(rotation, translation, left Jacobian of a spherical motion) of one elementary motion."""
-        if motion.kind == "P":
+        if motion.motion.prismatic:
             return self._identity(len(q)), q[:, motion.column, None] * motion.screws[0, 3:], None
-        if motion.kind == "S":
+        if motion.motion.spherical:
             rotation, jacobian = self._rotation_vector(q[:, motion.column : motion.column + 3])
             return rotation, motion.point - rotation @ motion.point, jacobian
         angle = q[:, motion.column]
         sine, versine = self.arithmetic.sin(angle), 1 - self.arithmetic.cos(angle)
         rotation = self._identity(len(q)) + sine[:, None, None] * motion.hat + versine[:, None, None] * motion.square
         moved = motion.point - rotation @ motion.point
-        if motion.kind == "H":
+        if motion.motion.helical:
             moved = moved + angle[:, None] * (motion.pitch * motion.screws[0, :3])
         return rotation, moved, None
 
@@ -193,15 +194,15 @@ def _motions(edge: Edge, centre: list, arithmetic: Arithmetic) -> tuple[Motion, 
     """The joint's motions with their screws moved to the centre."""
     point = [edge.point[k] - centre[k] for k in range(3)]
     result = []
-    for kind, column in edge.motions:
-        local = edge.screws[column - edge.start : column - edge.start + (3 if kind == "S" else 1)]
+    for motion, column in edge.motions:
+        local = edge.screws[column - edge.start : column - edge.start + motion.freedom]
         moved = [_moved(screw, centre) for screw in local]
         screws = arithmetic.array(moved)
         axis = screws[0, :3]
         hat = _hat(axis[None])[0]
         # the part of the screw's linear velocity along its axis is the pitch
         pitch = axis @ screws[0, 3:]
-        result.append(Motion(kind, column, screws, arithmetic.array(point), hat, hat @ hat, pitch))
+        result.append(Motion(motion, column, screws, arithmetic.array(point), hat, hat @ hat, pitch))
     return tuple(result)
 
 

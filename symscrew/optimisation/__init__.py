@@ -1,7 +1,7 @@
 """Trajectory optimisation on generated models.
 
-problem file --> TrajectoryProblem --guess, transcription--> solution --mesh_errors, refinement--> Trajectory
-             --followed_motion--> replay by simulation --plan_file--> files
+problem file --> TrajectoryProblem --guess--> PointModel --transcription--> nonlinear program --solution--> Trajectory
+             --mesh_errors, refinement--> finer mesh;   Trajectory --followed_motion--> replay --plan_file--> files
 """
 
 from typing import TYPE_CHECKING

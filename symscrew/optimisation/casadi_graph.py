@@ -15,7 +15,7 @@ from symscrew.export import TABLE
 from symscrew.program import Program
 
 
-def run(program: Program, known: Mapping[str, Any]) -> dict[str, ca.SX]:
+def symbolic_outputs(program: Program, known: Mapping[str, Any]) -> dict[str, ca.SX]:
     """Outputs of a program by name, at SX vectors of its inputs by name."""
     slots: list[Any] = [None] * max(program.slots, 1 + max((i.target for i in program.instructions), default=0))
     at = 0
@@ -35,9 +35,9 @@ def run(program: Program, known: Mapping[str, Any]) -> dict[str, ca.SX]:
     }
 
 
-def numeric(program: Program) -> ca.Function:
+def numeric_function(program: Program) -> ca.Function:
     """A program as a function of numbers, its outputs without a status."""
     symbols = [ca.SX.sym(port.name, port.size) for port in program.inputs]
     names = [port.name for port in program.inputs]
-    found = run(program, dict(zip(names, symbols, strict=True)))
+    found = symbolic_outputs(program, dict(zip(names, symbols, strict=True)))
     return ca.Function(program.name, symbols, list(found.values()), names, list(found))

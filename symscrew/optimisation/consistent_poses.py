@@ -1,22 +1,34 @@
-"""Configurations from independent coordinates, and configurations that meet conditions, by Newton's method."""
+"""Configurations from independent coordinates, and configurations that meet conditions, by Newton's method.
+
+y, a configuration near by --closed loops--> q;    conditions, a configuration near by --least squares--> q, miss
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.casadi_graph import numeric
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.casadi_graph import numeric_function
+from symscrew.optimisation.constraints import closure_rows, condition_rows
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.point import point_symbols
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Row
 
-CLOSED = 1e-12
-MOST_STEPS = 40
-MOST_COMMON_STEPS = 8
-LARGEST_STEP = 0.5
+CLOSED = 1e-12  # step [1, rad, m] at which Newton's method ends: by its order the next one is below rounding
+# Steps of all configurations at once; those that are not there after these are assembled one by one, with damping.
+MOST_COMMON_STEPS, MOST_STEPS = 8, 40
+LARGEST_STEP = 0.5  # [rad, m]: a longer one may lead to another assembly branch, so it is shortened
+REACHED = 1e-9  # without units: what conditions may be missed by; more is out of reach, and no solver is started
+# Levenberg's damping of the least squares towards conditions: at first, least, and where it is given up.
+DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-14, 1e8
+MOST_DAMPED_STEPS = 200  # then the nearest configuration so far counts, and what it misses decides
 
 
 @dataclass(frozen=True)
@@ -30,7 +42,7 @@ class Placement:
     @property
     def reached(self) -> bool:
         """Whether the conditions are met."""
-        return self.error < 1e-9
+        return self.error < REACHED
 
 
 class Kinematics:
@@ -43,18 +55,32 @@ class Kinematics:
 
     @cached_property
     def _step(self) -> ca.Function:
-        return numeric(self.model.equations.step)
+        return numeric_function(self.model.equations.step)
 
     @cached_property
     def _move(self) -> ca.Function:
-        return numeric(self.model.equations.move)
+        return numeric_function(self.model.equations.move)
 
     @cached_property
     def _pivots(self) -> ca.Function:
-        return numeric(self.model.equations.pivots)
+        return numeric_function(self.model.equations.pivots)
+
+    @cached_property
+    def _closure(self) -> ca.Function:
+        return numeric_function(self.model.equations.closure)
 
     def _with_parameters(self, *arguments: np.ndarray) -> list[np.ndarray]:
         return [*arguments, self.parameters] if len(self.parameters) else list(arguments)
+
+    def columns(self, *arrays: np.ndarray) -> list[np.ndarray]:
+        """Arrays (n, size) as CasADi takes them, a column per sample, the parameters after them."""
+        many = [a.T for a in arrays]
+        return [*many, np.repeat(self.parameters[:, None], len(arrays[0]), 1)] if len(self.parameters) else many
+
+    def closure(self, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """q (n, nq) from y (n, d) and z (n, nz) as they are, and how far the loops are open (n, nz), without units."""
+        q, opening = self._closure(*self.columns(y, z))
+        return np.array(q).T, np.array(opening).T
 
     def assemble(self, y: np.ndarray, guess: np.ndarray) -> np.ndarray | None:
         """q (nq,) with independent coordinates y near the guess; None where Newton's method finds none."""
@@ -120,14 +146,14 @@ class Kinematics:
         q = np.atleast_2d(q)
         parameters = [np.repeat(self.parameters[:, None], len(q), 1)] if len(self.parameters) else []
         found = np.array(self._pivots.map(len(q))(q.T, *parameters))
-        return np.abs(found).min(axis=0, initial=1.0)
+        return np.asarray(np.abs(found).min(axis=0, initial=1.0))
 
     def place(self, conditions: Conditions, where: str, near: np.ndarray) -> Placement:
         """A configuration near another that meets conditions (rates left aside), by damped least squares."""
-        blocks = self.model.blocks(moving=False)
-        at = self.model.state(blocks)
+        blocks = point_symbols(self.model, moving=False)
+        at = MotionQuantities(self.model, blocks)
         labels = self.model.equations.labels
-        rows = [*at.closure_rows(), *at.condition_rows(_still(conditions), where)]
+        rows = [*closure_rows(at), *condition_rows(at, replace(conditions, rates={}, at_rest=False), where)]
         rows += [
             Row(f"{label} at {where}", blocks["y"][k], conditions.coordinates[label], conditions.coordinates[label])
             for k, label in enumerate(labels)
@@ -142,42 +168,42 @@ class Kinematics:
         fixed = np.ones(others.numel())
         p = np.array([self.parameters[self.model.parameter_names.index(n)] for n in self.model.design])
         order = [*self.layout.y, *self.layout.z]
-        x = near[order]
-        damping = 1e-3
-        value, slope = (np.array(m) for m in function(x, fixed, p))
-        error = value.ravel() - target
-        for _ in range(200):
-            if np.abs(error).max(initial=0.0) < CLOSED or not np.isfinite(error).all():
-                break
-            normal = slope.T @ slope + damping * np.eye(len(x))
-            step = -np.linalg.solve(normal, slope.T @ error)
-            step *= min(1.0, 0.5 / max(np.abs(step).max(), 1e-300))
-            value, new_slope = (np.array(m) for m in function(x + step, fixed, p))
-            new = value.ravel() - target
-            if np.isfinite(new).all() and new @ new < error @ error:
-                x, error, slope, damping = x + step, new, new_slope, max(damping / 10, 1e-14)
-            else:
-                damping *= 10
-                if damping > 1e8:
-                    break
+        x, error = _least_missed(lambda x: function(x, fixed, p), near[order], target)
         q = np.array(near)
         q[order] = x
         worst = int(np.argmax(np.abs(error))) if len(error) else -1
         if self.layout.closed:
-            q = self.assemble(q[list(self.layout.y)], q) if self._limbs(q) else q  # type: ignore[assignment]
+            q = self._with_limbs(q)
         return Placement(q, float(np.abs(error).max(initial=0.0)), rows[worst].label if rows else "")
 
-    def _limbs(self, q: np.ndarray) -> bool:
-        """Put the limbs' coordinates by the closed forms into q; whether they are real."""
-        function = numeric(self.model.equations.closure)
-        found = np.array(function(*self._with_parameters(q[list(self.layout.y)], q[list(self.layout.z)]))[0]).ravel()
+    def _with_limbs(self, q: np.ndarray) -> np.ndarray:
+        """q with the limbs' coordinates from their closed forms; as it is where a limb cannot reach so far."""
+        found = self.closure(q[None, list(self.layout.y)], q[None, list(self.layout.z)])[0][0]
         if not np.isfinite(found).all():
-            return False
-        q[:] = found
-        return self.assemble(q[list(self.layout.y)], q) is not None
+            return q
+        closed = self.assemble(found[list(self.layout.y)], found)
+        return found if closed is None else closed
 
 
-def _still(conditions: Conditions) -> Conditions:
-    from dataclasses import replace
-
-    return replace(conditions, rates={}, at_rest=False)
+def _least_missed(
+    function: Callable[[np.ndarray], Sequence[Any]], x: np.ndarray, target: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """x near the given one at which `function` (values, slope by x) comes closest to the target, and what it misses."""
+    damping = DAMPING
+    value, slope = (np.array(m) for m in function(x))
+    error = value.ravel() - target
+    for _ in range(MOST_DAMPED_STEPS):
+        if np.abs(error).max(initial=0.0) < CLOSED or not np.isfinite(error).all():
+            break
+        normal = slope.T @ slope + damping * np.eye(len(x))
+        step = -np.linalg.solve(normal, slope.T @ error)
+        step *= min(1.0, LARGEST_STEP / max(np.abs(step).max(), 1e-300))
+        value, new_slope = (np.array(m) for m in function(x + step))
+        new = value.ravel() - target
+        if np.isfinite(new).all() and new @ new < error @ error:
+            x, error, slope, damping = x + step, new, new_slope, max(damping / 10, LEAST_DAMPING)
+        else:
+            damping *= 10
+            if damping > MOST_DAMPING:
+                break
+    return x, error

@@ -12,16 +12,15 @@ The states of effects are left aside.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
 
-from symscrew.optimisation.casadi_graph import run
+from symscrew.optimisation.casadi_graph import symbolic_outputs
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.planned_motion import PlannedMotion
+from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.rows import PointFunction
-
-if TYPE_CHECKING:
-    from symscrew.optimisation.result import Trajectory
 
 
 @dataclass(frozen=True)
@@ -56,20 +55,20 @@ class Deviation:
         return np.nan_to_num(result, nan=np.inf)
 
 
-def deviation_of(trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.ndarray) -> Deviation:
+def deviation_of(motion: PlannedMotion, blocks: dict[str, np.ndarray], tau: np.ndarray) -> Deviation:
     """The deviation's equation at relative times tau, where the motion has the given unknowns."""
-    model = trajectory.model
-    symbols = model.blocks(moving=True)
-    at = model.state(symbols)
-    residual = run(model.equations.dynamics, at.known)["residual"]
-    closure = run(model.equations.closure, at.known)["closure"]
+    model = motion.model
+    symbols = point_symbols(model, moving=True)
+    at = MotionQuantities(model, symbols)
+    residual = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
+    closure = symbolic_outputs(model.equations.closure, at.known)["closure"]
     y, z = symbols["y"], symbols["z"]
     matrices = [ca.jacobian(residual, symbols[name]) for name in ("y_2", "y", "y_1", "z")]
     matrices += [ca.jacobian(closure, y), ca.jacobian(closure, z)]
     function = PointFunction(symbols, ())
     made = ca.Function("deviation", [function.arguments], [residual, *(ca.densify(m) for m in matrices)])
     n = len(tau)
-    values, *found = made.map(n)(stacked(trajectory, function, blocks, tau))
+    values, *found = made.map(n)(stacked(motion, function, blocks, tau))
     error = np.array(values).T
     inertia, by_y, by_rate, by_z, closed_y, closed_z = (
         np.array(m).reshape(s.size1(), n, s.size2()).transpose(1, 0, 2) for m, s in zip(found, matrices, strict=True)
@@ -84,19 +83,19 @@ def deviation_of(trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.
         right = np.column_stack([error[k], along, by_rate[k]])
         solved = np.linalg.lstsq(inertia[k], right, rcond=None)[0]
         error[k], place[k], rate[k] = solved[:, 0], -solved[:, 1 : 1 + model.d], -solved[:, 1 + model.d :]
-    return Deviation(error / trajectory.duration**2, place, rate, trajectory.duration)
+    return Deviation(error / motion.duration**2, place, rate, motion.duration)
 
 
 def stacked(
-    trajectory: Trajectory, function: PointFunction, blocks: dict[str, np.ndarray], tau: np.ndarray
+    motion: PlannedMotion, function: PointFunction, blocks: dict[str, np.ndarray], tau: np.ndarray
 ) -> np.ndarray:
     """Arguments of a point function at samples: (arguments, n)."""
     n = len(tau)
     known = {**blocks, "tau": tau[:, None]}
-    if "T" in trajectory.arrays:
-        known["T"] = np.full((n, 1), trajectory.duration)
-    if "p" in trajectory.arrays:
-        known["p"] = np.repeat(trajectory.arrays["p"][None], n, 0)
+    if "T" in motion.arrays:
+        known["T"] = np.full((n, 1), motion.duration)
+    if "p" in motion.arrays:
+        known["p"] = np.repeat(motion.arrays["p"][None], n, 0)
     parts = [known[name].T if symbol.numel() else np.zeros((0, n)) for name, symbol in function.blocks.items()]
     return np.concatenate(parts)
 

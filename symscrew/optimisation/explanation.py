@@ -1,11 +1,14 @@
-"""What a solver's end means, and which constraints a motion breaks where."""
+"""What a solver's end means, and which constraints a motion breaks where.
+
+last iterate --constraints missed, bounds pressed--> sentences for `Trajectory.status` and `reasons`
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
-from symscrew.optimisation.layout import Unknowns
-from symscrew.optimisation.sparse import Program
+from symscrew.optimisation.sparse import NonlinearProgram
+from symscrew.optimisation.unknowns import Unknowns
 
 STATUS = {
     "Solve_Succeeded": "optimal: all constraints hold and no better motion is near",
@@ -22,11 +25,12 @@ STATUS = {
     "Maximum_WallTime_Exceeded": "not converged: the time was used up",
     "User_Requested_Stop": "stopped by the user",
 }
-SHOWN = 5
-BROKEN = 1e-6
+SHOWN = 5  # kinds of constraints and of bounds that are named
+BROKEN = 1e-6  # scaled: a solver that succeeds leaves less, so less is no reason why it did not
+PRESSED = 1e-4  # scaled: an interior point stays off a bound that it presses against by less than this
 
 
-def broken_rows(program: Program, unknowns: Unknowns, x: np.ndarray, g: np.ndarray) -> tuple[str, ...]:
+def broken_rows(program: NonlinearProgram, unknowns: Unknowns, x: np.ndarray, g: np.ndarray) -> tuple[str, ...]:
     """The constraints that are missed most, one line per kind: what, where, by how much."""
     entries: list[tuple[float, str, float]] = []
     for values, low, high, labels, times in (
@@ -52,8 +56,7 @@ def broken_rows(program: Program, unknowns: Unknowns, x: np.ndarray, g: np.ndarr
 def pressing_bounds(unknowns: Unknowns, x: np.ndarray, multipliers: np.ndarray) -> tuple[str, ...]:
     """The bounds that the motion presses against most, one line per unknown's name."""
     bounded = (np.isfinite(unknowns.lower) | np.isfinite(unknowns.upper)) & (unknowns.lower < unknowns.upper)
-    near = 1e-4
-    on = bounded & ((x < unknowns.lower + near) | (x > unknowns.upper - near))
+    on = bounded & ((x < unknowns.lower + PRESSED) | (x > unknowns.upper - PRESSED))
     groups: dict[str, list[int]] = {}
     for k in np.flatnonzero(bounded):
         groups.setdefault(unknowns.labels[k], []).append(int(k))

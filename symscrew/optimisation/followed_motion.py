@@ -14,11 +14,12 @@ import casadi as ca
 import numpy as np
 
 from symscrew.functions import forward_functions
-from symscrew.optimisation.casadi_graph import numeric, run
+from symscrew.optimisation.casadi_graph import numeric_function, symbolic_outputs
 from symscrew.optimisation.result import Trajectory
 from symscrew.program import lower
 
-STEPS = 4
+STEPS = 4  # of a first replay, in every interval
+# Then the steps are up to 256 per interval; what the last halving still changed is the replay's `integration`.
 MOST_HALVINGS = 7
 
 
@@ -40,7 +41,10 @@ class Replay:
 
 
 def replay(trajectory: Trajectory, *, tolerance: float = 1e-9) -> Replay:
-    """Simulate the mechanism under the drives found, from the start of the motion."""
+    """Simulate the mechanism under the drives found, from the start of the motion.
+
+    `tolerance`: change of the end [rad, m, rad/s, m/s] by halving the steps below which no more halving is tried.
+    """
     stepper = _Stepper(trajectory)
     steps, before = STEPS, None
     for _ in range(MOST_HALVINGS):
@@ -76,17 +80,17 @@ class _Stepper:
     def _slope(self, state: Any, t: Any, u: Any, p: Any) -> Any:
         q, v, x = state[: self.nq], state[self.nq : self.nq + self.nv], state[self.nq + self.nv :]
         known = {"q": q, "v": v, "u": u, "x": x, "t": t, "p": p, **self._inputs()}
-        a = run(self.programs["forward_dynamics"], known)["a"]
+        a = symbolic_outputs(self.programs["forward_dynamics"], known)["a"]
         q_dot: list[Any] = [0] * self.nq
         for link in self.system.tree.links[1:]:
             rate = v[link.v.start : link.v.stop]
-            if link.motion.kind == "S":
+            if link.motion.spherical:
                 w, r = q[link.q.start], q[link.q.start + 1 : link.q.stop]
                 q_dot[link.q] = ca.vertsplit(ca.vertcat(-ca.dot(r, rate), w * rate + ca.cross(r, rate)) / 2)
-            elif link.v.stop > link.v.start:
+            elif link.motion.single:
                 q_dot[link.q.start] = rate[0]
         found = self.equations.effect_rates
-        x_dot = run(found, known)["x_dot"] if found else ca.SX(0, 1)
+        x_dot = symbolic_outputs(found, known)["x_dot"] if found else ca.SX(0, 1)
         return ca.vertcat(*q_dot, a, x_dot)
 
     def _inputs(self) -> dict[str, Any]:
@@ -124,12 +128,12 @@ class _Stepper:
     def _closed(self, state: Any, p: Any) -> Any:
         q, v, x = state[: self.nq], state[self.nq : self.nq + self.nv], state[self.nq + self.nv :]
         for link in self.system.tree.links[1:]:
-            if link.motion.kind == "S":
+            if link.motion.spherical:
                 part = q[link.q.start : link.q.stop]
                 q[link.q.start : link.q.stop] = part / ca.sqrt(ca.dot(part, part))
         if "close_position" in self.programs:
-            q = run(self.programs["close_position"], {"q": q, "p": p})["q_next"]
-            v = run(self.programs["close_velocity"], {"q": q, "v": v, "p": p})["v_next"]
+            q = symbolic_outputs(self.programs["close_position"], {"q": q, "p": p})["q_next"]
+            v = symbolic_outputs(self.programs["close_velocity"], {"q": q, "v": v, "p": p})["v_next"]
         return ca.vertcat(q, v, x)
 
     def run(self, steps: int) -> np.ndarray:
@@ -167,7 +171,7 @@ class _Stepper:
         """Largest opening of the loops without units."""
         if "close_position" not in self.programs:
             return 0.0
-        function = numeric(self.programs["close_position"])
+        function = numeric_function(self.programs["close_position"])
         arguments = [states[:, : self.nq].T]
         if len(self.trajectory.parameter_values):
             arguments.append(np.repeat(self.trajectory.parameter_values[:, None], len(states), 1))

@@ -12,14 +12,23 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError
+from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.consistent_poses import Kinematics
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.objectives import objectives_by_type
+from symscrew.optimisation.point import point_symbols
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Scales
 
-FINEST = 60  # configurations followed along the guess
-SINGULAR = 1e-5  # of the pivots without units
-LONGEST = 100.0  # [s] a free duration without an upper bound is looked for up to here
+# Steps in which configurations are followed along the guess; with fewer Newton's method may lose the assembly branch.
+FINEST = 60
+# Smallest pivot of the closure, without units, below which no motion can start: the loops cannot be solved for y.
+SINGULAR = 1e-5
+LONGEST = 100.0  # [s] a free duration is looked for up to here; a longer one is found by the solver, from here
+# Durations tried, in equal ratios: neighbours differ by less than a factor of two in ranges of up to 1 : 8e6.
+TRIALS = 24
+BALANCED = 1e-6  # of the largest singular value: directions that the drives move less are left out of the guess
 
 
 @dataclass(frozen=True)
@@ -49,6 +58,21 @@ class Path:
 
 
 @dataclass(frozen=True)
+class PointValues:
+    """A motion at relative times tau (n,): y, y', y'' (n, d) by relative time, z (n, nz)."""
+
+    tau: np.ndarray
+    y: np.ndarray
+    y_1: np.ndarray
+    y_2: np.ndarray
+    z: np.ndarray
+
+    def every(self, stride: int) -> PointValues:
+        """Each stride-th of them."""
+        return PointValues(*(part[::stride] for part in (self.tau, self.y, self.y_1, self.y_2, self.z)))
+
+
+@dataclass(frozen=True)
 class Guess:
     """Path, configurations q (n, nq) at `tau` (n,), duration, and the scales of the problem.
 
@@ -72,16 +96,16 @@ class Guess:
         q, _ = kinematics.assemble_all(at, self.q[nearest])
         q[:, list(model.equations.layout.y)] = at  # also where nothing was found
         z = q[:, list(model.equations.layout.z)]
-        u = drives(model, self.duration, flat, at, rate, second, z)
+        u = drives(model, self.duration, PointValues(flat, at, rate, second, z))
         ranges = [model.drive_range(label) for label in model.drive_labels]
         for k, (low, high) in enumerate(ranges):
             u[:, k] = np.clip(u[:, k], low, high)
         result = {"y": y, "y_1": y_1, "y_2": second, "z": z, "u": u, "T": np.array([self.duration])}
         states = np.array([s.initial for s in model.equations.acting.states])
         result["x"] = np.repeat(states[None], len(mesh), 0)
-        weights = next((o.weights for o in model.problem.objectives if o.type == "peak"), {})
-        sizes = [np.abs(u[:, k]).max() / weights.get(label, 1.0) for k, label in enumerate(model.drive_labels)]
-        result["peak"] = np.array([max(sizes, default=1.0)])
+        for made, objective in objectives_by_type(model):
+            if made.whole:
+                result[made.whole.name] = np.array([made.whole.start(model, objective, u)])
         names = model.parameter_names
         result["p"] = np.array([kinematics.parameters[names.index(n)] for n in model.design])
         for k, (tau, _) in enumerate(observed(model)):
@@ -117,10 +141,9 @@ def first_guess(model: PointModel) -> Guess:
     tau = np.linspace(0.0, 1.0, FINEST + 1)
     y, y_1, y_2 = path(tau)
     q = kinematics.follow(y, start)
-    z = q[:, list(model.equations.layout.z)]
-    duration = _duration(model, tau, y, y_1, y_2, z)
-    u = drives(model, duration, tau, y, y_1, y_2, z)
-    scales = _scales(model, y, z, u, duration, tau, y_1, y_2)
+    at = PointValues(tau, y, y_1, y_2, q[:, list(model.equations.layout.z)])
+    duration = _duration(model, at)
+    scales = _scales(model, duration, at, drives(model, duration, at))
     return Guess(path, tau, q, duration, scales, places.trouble or _singular_start(kinematics, start))
 
 
@@ -186,12 +209,10 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     """(T, tau, y, y_1, y_2, z) -> residual at u = 0 and its matrix by u."""
-    from symscrew.optimisation.casadi_graph import run
-
-    blocks = model.blocks(moving=True)
+    blocks = point_symbols(model, moving=True)
     duration = ca.SX.sym("duration")
-    at = model.state({**blocks, "T": duration} if model.problem.free_duration else blocks)
-    found = run(model.equations.dynamics, at.known)["residual"]
+    at = MotionQuantities(model, {**blocks, "T": duration} if model.problem.free_duration else blocks)
+    found = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
     slope = ca.jacobian(found, blocks["u"])
     states = ca.DM([s.initial for s in model.equations.acting.states])
     fixed = ca.substitute([found, slope], [blocks["u"], blocks["x"]], [ca.DM.zeros(blocks["u"].numel()), states])
@@ -199,27 +220,35 @@ def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     return ca.Function("balance", inputs, [fixed[0], ca.densify(fixed[1])]), blocks["u"].numel()
 
 
-def _balance(model: PointModel, duration: float, tau: np.ndarray, *parts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _balance(model: PointModel, duration: float, at: PointValues) -> tuple[np.ndarray, np.ndarray]:
     """Residual (n, d) without drives, and the drives' matrix (n, d, nu)."""
     function, count = _dynamics(model)
-    names, n = model.parameter_names, len(tau)
+    names, n = model.parameter_names, len(at.tau)
     p = np.array([default_parameters(model)[names.index(name)] for name in model.design])
-    arguments = [np.full((1, n), duration), tau[None], *[part.T for part in parts], np.repeat(p[:, None], n, 1)]
+    arguments = [
+        np.full((1, n), duration),
+        at.tau[None],
+        at.y.T,
+        at.y_1.T,
+        at.y_2.T,
+        at.z.T,
+        np.repeat(p[:, None], n, 1),
+    ]
     force, matrix = (np.array(m) for m in function.map(n)(*arguments))
     return force.T, matrix.reshape(model.d, n, count).transpose(1, 0, 2)
 
 
-def drives(model: PointModel, duration: float, tau: np.ndarray, *parts: np.ndarray) -> np.ndarray:
-    """Drives of smallest sum of squares that come closest to the motion: (n, nu); parts y, y_1, y_2, z."""
-    force, matrix = _balance(model, duration, tau, *parts)
-    u = np.zeros((len(tau), matrix.shape[2]))
-    for k in range(len(tau)):
+def drives(model: PointModel, duration: float, at: PointValues) -> np.ndarray:
+    """Drives of smallest sum of squares that come closest to the motion: (n, nu) [N, N m]."""
+    force, matrix = _balance(model, duration, at)
+    u = np.zeros((len(at.tau), matrix.shape[2]))
+    for k in range(len(at.tau)):
         if np.isfinite(force[k]).all() and np.isfinite(matrix[k]).all() and matrix.shape[2]:
-            u[k] = -np.linalg.lstsq(matrix[k], force[k], rcond=1e-6)[0]
+            u[k] = -np.linalg.lstsq(matrix[k], force[k], rcond=BALANCED)[0]
     return u
 
 
-def _duration(model: PointModel, tau: np.ndarray, *parts: np.ndarray) -> float:
+def _duration(model: PointModel, at: PointValues) -> float:
     """The given duration, or the shortest of a free one for which drives and speeds of the guess keep their bounds."""
     duration = model.problem.duration
     if not isinstance(duration, tuple):
@@ -227,10 +256,10 @@ def _duration(model: PointModel, tau: np.ndarray, *parts: np.ndarray) -> float:
     low, high = max(duration[0], 1e-3), min(duration[1], LONGEST)
     if high <= low:
         return low
-    coarse = slice(None, None, 3)
-    for trial in np.geomspace(low, high, 24):
-        u = drives(model, trial, tau[coarse], *[part[coarse] for part in parts])
-        if _within(model, u) and _slow_enough(model, trial, parts[1]):
+    coarse = at.every(3)
+    for trial in np.geomspace(low, high, TRIALS):
+        u = drives(model, trial, coarse)
+        if _within(model, u) and _slow_enough(model, trial, at.y_1):
             return float(trial)
     return float(min(high, max(low, 1.0)))
 
@@ -252,18 +281,16 @@ def _slow_enough(model: PointModel, duration: float, y_1: np.ndarray) -> bool:
     return True
 
 
-def _scales(
-    model: PointModel, y: np.ndarray, z: np.ndarray, u: np.ndarray, duration: float, tau: np.ndarray, *rates: np.ndarray
-) -> Scales:
+def _scales(model: PointModel, duration: float, at: PointValues, u: np.ndarray) -> Scales:
     tree, length = model.system.tree.q, model.system.length
 
     def unit(entries: Sequence[int]) -> np.ndarray:
         return np.array([length if tree[k].kind == "length" else 1.0 for k in entries])
 
     layout = model.equations.layout
-    span = np.ptp(y, axis=0)
+    span = np.ptp(at.y, axis=0)
     sized_y = np.clip(span, 0.1 * unit(layout.y), None)
-    force = np.abs(_balance(model, duration, tau, y, *rates, z)[0])
+    force = np.abs(_balance(model, duration, at)[0])
     level = force.max(initial=0.0, where=np.isfinite(force))
     sizes = []
     for k, label in enumerate(model.drive_labels):

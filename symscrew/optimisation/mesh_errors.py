@@ -9,40 +9,63 @@ minimum is added. To first order; the first part is doubled for safety.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 from numpy.polynomial import legendre
 
 from symscrew.optimisation.deviation import deviation_of, stacked
-from symscrew.optimisation.result import Errors
+from symscrew.optimisation.objectives import objectives_by_type
+from symscrew.optimisation.planned_motion import PlannedMotion
 from symscrew.optimisation.rows import PointFunction
+from symscrew.optimisation.sparse import Family
 
-if TYPE_CHECKING:
-    from symscrew.optimisation.result import Trajectory
-
-
-SAFETY = 2.0
+SAFETY = 2.0  # the residuals' part is of first order: what higher orders may add is covered by doubling it
 
 
-def errors_of(trajectory: Trajectory) -> Errors:
-    """The errors at Gauss points between the nodes."""
-    mesh = trajectory.transcribed.mesh
-    scheme = trajectory.transcribed.scheme
+@dataclass(frozen=True)
+class Errors:
+    """How far the motion is from obeying its equations between the points.
+
+    `closure`: largest opening of the loops (without units) of the assembled configurations; `nodal_closure`: of the
+    solver's own configurations at the points; `dynamic`: largest error of y_ddot against the drives'
+    polynomial [1/s^2];
+    `defects` (intervals,): what the error in an interval makes of the end of a replay, the larger of y and, times the
+    duration, y_dot; `drift`: their sum, above which a replay does not end off the plan; `cost`: estimated error
+    of the cost, in its units; `pivot`: smallest pivot of the closure (0: the coordinates y are singular);
+    `violation`: largest violation of a bound between the points, scaled.
+    """
+
+    closure: float
+    nodal_closure: float
+    dynamic: float
+    defects: np.ndarray
+    drift: float
+    cost: float
+    pivot: float
+    violation: float
+
+
+def errors_of(motion: PlannedMotion, costates: np.ndarray) -> Errors:
+    """The errors at Gauss points between the nodes; `costates` (points, rows) of the rows at the points."""
+    mesh = motion.transcribed.mesh
+    scheme = motion.transcribed.scheme
     per = (scheme.degree if scheme else 2) + 3
     nodes, weights = legendre.leggauss(per)
     steps = np.diff(mesh)
     tau = (mesh[:-1, None] + steps[:, None] * (1 + nodes) / 2).ravel()
     weight = (steps[:, None] * weights / 2).ravel()
-    samples = trajectory.sampled(tau)
-    blocks = {**trajectory.blocks(tau), "z": samples.z}
-    closure = _closure(trajectory, samples.y, samples.z)
-    nodal = _nodal_closure(trajectory)
-    deviation = deviation_of(trajectory, blocks, tau)
+    samples = motion.sampled(tau)
+    blocks = {**motion.blocks(tau), "z": samples.z}
+    closure = _closure(motion, samples.y, samples.z)
+    nodal = _nodal_closure(motion)
+    deviation = deviation_of(motion, blocks, tau)
     size = np.abs(deviation.acceleration).max(axis=1, initial=0.0)
     defects = deviation.at_the_end(steps, nodes, weights)
-    cost, violation = (np.nan, np.nan) if scheme is None else _cost_error(trajectory, blocks, tau, weight)
+    cost, violation = (
+        (np.nan, np.nan) if scheme is None else _cost_error(motion, costates, blocks, tau=tau, weight=weight)
+    )
     failed = not samples.assembled.all()
     return Errors(
         closure=np.inf if failed else closure,
@@ -50,44 +73,41 @@ def errors_of(trajectory: Trajectory) -> Errors:
         dynamic=float(size.max()),
         drift=float(defects.sum()),
         cost=cost,
-        pivot=float(trajectory.kinematics.pivots(samples.q).min()),
+        pivot=float(motion.kinematics.pivots(samples.q).min()),
         defects=defects,
         violation=violation,
     )
 
 
-def _closure(trajectory: Trajectory, y: np.ndarray, z: np.ndarray) -> float:
-    if not trajectory.model.equations.layout.z:
+def _closure(motion: PlannedMotion, y: np.ndarray, z: np.ndarray) -> float:
+    """Largest opening of the loops."""
+    if not motion.model.equations.layout.z:
         return 0.0
-    return float(np.abs(np.array(trajectory._closure(*trajectory._with_parameters(y, z))[1])).max(initial=0.0))
+    return float(np.abs(motion.kinematics.closure(y, z)[1]).max(initial=0.0))
 
 
-def _nodal_closure(trajectory: Trajectory) -> float:
-    layout = trajectory.model.equations.layout
-    tau = trajectory.transcribed.point_tau.ravel()
-    y = trajectory.blocks(tau)["y"]
-    return _closure(trajectory, y, trajectory.arrays["z"].reshape(len(y), len(layout.z)))
+def _nodal_closure(motion: PlannedMotion) -> float:
+    layout = motion.model.equations.layout
+    y = motion.blocks(motion.transcribed.point_tau.ravel())["y"]
+    return _closure(motion, y, motion.arrays["z"].reshape(len(y), len(layout.z)))
 
 
-def costates(trajectory: Trajectory) -> np.ndarray:
-    """Multipliers of the rows at the points as functions of relative time: (points, rows)."""
-    family = trajectory.transcribed.families[0]
+def costates_of(family: Family, multipliers: np.ndarray) -> np.ndarray:
+    """Densities over relative time (points, rows) of the multipliers, of which the family's are the first."""
     count = len(family.function.rows)
-    own = trajectory.multipliers[: family.count * count] * trajectory.cost_scale
-    return own.reshape(family.count, count) / family.weights[:, None]
+    own = multipliers[: family.count * count].reshape(family.count, count)
+    return np.asarray(own / family.weights[:, None])
 
 
-def switching(trajectory: Trajectory) -> np.ndarray:
+def switching(motion: PlannedMotion, costates: np.ndarray) -> np.ndarray:
     """Slope of the Hamiltonian by every drive at the points: (points, drives).
 
     By Pontryagin's principle a drive stands on its lower bound where its slope is positive, on its upper one where
     it is negative; the bounds of other quantities and rates of drives left aside.
     """
-    family = trajectory.transcribed.families[0]
+    family = motion.transcribed.families[0]
     function = _hamiltonian(family.function).map(family.count)
-    found = function(
-        stacked(trajectory, family.function, trajectory.point_blocks(), family.tau), costates(trajectory).T
-    )
+    found = function(stacked(motion, family.function, motion.point_blocks(), family.tau), costates.T)
     return np.array(found[2]).T
 
 
@@ -101,10 +121,15 @@ def _hamiltonian(point: PointFunction) -> ca.Function:
 
 
 def _cost_error(
-    trajectory: Trajectory, blocks: dict[str, np.ndarray], tau: np.ndarray, weight: np.ndarray
+    motion: PlannedMotion,
+    costates: np.ndarray,
+    blocks: dict[str, np.ndarray],
+    *,
+    tau: np.ndarray,
+    weight: np.ndarray,
 ) -> tuple[float, float]:
     """Estimated error of the cost, and the largest violation of a bound, scaled."""
-    transcribed = trajectory.transcribed
+    transcribed = motion.transcribed
     family, scheme = transcribed.families[0], transcribed.scheme
     assert scheme is not None
     rows, z = family.function.rows, family.function.arguments
@@ -113,38 +138,35 @@ def _cost_error(
     integrand = ca.SX(family.function.integrand)
     function = _hamiltonian(family.function)
     n, per = len(tau), len(tau) // (len(transcribed.mesh) - 1)
-    at_points = costates(trajectory)
     k = np.repeat(np.arange(len(transcribed.mesh) - 1), per)
     s = (tau - transcribed.mesh[k]) / np.diff(transcribed.mesh)[k]
     basis = scheme.basis(s)
-    dense = np.einsum("nj,njm->nm", basis, at_points.reshape(-1, scheme.degree, len(rows))[k])
+    dense = np.einsum("nj,njm->nm", basis, costates.reshape(-1, scheme.degree, len(rows))[k])
     values, cost, slopes, curves = (
-        np.array(x) for x in function.map(n)(stacked(trajectory, family.function, blocks, tau), dense.T)
+        np.array(x) for x in function.map(n)(stacked(motion, family.function, blocks, tau), dense.T)
     )
     over = np.maximum(np.maximum(low[:, None] - values, values - high[:, None]), 0.0)
     off = np.where(values < low[:, None], values - low[:, None], np.where(values > high[:, None], over, 0.0))
     per_interval = ((dense.T * off) * weight).reshape(len(rows), -1, per).sum(axis=2)
     residual_part = SAFETY * float(np.abs(per_interval).sum())
-    at_nodes = stacked(trajectory, family.function, trajectory.point_blocks(), family.tau)
+    at_nodes = stacked(motion, family.function, motion.point_blocks(), family.tau)
     coarse = np.array(ca.Function("cost", [z], [integrand]).map(family.count)(at_nodes)).ravel() @ family.weights
     quadrature = abs(float(cost.ravel() @ weight) - float(coarse))
-    excess, beyond = _excess(trajectory, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)
+    excess, beyond = _excess(motion, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)
     return residual_part + quadrature + float(excess @ weight), max(float(over[low < high].max(initial=0.0)), beyond)
 
 
-def _excess(
-    trajectory: Trajectory, u: np.ndarray, slope: np.ndarray, curvature: np.ndarray
-) -> tuple[np.ndarray, float]:
+def _excess(motion: PlannedMotion, u: np.ndarray, slope: np.ndarray, curvature: np.ndarray) -> tuple[np.ndarray, float]:
     """How much the Hamiltonian exceeds its minimum over the drives' bounds (n,), and how far drives leave bounds."""
     total, beyond = np.zeros(len(u)), 0.0
     if (
-        trajectory.problem.drive_rule != "free"
-        or trajectory.problem.bounds.drive_rates
-        or "peak" in trajectory.model.kinds
+        motion.problem.drive_rule != "free"
+        or motion.problem.bounds.drive_rates
+        or not all(made.pointwise for made, _ in objectives_by_type(motion.model))
     ):
         return total, beyond  # drives are tied to each other over time: no pointwise minimum
-    for j, label in enumerate(trajectory.drive_labels):
-        low, high = trajectory.model.drive_range(label)
+    for j, label in enumerate(motion.drive_labels):
+        low, high = motion.model.drive_range(label)
         h, c = slope[:, j], curvature[:, j]
         with np.errstate(divide="ignore", invalid="ignore"):
             newton = np.where(c > 0, -h / np.where(c > 0, c, 1.0), np.where(h > 0, -np.inf, np.inf))
@@ -152,5 +174,5 @@ def _excess(
         step = np.where(np.isfinite(step), step, 0.0)
         total += np.abs(h * step + c * step**2 / 2)
         outside = np.maximum(np.maximum(low - u[:, j], u[:, j] - high), 0.0)
-        beyond = max(beyond, float((outside / trajectory.model.scales.u[j]).max(initial=0.0)))
+        beyond = max(beyond, float((outside / motion.model.scales.u[j]).max(initial=0.0)))
     return total, beyond

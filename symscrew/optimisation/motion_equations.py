@@ -88,7 +88,7 @@ class PointEquations:
         return Layout(y, tuple(k for k in range(len(self.system.tree.q)) if k not in y), False)
 
     @cached_property
-    def _placed(self) -> tuple[System, dict, Loops]:
+    def _placed(self) -> tuple[System, dict[int, tuple[Node, Node]], Loops]:
         """The system at q from y and z, cosines and sines that are known, and its loops."""
         if not self.layout.closed:
             return self.system, {}, self.loops
@@ -127,7 +127,7 @@ class PointEquations:
                 continue
             values.append(value * tape.constant(1.0 / system.length) if row.unit == "N" else value)
         for link in system.tree.links[1:]:
-            if link.motion.kind == "S" and {*range(link.q.start, link.q.stop)} & {*self.layout.z, *self.layout.y}:
+            if link.motion.spherical and {*range(link.q.start, link.q.stop)} & {*self.layout.z, *self.layout.y}:
                 values.append(sum((c * c for c in placed.inputs.q[link.q]), start=tape.zero) - tape.one)
         if len(values) != len(self.layout.z):
             raise DescriptionError(

@@ -1,4 +1,7 @@
-"""A trajectory in files: .npz with everything, .csv as a table for a controller, a figure."""
+"""A trajectory in files: .npz with everything, .csv as a table for a controller, a figure.
+
+Trajectory --sample--> t, u, joints and their rates at equal times --> file, whole or not at all
+"""
 
 from __future__ import annotations
 
@@ -8,23 +11,25 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from symscrew.description import JOINT_TYPES, to_toml
-from symscrew.display import TIME, Curve, draw_curves, figure, save_figure
+from symscrew.description import to_toml
+from symscrew.display import TIME, Curve, draw_curves, empty_figure, save_figure
+from symscrew.optimisation.followed_motion import Replay
 from symscrew.optimisation.result import Trajectory
 from symscrew.whole_files import replaced
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from symscrew.optimisation.followed_motion import Replay
-
-FINE = 501
+FINE = 501  # samples of a file without a rate
 
 
 def write_plan(trajectory: Trajectory, path: Path, *, rate: float | None = None) -> Path:
     """Write a trajectory to .npz or .csv; the file appears whole or not at all.
 
-    `rate`: samples per second of the table; default 501 samples.
+    Args:
+        trajectory: may be one that is not `ok`.
+        path: ends in .csv for a table of t, u and all joints' displacements and rates; else an archive of everything.
+        rate: samples per second; default 501 samples.
     """
     make = _table if path.suffix == ".csv" else _archive
     return replaced(path, lambda temporary: make(trajectory, temporary, rate))
@@ -85,9 +90,12 @@ def _saved(made: Figure, path: Path) -> None:
 
 
 def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> Path:
-    """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one."""
+    """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one.
+
+    Returns the path, whose file is written whole or not at all. Needs matplotlib.
+    """
     samples = trajectory.sample(count=401)
-    made, axes = figure(3, 1, width=7.0, height=2.2)
+    made, axes = empty_figure(3, 1, width=7.0, height=2.2)
     tree = {c.label: c.unit for c in trajectory.model.system.tree.q}
     labels = trajectory.labels
     units = sorted({tree[label] for label in labels})
@@ -105,7 +113,7 @@ def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None
     curves = [Curve(label, samples.y_dot[:, k], unit) for k, label in enumerate(labels)]
     draw_curves(axes[1], samples.t, curves, title="Their rates", label=f"y_dot [{unit}/s]")
     system = trajectory.model.system
-    slides = {JOINT_TYPES[system.mechanism.joints[j].type].freedoms[k].kind == "P" for j, k in system.drives}
+    slides = {system.mechanism.joints[j].kind.freedoms[k].prismatic for j, k in system.drives}
     unit = ", ".join("N" if slide else "N m" for slide in sorted(slides, reverse=True))
     curves = [Curve(label, samples.u[:, k], unit) for k, label in enumerate(trajectory.drive_labels)]
     draw_curves(axes[2], samples.t, curves, title="Drives and their bounds", label=f"u  [{unit}]", columns=4)

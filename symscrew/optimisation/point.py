@@ -1,131 +1,48 @@
-"""What holds at one time of a motion, as CasADi expressions of the unknowns there.
+"""What holds at one point of a motion, as a function of the unknowns there.
 
-The unknowns of a point are blocks: y, its first and second derivative by the relative time tau in [0, 1] (so that
-everything the transcription does to them is linear also where the duration T is free), z, the drives u, and what
-objectives, rules and effects add. Rows are equations or inequalities with a label that a person understands.
+PointModel --unknowns--> MotionQuantities --constraints, objectives--> PointFunction (rows, integrand)
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import cached_property
-
 import casadi as ca
 
-from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.functions import joint_freedom_labels, u_port
-from symscrew.optimisation.motion_equations import PointEquations
-from symscrew.optimisation.problem import Conditions, TrajectoryProblem
-from symscrew.optimisation.rows import INFINITY, PointFunction, Scales
-from symscrew.optimisation.state import State
+from symscrew.optimisation.constraints import bound_rows, closure_rows, condition_rows, dynamic_rows, rule_rows
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.objectives import integrand, objectives_by_type
+from symscrew.optimisation.point_model import PointModel
+from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.rows import PointFunction
 
 
-class PointModel:
-    """The expressions of one problem at a point. `scales` are those of the guess."""
+def point_symbols(model: PointModel, *, moving: bool) -> dict[str, ca.SX]:
+    """Symbols of a point's unknowns; those of drives, effects and objectives only where it is `moving`."""
+    d, nx = model.d, len(model.states)
+    sizes = {"y": d, "y_1": d, "z": len(model.equations.layout.z)}
+    if moving:
+        types = [made for made, _ in objectives_by_type(model)]
+        sizes |= {"y_2": d, "u": len(model.drive_labels), "x": nx, "x_1": nx}
+        sizes |= {name: d for made in types for name in made.derived}
+        sizes |= {group.name: len(group.labels) for made in types for group in made.unknowns(model)}
+        if model.problem.drive_rule == "least_squares":
+            sizes["distribution"] = d
+    else:
+        sizes["y_2"] = 0
+    sizes |= {"T": int(model.problem.free_duration), "p": len(model.design), "tau": 1}
+    return {name: ca.SX.sym(name, size) for name, size in sizes.items()}
 
-    def __init__(self, problem: TrajectoryProblem, equations: PointEquations, scales: Scales) -> None:
-        self.problem, self.equations, self.scales = problem, equations, scales
-        system = equations.system
-        self.system = system
-        self.drive_labels = u_port(system).labels if system.drives else ()
-        self.states = tuple(s.name for s in equations.acting.states)
-        self.parameter_names = tuple(p.name for p in system.mechanism.parameters.values() if p.run_time)
-        self.design = tuple(n for n in self.parameter_names if n in problem.design)
-        self._check_names()
 
-    # -- sizes and names ----------------------------------------------------------------------------------
+def collocation_point(model: PointModel) -> PointFunction:
+    """A point at which the equations of motion hold."""
+    blocks = point_symbols(model, moving=True)
+    at = MotionQuantities(model, blocks)
+    rows = [*closure_rows(at), *dynamic_rows(at), *rule_rows(at), *bound_rows(at)]
+    cost, needed = integrand(at)
+    return PointFunction(blocks, (*rows, *needed), cost)
 
-    @property
-    def d(self) -> int:
-        """Number of independent coordinates."""
-        return len(self.equations.labels)
 
-    @cached_property
-    def kinds(self) -> tuple[str, ...]:
-        """Types of the objectives that need unknowns or blocks of their own."""
-        return tuple(o.type for o in self.problem.objectives)
-
-    def _check_names(self) -> None:
-        problem, bounds = self.problem, self.problem.bounds
-        groups: list[tuple[str, Sequence[str], Sequence[str]]] = [
-            ("bounds.drives", list(bounds.drives), self.drive_labels),
-            ("bounds.drive_rates", list(bounds.drive_rates), self.drive_labels),
-            ("bounds.joints", list(bounds.joints), self.coordinate_labels),
-            ("bounds.speeds", list(bounds.speeds), self.rate_labels),
-            ("bounds.reactions", list(bounds.reactions), list(self.system.mechanism.joints)),
-            ("bounds.points", [name for name, _ in bounds.points], list(self.system.mechanism.points)),
-            ("preload", list(problem.preload), self.drive_labels),
-            ("design", list(problem.design), list(self.system.mechanism.parameters)),
-            ("parameters", list(problem.parameters), list(self.system.mechanism.parameters)),
-            ("guess", list(problem.guess), self.equations.labels),
-        ]
-        for o in problem.objectives:
-            groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
-        for d in bounds.distances:
-            groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))
-        for which, c in (("start", problem.start), ("end", problem.end), *(("via", v) for v in problem.via)):
-            groups.append((f"{which}.coordinates", list(c.coordinates), self.coordinate_labels))
-            groups.append((f"{which}.rates", list(c.rates), self.rate_labels))
-            groups.append((f"{which}.points", list(c.points), list(self.system.mechanism.points)))
-        for where, names, known in groups:
-            for name in names:
-                if name not in known:
-                    raise DescriptionError(f"{where}: unknown name {name!r}; {did_you_mean(name, known)}")
-
-    @cached_property
-    def joint_labels(self) -> tuple[str, ...]:
-        """Labels of all joint freedoms, cut joints included."""
-        return tuple(label for label, _, _ in joint_freedom_labels(self.system))
-
-    @property
-    def coordinate_labels(self) -> tuple[str, ...]:
-        """What a condition or bound on coordinates may name."""
-        return tuple(
-            dict.fromkeys((*self.equations.labels, *(c.label for c in self.system.tree.q), *self.joint_labels))
-        )
-
-    @property
-    def rate_labels(self) -> tuple[str, ...]:
-        """What a condition or bound on rates may name."""
-        return tuple(dict.fromkeys((*self.equations.labels, *self.joint_labels)))
-
-    def drive_range(self, label: str) -> tuple[float, float]:
-        """Bounds of a drive."""
-        return self.problem.bounds.drives.get(label, (-INFINITY, INFINITY))
-
-    # -- points ---------------------------------------------------------------------------------------------------
-
-    def blocks(self, *, moving: bool) -> dict[str, ca.SX]:
-        """Symbols of a point's unknowns; those of drives and effects only where it is `moving`."""
-        nz, nu, nx = len(self.equations.layout.z), len(self.drive_labels), len(self.states)
-        sizes = {"y": self.d, "y_1": self.d, "z": nz}
-        if moving:
-            sizes |= {"y_2": self.d, "u": nu, "x": nx, "x_1": nx}
-            if "jerk" in self.kinds:
-                sizes["y_3"] = self.d
-            if "energy" in self.kinds:
-                sizes["positive_power"] = nu
-            if self.problem.drive_rule == "least_squares":
-                sizes["distribution"] = self.d
-        else:
-            sizes["y_2"] = 0
-        sizes |= {"T": int(self.problem.free_duration), "p": len(self.design), "tau": 1}
-        return {name: ca.SX.sym(name, size) for name, size in sizes.items()}
-
-    def state(self, blocks: Mapping[str, ca.SX]) -> State:
-        """The expressions at a point."""
-        return State(self, blocks)
-
-    def collocation(self) -> PointFunction:
-        """A point at which the equations of motion hold."""
-        blocks = self.blocks(moving=True)
-        at = self.state(blocks)
-        rows = [*at.closure_rows(), *at.dynamic_rows(), *at.rule_rows(), *at.bound_rows()]
-        integrand = at.integrand(rows)  # may add rows
-        return PointFunction(blocks, tuple(rows), integrand)
-
-    def observation(self, conditions: Conditions, where: str) -> PointFunction:
-        """A point at which conditions hold that are not linear in y and its rates."""
-        blocks = self.blocks(moving=False)
-        at = self.state(blocks)
-        return PointFunction(blocks, (*at.closure_rows(where), *at.condition_rows(conditions, where)))
+def observation_point(model: PointModel, conditions: Conditions, where: str) -> PointFunction:
+    """A point at which conditions hold that are not linear in y and its rates."""
+    blocks = point_symbols(model, moving=False)
+    at = MotionQuantities(model, blocks)
+    return PointFunction(blocks, (*closure_rows(at, where), *condition_rows(at, conditions, where)))

@@ -14,11 +14,14 @@ from symscrew.effects import Effect, Gravity
 from symscrew.errors import DescriptionError, did_you_mean
 
 Range = tuple[float, float]
+# The words of problems. What each of them does: `objectives.OBJECTIVE_TYPES`, `solution.METHODS`,
+# `constraints.FORMULATIONS`.
 OBJECTIVES = ("effort", "time", "energy", "electrical", "jerk", "peak", "preload", "expression")
 METHODS = ("radau", "gauss", "shooting")
 FORMULATIONS = ("inverse", "forward")
 RULES = ("free", "least_squares")
-ACCURACY = (5e-7, 1e-9)  # a replay ends within 1e-6 of the goal
+# Half of what a replay may miss the goal by, for defects are of first order; opening of the loops without units.
+ACCURACY = (5e-7, 1e-9)
 
 
 @dataclass(frozen=True)
@@ -125,7 +128,7 @@ class Transcription:
             raise DescriptionError(
                 f"transcription.formulation: expected one of {', '.join(FORMULATIONS)}, got {self.formulation!r}"
             )
-        if not 1 <= self.intervals <= 10_000:
+        if not 1 <= self.intervals <= 10_000:  # more is a slip of the pen: the program would fill the memory
             raise DescriptionError(f"transcription.intervals: expected 1 to 10000, got {self.intervals}")
         if self.mesh and any(b <= a for a, b in zip((0.0, *self.mesh), self.mesh, strict=False)):
             raise DescriptionError("transcription.mesh: expected ascending ends of intervals")
@@ -141,7 +144,7 @@ class Solver:
     options: Mapping[str, object] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class TrajectoryProblem:
     """A motion to be found.
 
@@ -175,6 +178,11 @@ class TrajectoryProblem:
     name: str = "trajectory"
     text: str = ""
 
+    def __repr__(self) -> str:
+        duration = "{:g} to {:g}".format(*self.duration) if isinstance(self.duration, tuple) else f"{self.duration:g}"
+        wanted = ", ".join(o.type for o in self.objectives)
+        return f"<TrajectoryProblem {self.name}: {self.mechanism.name}, {duration} s, least {wanted}>"
+
     @property
     def free_duration(self) -> bool:
         """Whether the duration is chosen by the optimiser."""
@@ -206,7 +214,7 @@ class TrajectoryProblem:
 
 def check_ranges(problem: TrajectoryProblem) -> None:
     """Refuse ranges that no value satisfies."""
-    groups: dict[str, Mapping] = {
+    groups: dict[str, Mapping[str, Range] | Mapping[tuple[str, int], Range]] = {
         "bounds.drives": problem.bounds.drives,
         "bounds.drive_rates": problem.bounds.drive_rates,
         "bounds.joints": problem.bounds.joints,

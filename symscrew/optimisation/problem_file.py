@@ -55,6 +55,7 @@ from symscrew.optimisation.problem import (
     Transcription,
 )
 
+# keys of the sections, as people write them
 CONDITIONS = ("coordinates", "rates", "points", "platform_normal", "platform_position", "platform_rotation", "at_rest")
 KEYS: dict[str, tuple[str, ...]] = {
     "problem": ("mechanism", "scene", "name", "description", "duration", "periodic", "independent", "drive_rule",

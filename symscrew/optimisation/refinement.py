@@ -1,18 +1,34 @@
-"""A finer mesh where the motion between the points does not obey its equations well enough."""
+"""A finer mesh where the motion between the points does not obey its equations well enough.
+
+errors of a trajectory --order of the scheme--> parts that every interval is cut in --> mesh
+"""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from symscrew.optimisation.result import Trajectory
 
+# An interval is cut in at most so many parts at a time: the order of the scheme, on which their number rests, shows
+# only once an interval is smooth. More: intervals next to a switching are cut in vain.
 MOST_PARTS = 4
-MARGIN = 0.5  # of the wanted error is aimed at
+MARGIN = 0.5  # this part of the wanted error is aimed at, so that one refinement is mostly enough
+# A finer mesh would do no more than take time and memory: the motion stays as it is, and `errors` say how good it is.
 MOST_INTERVALS = 2000
 
 
-def refined(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[float, ...] | None:
-    """Ends of the intervals of a finer mesh, or None where both errors are reached or no finer mesh would do.
+@dataclass(frozen=True)
+class Refinement:
+    """Ends of the intervals of a finer mesh. Without one, `reason` says why errors stay, or is empty."""
+
+    mesh: tuple[float, ...] | None
+    reason: str = ""
+
+
+def refinement_of(trajectory: Trajectory, accuracy: tuple[float, float]) -> Refinement:
+    """A finer mesh, or none where both errors are reached or no finer mesh would do.
 
     `accuracy`: (dynamic, kinematic): the sum of the intervals' defects (how far a replay ends off the plan, to first
     order), and the opening of the loops between the points. An interval is cut in as many parts as the order of the
@@ -20,17 +36,19 @@ def refined(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[floa
     """
     errors, (dynamic, kinematic) = trajectory.errors, accuracy
     if errors.drift <= dynamic and errors.closure <= kinematic:
-        return None
+        return Refinement(None)
     scheme = trajectory.transcribed.scheme
     # a smooth motion's defect falls with a power of twice the degree, less where a drive switches
     order = (scheme.degree if scheme else 2) + 1
     ratio = np.maximum(errors.defects * len(errors.defects) / (MARGIN * dynamic), 1e-12)
     parts = np.clip(np.ceil(ratio ** (1.0 / order)), 1, MOST_PARTS).astype(int)
     mesh = trajectory.transcribed.mesh
-    if parts.max() == 1 or parts.sum() > MOST_INTERVALS:
-        return None
+    if parts.max() == 1:
+        return Refinement(None, "a finer mesh would not bring them nearer")
+    if parts.sum() > MOST_INTERVALS:
+        return Refinement(None, f"a finer mesh of {parts.sum()} intervals was not tried, {MOST_INTERVALS} are the most")
     ends: list[float] = []
     for k, count in enumerate(parts):
         ends += list(mesh[k] + (mesh[k + 1] - mesh[k]) * np.arange(1, count + 1) / count)
     ends[-1] = 1.0
-    return tuple(float(e) for e in ends)
+    return Refinement(tuple(float(e) for e in ends))

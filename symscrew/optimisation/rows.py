@@ -1,4 +1,7 @@
-"""What a point of a motion is made of: its unknowns, its constraints, the sizes of its quantities."""
+"""What a point of a motion is made of: its unknowns, its constraints, the sizes of its quantities.
+
+blocks of unknowns Z --> rows  lower <= g(Z) <= upper,  integrand l(Z)
+"""
 
 from __future__ import annotations
 

@@ -14,21 +14,31 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.motion_equations import PointEquations
-from symscrew.optimisation.point import PointModel
+from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
-from symscrew.optimisation.refinement import refined
+from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
-from symscrew.optimisation.sparse import Program, assemble, cost_of
-from symscrew.optimisation.transcription import Collocation, Transcribed
+from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
+from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
+LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
 Progress = Callable[[str], None]
+METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
+    "radau": Collocation,
+    "gauss": Collocation,
+    "shooting": Shooting,
+}
+# Meshes tried after the first one; a motion that still misses its accuracy is handed out as it is, and `errors` and
+# `Trajectory.notes` say so.
 MOST_REFINEMENTS = 6
-# IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh
+# IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh. The barrier begins low (0.1 by
+# default), so that the start is not pushed into the middle of its bounds; a refined mesh begins nearer still.
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
 REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} | dict.fromkeys(
     ("warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
@@ -90,26 +100,38 @@ def solve(
     found = prepared or prepare(problem)
     model = PointModel(problem, found.model.equations, found.guess.scales)
     say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
-    trajectory = _once(model, found.guess, warm, say, began)
-    count = 0
-    while problem.accuracy and trajectory.ok and count < MOST_REFINEMENTS:
-        mesh = refined(trajectory, problem.accuracy)
+    trajectory = _once(model, found.guess, warm=warm, say=say, began=began)
+    if problem.accuracy and trajectory.ok:
+        trajectory = _refined(trajectory, found.guess, problem.accuracy, say)
+    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+
+
+def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress) -> Trajectory:
+    """The motion on finer meshes until its errors are as wanted; its notes say why they are not."""
+    for count in range(MOST_REFINEMENTS + 1):
+        model, finer = trajectory.model, refinement_of(trajectory, accuracy)
+        mesh, reason = finer.mesh, finer.reason
         if mesh is None:
             break
-        count += 1
-        say(f"refinement {count}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
-        finer = replace(
-            model.problem, transcription=replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
-        )
-        model = PointModel(finer, model.equations, model.scales)
-        again = _once(model, found.guess, trajectory, say, _clock(), REFINING)
+        if count == MOST_REFINEMENTS:
+            reason = f"a finer mesh of {len(mesh)} intervals was not tried after {count} refinements"
+            break
+        say(f"refinement {count + 1}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
+        transcription = replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
+        model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
+        again = _once(model, guess, warm=trajectory, say=say, began=_clock(), start_options=REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
+            reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.status}"
             trajectory = replace(trajectory, statistics=spent)
             break
-        trajectory = replace(again, refinements=count, statistics=spent)
-    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+        trajectory = replace(again, refinements=count + 1, statistics=spent)
+    return (
+        replace(trajectory, notes=(f"the errors between the points are not as wanted: {reason}",))
+        if reason
+        else trajectory
+    )
 
 
 def _sum(before: Statistics, after: Statistics) -> Statistics:
@@ -136,14 +158,13 @@ def _clock() -> np.ndarray:
 
 def transcribe(model: PointModel) -> Transcribed:
     """The transcription that the problem asks for."""
-    if model.problem.transcription.method == "shooting":
-        return Shooting(model).transcribed()
-    return Collocation(model).transcribed()
+    return METHODS[model.problem.transcription.method](model).transcribed()
 
 
 def _once(
     model: PointModel,
     guess: Guess,
+    *,
     warm: Trajectory | None,
     say: Progress,
     began: np.ndarray,
@@ -192,7 +213,7 @@ def _control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
         return u
     n, k = transcribed.point_tau.shape
     inverse = np.linalg.inv(transcribed.scheme.control)
-    return np.einsum("ij,njm->nim", inverse, u.reshape(n, k, -1)).reshape(n * k, -1)
+    return np.asarray(np.einsum("ij,njm->nim", inverse, u.reshape(n, k, -1)).reshape(n * k, -1))
 
 
 def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> Trajectory:
@@ -207,7 +228,7 @@ def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> T
 def _cost_scale(transcribed: Transcribed, start: np.ndarray) -> float:
     """A power of ten near the cost at the guess."""
     value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
-    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > 1e-6 else 1.0
+    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
 
 
 def _check_bounds(transcribed: Transcribed) -> None:
@@ -221,7 +242,7 @@ def _check_bounds(transcribed: Transcribed) -> None:
         )
 
 
-def _solver(problem: TrajectoryProblem, program: Program, start: Mapping[str, Any]) -> ca.Function:
+def _solver(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any]) -> ca.Function:
     given = problem.solver
     if not ca.has_nlpsol(given.name):
         raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
@@ -265,6 +286,3 @@ def _statistics(
             "solver": float(solver[k]) - functions,
         })  # fmt: skip
     return Statistics(int(stats.get("iter_count", 0)), *parts)
-
-
-__all__ = ["Prepared", "prepare", "solve", "transcribe"]

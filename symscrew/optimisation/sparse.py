@@ -82,6 +82,10 @@ class Family:
     weights: np.ndarray
     tau: np.ndarray
 
+    def repeated(self, values: Sequence[float]) -> np.ndarray:
+        """What belongs to the rows of a point, for all points: (count * rows,)."""
+        return np.tile(np.array(values, dtype=float), self.count)
+
 
 @dataclass(frozen=True)
 class Linear:
@@ -95,7 +99,7 @@ class Linear:
 
 
 @dataclass(frozen=True)
-class Program:
+class NonlinearProgram:
     """The nonlinear program in the solver's unknowns, with its functions and the meaning of every row."""
 
     x: ca.MX
@@ -144,7 +148,7 @@ class _Parts:
         return ca.MX(_pattern(unique, shape), nonzeros)
 
 
-def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_scale: float) -> Program:
+def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_scale: float) -> NonlinearProgram:
     """The program of families, linear constraints, and a linear `cost` (n,) beside the families' integrals.
 
     The objective is divided by `cost_scale`.
@@ -157,7 +161,6 @@ def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_
     objective = ca.dot(ca.DM(cost / cost_scale), x)
     gradient = ca.MX(ca.DM(cost / cost_scale))
     values, jacobian, hessian = [], _Parts(), _Parts()
-    lower, upper, labels, tau = [], [], [], []
     row = 0
     for family in families:
         made = _derivatives(family)
@@ -171,20 +174,15 @@ def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_
         objective = objective + ca.dot(weights, cost_here)
         slope = made["slope"].map(family.count)(z)
         gradient = gradient + ca.mtimes(big.T, ca.vec(slope * ca.repmat(weights, size, 1)))
-        _add_jacobian(jacobian, family, made["jacobian"], z, row)
+        _add_jacobian(jacobian, family, made["jacobian"], z, first=row)
         _add_hessian(hessian, family, made["hessian"], (z, ca.reshape(block, m, family.count), sigma * weights))
-        scale = np.array([r.scale for r in family.function.rows])
-        lower.append(np.tile(np.array([r.lower for r in family.function.rows]) / scale, family.count))
-        upper.append(np.tile(np.array([r.upper for r in family.function.rows]) / scale, family.count))
-        labels += [r.label for _ in range(family.count) for r in family.function.rows]
-        tau.append(np.repeat(family.tau, m))
         row += m * family.count
     values.append(ca.mtimes(ca.MX(matrix), x))
     jacobian.source(ca.MX(1))
     jacobian.add(linear.map.rows + row, linear.map.columns, linear.map.values, np.full(len(linear.map.values), -1))
     g = ca.vertcat(*values)
     names = ["x", "p"]
-    return Program(
+    return NonlinearProgram(
         x,
         objective,
         g,
@@ -197,10 +195,10 @@ def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_
             [*names, "lam_f", "lam_g"],
             ["triu_hess_gamma_x_x"],
         ),
-        np.concatenate([*lower, linear.lower]),
-        np.concatenate([*upper, linear.upper]),
-        (*labels, *linear.labels),
-        np.concatenate([*tau, linear.tau]),
+        np.concatenate([*(f.repeated([r.lower / r.scale for r in f.function.rows]) for f in families), linear.lower]),
+        np.concatenate([*(f.repeated([r.upper / r.scale for r in f.function.rows]) for f in families), linear.upper]),
+        (*(label for f in families for label in f.count * [r.label for r in f.function.rows]), *linear.labels),
+        np.concatenate([*(np.repeat(f.tau, len(f.function.rows)) for f in families), linear.tau]),
     )
 
 
@@ -233,7 +231,7 @@ def _derivatives(family: Family) -> dict[str, ca.Function]:
     }
 
 
-def _add_jacobian(parts: _Parts, family: Family, function: ca.Function, z: Any, first: int) -> None:
+def _add_jacobian(parts: _Parts, family: Family, function: ca.Function, z: Any, *, first: int) -> None:
     pattern = function.sparsity_out(0)
     if pattern.nnz() == 0 or family.count == 0:
         return

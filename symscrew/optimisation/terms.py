@@ -1,4 +1,7 @@
-"""User expressions of a cost: text of the package's own grammar on CasADi expressions."""
+"""User expressions of a cost or bound, on CasADi expressions.
+
+text --parser of descriptions--> SymPy tree --node by node--> CasADi;  nothing is evaluated as code
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ def expression(text: str, names: Mapping[str, Any], *, where: str) -> ca.SX:
     """The CasADi expression of a text in the given names."""
     symbols = {name: sympy.Symbol(name, real=True) for name in names}
     parsed = parse(text, symbols, where=where)
-    return _made(parsed, {symbols[name]: value for name, value in names.items()}, where)
+    return ca.SX(_made(parsed, {symbols[name]: value for name, value in names.items()}, where))
 
 
 def _made(node: sympy.Expr, values: Mapping[sympy.Symbol, Any], where: str) -> Any:

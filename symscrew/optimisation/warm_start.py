@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from symscrew.optimisation.layout import Unknowns
 from symscrew.optimisation.result import Trajectory
-from symscrew.optimisation.sparse import Program
+from symscrew.optimisation.sparse import NonlinearProgram
 from symscrew.optimisation.transcription import Transcribed
+from symscrew.optimisation.unknowns import Unknowns
 
-JOINING = "continuity of"
+JOINING = "continuity of"  # how labels of constraints begin that join two intervals
 
 
 def carried_unknowns(warm: Trajectory, transcribed: Transcribed) -> dict[str, np.ndarray]:
@@ -27,16 +27,15 @@ def carried_unknowns(warm: Trajectory, transcribed: Transcribed) -> dict[str, np
     layout = transcribed.model.equations.layout
     result = {**inside, "z": q[:, list(layout.z)]}
     result |= {name: at_mesh[name] for name in ("y", "y_1", "x")}
-    for name in ("T", "p", "peak", *(n for n in warm.arrays if n.startswith("observed_"))):
-        if name in warm.arrays:
-            result[name] = warm.arrays[name]
+    # what a motion has once: duration, design, peak, coordinates where conditions are observed
+    result |= {name: array for name, array in warm.arrays.items() if name not in result}
     if "T" not in result:
         result["T"] = np.array([warm.duration])
     return result
 
 
 def carried_multipliers(
-    warm: Trajectory, transcribed: Transcribed, program: Program, cost_scale: float
+    warm: Trajectory, transcribed: Transcribed, program: NonlinearProgram, cost_scale: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Multipliers of all constraints and of all unknowns' bounds; None where the two problems differ in kind."""
     before = warm.transcribed
@@ -97,7 +96,7 @@ def _bounds(old: Unknowns, warm: Trajectory, new: Unknowns, mesh: np.ndarray) ->
 
 def _spread(mesh: np.ndarray, count: int) -> np.ndarray:
     """Middles of `count` equal parts of every interval."""
-    return (mesh[:-1, None] + np.diff(mesh)[:, None] * (np.arange(count) + 0.5) / count).ravel()
+    return np.asarray(mesh[:-1, None] + np.diff(mesh)[:, None] * (np.arange(count) + 0.5) / count).ravel()
 
 
 def _interpolated(times: np.ndarray, values: np.ndarray, at: np.ndarray) -> np.ndarray:

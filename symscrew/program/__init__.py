@@ -1,25 +1,24 @@
 """Straight-line programs: what a function of the model computes, instruction by instruction, for any target.
 
-nodes of the tape --lower (passes)--> Program: instructions, ports, counts, hash --lanes--> packs of equal limbs
+    Function (nodes of the tape) --lowering, by passes--> Program --numpy_evaluation--> numbers
+                                                          Program --export--> code of a target
+                                                          Program --lanes--> packs of equal limbs, for C
+
+straight_line       what a program is: instructions, ports, counts, hash; iterations of a program
+lowering            from nodes to a program
+passes              what is done to the nodes before: a table, a file each
+numpy_evaluation    programs on NumPy
+jacobians           derivatives of a program by its inputs, as a program
+rank_revealing      the second path of forward dynamics, near singular configurations
+lanes               equal limbs side by side in vectors
 """
 
 from symscrew.program.jacobians import Jacobian, jacobian
 from symscrew.program.lanes import Pack, Packing, Vector, packed
+from symscrew.program.lowering import Function, lower, roots_of, with_roots
+from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
 from symscrew.program.rank_revealing import RANK, SWITCH, RankRevealing, evaluate_rank_revealing, second_path
-from symscrew.program.straight_line import (
-    COUNTED,
-    STATUS,
-    Function,
-    Instruction,
-    Iteration,
-    Port,
-    Program,
-    evaluate,
-    evaluate_iteration,
-    lower,
-    roots_of,
-    with_roots,
-)
+from symscrew.program.straight_line import COUNTED, STATUS, Instruction, Iteration, Port, Program
 
 __all__ = [
     "COUNTED",

@@ -14,7 +14,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from symscrew.algebra import ARITHMETIC, Node, Tape, differentiate
-from symscrew.program.straight_line import Function, Iteration, Port, Program, lower
+from symscrew.program.lowering import Function, lower
+from symscrew.program.straight_line import Iteration, Port, Program
 
 Entries = tuple[int, int, tuple[int, ...], tuple[int, ...]]
 
@@ -113,7 +114,8 @@ def _nodes(
 
 def _applied(tape: Tape, op: str, args: list[Node]) -> Node:
     if op in ARITHMETIC:
-        return ARITHMETIC[op](*args)
+        made: Node = ARITHMETIC[op](*args)
+        return made
     if op == "reciprocal":
         return tape.reciprocal(args[0])
     return tape.function(op, *args)

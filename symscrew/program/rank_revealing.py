@@ -19,13 +19,19 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from symscrew.program.straight_line import Program, evaluate
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Program, digest
 
-RANK = 1e-9  # singular values of the closure below this part of the largest, at least of 1, count as zero
-SWITCH = 1e-5  # a pivot below this, without units, hands over to the second path
+# Singular values of the closure below this part of the largest, at least of 1, count as zero: states that simulations
+# reach close the loops to 1e-12 or so, and 1e-9 of a unit screw is finer than a machine is built. Above, a direction is
+# a constraint; below, it is a freedom that opens, and the status is -2.
+RANK = 1e-9
+# A pivot below this, without units, hands over to the second path (status -1): the first path would lose five of
+# sixteen digits there. Above, the second one would only take longer.
+SWITCH = 1e-5
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RankRevealing(Program):
     """A straight-line program whose near-singular states are solved by a second, rank-revealing path.
 
@@ -48,7 +54,7 @@ class RankRevealing(Program):
     @cached_property
     def hash(self) -> str:
         """Of all parts."""
-        parts = [Program.hash.func(self)]  # type: ignore[attr-defined]
+        parts = [digest(self)]
         parts += [part.hash for part in (self.dense, self.wrenches) if part is not None]
         return "".join(part[: 16 // len(parts)] for part in parts)
 
@@ -56,7 +62,10 @@ class RankRevealing(Program):
 def evaluate_rank_revealing(
     program: RankRevealing, arguments: Sequence[object]
 ) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Run the first path on all states and the second one where it fails by a small pivot."""
+    """Run the first path on all states and the second one where it fails by a small pivot.
+
+    Arguments, results and errors are those of `evaluate`; a status below 0 says that the second path was taken.
+    """
     assert program.dense is not None
     results, status = evaluate(program, arguments)
     sizes = [port.size for port in program.inputs]
@@ -66,8 +75,9 @@ def evaluate_rank_revealing(
         inputs = [x[index] for x in full]
         mass, force, jacobian, bias = evaluate(program.dense, inputs)[0]
         reactions = partial(_reactions, program.wrenches, inputs) if program.wrenches else None
+        scales = {"rates": program.rates, "rows": program.rows}
         found, status[index] = second_path(
-            mass, force, jacobian, bias, program.rates, program.rows, program.regular, RANK, reactions
+            mass, force, jacobian, bias, **scales, regular=program.regular, tolerance=RANK, reactions=reactions
         )
         for result, value in zip(results, found, strict=True):
             result[index] = value
@@ -85,6 +95,7 @@ def second_path(
     force: np.ndarray,
     jacobian: np.ndarray,
     bias: np.ndarray,
+    *,
     rates: Sequence[float],
     rows: Sequence[float],
     regular: int,

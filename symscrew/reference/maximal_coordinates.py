@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy
 
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.description import Joint, Mechanism
 
 Array = np.ndarray
 
@@ -221,32 +221,29 @@ class _Freedom:
 def _elementary(mechanism: Mechanism, joint: Joint) -> list[_Freedom]:
     """The freedoms of a joint in order from parent to child."""
     given = [_vector(mechanism, axis) for axis in joint.axes]
-    kind = JOINT_TYPES[joint.type]
-    if joint.type == "free":
-        given = list(np.eye(3))
-    elif any(motion.axis == 2 for motion in kind.motions):
-        given = [*plane_axes(given[0]), given[0]]
+    kind = joint.kind
+    axes = kind.motion_axes(given, list(np.eye(3)), plane_axes)
     pitch = 0.0 if joint.pitch is None else _number(mechanism, joint.pitch)
     rows: list[_Freedom] = []
     for place, motion in enumerate(kind.motions):
         if motion.axis is None:
             rows += [_Freedom(axis, 1.0, 0.0, by_child=False) for axis in np.eye(3)]
             continue
-        axis = given[motion.axis]
+        axis = axes[motion.axis]
         turns_it = [
-            other.axis is None or float(np.linalg.norm(cross(given[other.axis], axis))) > PARALLEL
+            other.axis is None or float(np.linalg.norm(cross(axes[other.axis], axis))) > PARALLEL
             for other in kind.motions
-            if other.kind != "P"
+            if other.turns
         ]
-        before = sum(other.kind != "P" for other in kind.motions[:place])
+        before = sum(other.turns for other in kind.motions[:place])
         by_child = any(turns_it[:before])
         if by_child and any(turns_it[before:]):
             raise ValueError(
                 f"joint '{joint.name}' of type {joint.type}: expected each axis to be carried by the parent "
                 f"or the child, but axis {motion.axis} moves relative to both; describe it as several joints"
             )
-        slide = {"R": 0.0, "P": 1.0, "H": pitch}[motion.kind]
-        rows.append(_Freedom(axis, 0.0 if motion.kind == "P" else 1.0, slide, by_child))
+        slide = pitch if motion.helical else float(motion.slides)
+        rows.append(_Freedom(axis, float(motion.turns), slide, by_child))
     return rows
 
 

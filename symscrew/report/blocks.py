@@ -76,6 +76,9 @@ class Document:
     formulas: Mapping[str, str] = field(default_factory=dict)
     footer: str = ""
 
+    def __repr__(self) -> str:
+        return f"Document({self.title}: {', '.join(section.title for section in self.sections)})"
+
 
 def write_document(document: Document, path: str | Path) -> list[Path]:
     """Write the document: .html as one file, .md with its pictures beside it; whole or not at all.

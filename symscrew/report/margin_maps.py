@@ -1,4 +1,7 @@
-"""Singularity margins along each independent coordinate, as a figure."""
+"""Singularity margins along each independent coordinate, as a figure.
+
+model --compiled--> calls --walk along a coordinate--> margins relative to the reference --figure--> frames
+"""
 
 from __future__ import annotations
 
@@ -19,14 +22,21 @@ from symscrew.studies.workspace import (
     watched_margins,
 )
 
-HALF, MOST = {"rad": 1.2, "m": 0.6, "1": 0.5}, 6
-COUNT = 61
+HALF = {"rad": 1.2, "m": 0.6, "1": 0.5}
+"""How far the curves go to either side, by the unit of the coordinate; lengths by the characteristic length."""
+MOST = 6  # coordinates that have a frame, two rows of three; the caption says when there are more
+COUNT = 61  # points of a curve: smooth to the eye
 FUNCTIONS = ("assemble", "limb_margins", "constraint_margin", "actuation_margins")
 
 
 def compiled(model: Model) -> Call:
     """What the figure evaluates, compiled alone: less than a second, where interpreting takes twenty."""
     return calls_of(load(model.only(FUNCTIONS)))
+
+
+def left_out(model: Model) -> tuple[str, ...]:
+    """Independent coordinates that have no frame in the figure."""
+    return independent_labels(model)[MOST:]
 
 
 def figure(model: Model, call: Call) -> Any:
@@ -54,10 +64,10 @@ def figure(model: Model, call: Call) -> Any:
             unit = units[labels[k]]
             half = HALF.get(unit, 0.5) * (model.system.length if unit == "m" else 1.0)
             values = np.linspace(start[k] - half, start[k] + half, COUNT)
-            curves = _along(model, call, k, values, names, first)
+            curves = _along(model, call, k, values)
             for j, name in enumerate(names):
                 look = {"color": COLOURS[j % len(COLOURS)], "linestyle": DASHES[(j + j // len(COLOURS)) % len(DASHES)]}
-                axes.plot(values, curves[j], label=name, **look)
+                axes.plot(values, curves[name] / first[name], label=name, **look)
             axes.axhline(0.0, color="black", linewidth=0.6)
             axes.plot(start[k], 1.0, "o", color="black", markersize=3)
             axes.set_xlim(values[0], values[-1])
@@ -77,10 +87,10 @@ def _parameters(model: Model, count: int) -> Sequence[np.ndarray]:
     return (np.repeat(values[None, :], count, 0),) if len(values) else ()
 
 
-def _along(model: Model, call: Call, k: int, values: np.ndarray, names: Sequence[str], first: dict) -> list[np.ndarray]:
+def _along(model: Model, call: Call, k: int, values: np.ndarray) -> dict[str, np.ndarray]:
+    """All margins over the values of one independent coordinate, the others as in the reference configuration."""
     y = np.repeat(reference_coordinates(model)[None, :], len(values), 0)
     y[:, k] = values
     with np.errstate(all="ignore"):
         q, _, _ = walk(model, call, y, watch=False)
-        found = watched_margins(model, call, q, _parameters(model, len(values)))
-    return [found[name] / first[name] for name in names]
+        return watched_margins(model, call, q, _parameters(model, len(values)))

@@ -11,8 +11,10 @@ import numpy as np
 import sympy
 
 from symscrew import __version__
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.algebra import IDENTITY, Vector, cross, dot, scale
+from symscrew.description import Joint, Mechanism
 from symscrew.display import Progress
+from symscrew.kinematics import motion_screws
 from symscrew.mobility import Mobility, analyse_mobility, formulas, key_figures, mathml, sections
 from symscrew.model import Model
 from symscrew.program import Iteration
@@ -22,7 +24,7 @@ from symscrew.report.study_pages import accuracy_section, bill_section
 from symscrew.studies import Bill, Times
 from symscrew.studies.workspace import Call
 
-LONG_SCREW = 160
+LONG_SCREW = 160  # characters of LaTeX: a longer screw does not fit the page, and is given by number
 SIGNIFICANT = ("inverse_dynamics", "forward_dynamics", "joint_reactions")
 
 
@@ -81,7 +83,7 @@ def document(
 
 def _overview(model: Model, found: Mobility) -> list[Block]:
     mechanism = model.mechanism
-    driven = [f"{n} ({JOINT_TYPES[j.type].name})" for n, j in mechanism.joints.items() if j.driven]
+    driven = [f"{n} ({j.kind.name})" for n, j in mechanism.joints.items() if j.driven]
     count = sum(len(j.driven) for j in mechanism.joints.values())
     facts = [
         ("bodies that move", str(len(mechanism.bodies) - (mechanism.ground in mechanism.bodies))),
@@ -135,7 +137,7 @@ def _gathered(warnings: Sequence[str]) -> tuple[str, ...]:
 def _kinds(mechanism: Mechanism) -> str:
     kinds: dict[str, int] = {}
     for joint in mechanism.joints.values():
-        kinds[JOINT_TYPES[joint.type].name] = kinds.get(JOINT_TYPES[joint.type].name, 0) + 1
+        kinds[joint.kind.name] = kinds.get(joint.kind.name, 0) + 1
     return ", ".join(f"{count} {kind}" for kind, count in kinds.items())
 
 
@@ -200,46 +202,26 @@ def _screws(mechanism: Mechanism) -> tuple[list[Block], dict[str, str]]:
             for k, screw in enumerate(_unit_screws(joint)):
                 text, markup = _screw(screw, mechanism)
                 known[text] = markup
-                rows.append(
-                    (f"{name}{f'.{k}' if JOINT_TYPES[joint.type].freedom > 1 else ''}", _motion(joint, k), f"${text}$")
-                )
+                rows.append((f"{name}{f'.{k}' if joint.kind.freedom > 1 else ''}", _motion(joint, k), f"${text}$"))
         blocks.append(Table(("joint", "motion", "unit screw"), tuple(rows), caption=title))
     return blocks, known
 
 
 def _motion(joint: Joint, k: int) -> str:
-    kind = {"R": "rotation", "P": "translation", "H": "screw motion", "S": "rotation"}[
-        JOINT_TYPES[joint.type].freedoms[k].kind
-    ]
-    return f"{kind}{', driven' if k in joint.driven else ''}"
+    return f"{joint.kind.freedoms[k].name}{', driven' if k in joint.driven else ''}"
 
 
 def _unit_screws(joint: Joint) -> list[sympy.Matrix]:
-    point, kind = sympy.Matrix(joint.point), JOINT_TYPES[joint.type]
-    if joint.type == "free":
-        axes = [sympy.Matrix(e) for e in sympy.eye(3).tolist()]
-    elif joint.type == "E":
-        normal = sympy.Matrix(joint.axes[0])
-        first = normal.cross(sympy.Matrix([0, 0, 1]))
-        first = first if any(first) else sympy.Matrix([1, 0, 0])
-        first = first / first.norm()
-        axes = [first, normal.cross(first), normal]
-    else:
-        axes = [sympy.Matrix(a) for a in joint.axes]
-    screws, spherical = [], 0
-    for motion in kind.freedoms:
-        if motion.kind == "S":
-            axis = sympy.Matrix([int(k == spherical % 3) for k in range(3)])
-            spherical += 1
-        else:
-            assert motion.axis is not None
-            axis = axes[motion.axis]
-        if motion.kind == "P":
-            screws.append(sympy.Matrix([0, 0, 0, *axis]))
-        else:
-            moment = point.cross(axis) + (joint.pitch * axis if motion.kind == "H" else 0 * axis)
-            screws.append(sympy.Matrix([*axis, *moment]))
-    return screws
+    axes = joint.kind.motion_axes(joint.axes, IDENTITY, _across)
+    made = motion_screws(joint.kind, axes, joint.point, joint.pitch)
+    return [sympy.Matrix(twist.components) for _, twists in made for twist in twists]
+
+
+def _across(normal: Vector) -> tuple[Vector, Vector]:
+    """Two unit vectors that complete a normal to a triad."""
+    flat = cross(normal, (0, 0, 1))
+    first = scale(1 / sympy.sqrt(dot(flat, flat)), flat) if any(flat) else (1, 0, 0)
+    return first, cross(normal, first)
 
 
 def _screw(screw: sympy.Matrix, mechanism: Mechanism) -> tuple[str, str]:
@@ -333,6 +315,8 @@ def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
             "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 "
             "is a singularity. Curves end where the loops cannot be closed."
         )
+        if rest := margin_maps.left_out(model):
+            text += f" Not drawn: {', '.join(rest)}."
         blocks.append(Picture("margins", svg(figure), text))
     elif rows:
         blocks.append(

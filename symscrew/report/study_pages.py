@@ -10,7 +10,7 @@ from typing import Any
 from symscrew.description import read_text
 from symscrew.errors import DescriptionError, shorten
 from symscrew.report.blocks import Block, Bullets, Picture, Section, Table, Text
-from symscrew.studies import FUNCTIONS, Bill
+from symscrew.studies import BILLED_FUNCTIONS, Bill
 
 COSTS = {"ns": 1e9, "ms": 1e3, "s": 1.0}
 
@@ -78,22 +78,22 @@ def _cost(cost: dict[str, float], unit: str) -> str:
 def bill_section(bill: Bill) -> Section:
     """What each effect of a scene costs and changes."""
     from symscrew.display import curve_style
-    from symscrew.studies import figure
+    from symscrew.studies import bill_figure
 
     rows = []
     for item in bill.items:
-        times = [item.nanoseconds.get(f) for f in FUNCTIONS]
+        times = [item.nanoseconds.get(f) for f in BILLED_FUNCTIONS]
         rows.append(
             (
                 item.effect,
-                *(f"{item.operations[f]:+d}" if f in item.operations else "-" for f in FUNCTIONS),
+                *(f"{item.operations[f]:+d}" if f in item.operations else "-" for f in BILLED_FUNCTIONS),
                 str(item.states),
                 *("-" if t is None else f"{t:+.1f}" for t in times),
                 *(f"{100 * item.change[n]:.3g} %" if n in item.change else "-" for n in ("drives", "accelerations")),
             )
         )
-    own = [bill.nanoseconds.get(f) for f in FUNCTIONS]
-    totals = [str(bill.operations[f]) if f in bill.operations else "-" for f in FUNCTIONS]
+    own = [bill.nanoseconds.get(f) for f in BILLED_FUNCTIONS]
+    totals = [str(bill.operations[f]) if f in bill.operations else "-" for f in BILLED_FUNCTIONS]
     rows.append(
         (
             "all of it",
@@ -116,7 +116,7 @@ def bill_section(bill: Bill) -> Section:
     )
     out = io.BytesIO()
     with curve_style():
-        figure(bill).savefig(out, format="png", dpi=200, metadata={"Software": None})
+        bill_figure(bill).savefig(out, format="png", dpi=200, metadata={"Software": None})
     text = (
         f"Scene {bill.name}, along its {bill.motion}. Operations, states and nanoseconds: with the effect less "
         "without it. "

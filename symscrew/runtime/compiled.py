@@ -1,5 +1,7 @@
 """Compiled functions of a model, called from Python on NumPy arrays.
 
+    model, or folder --print, compile--> shared library --ctypes--> functions of arrays (*batch, *shape)
+
     model = load(directory_or_model)
     u = model.inverse_dynamics(q, v, a)              # arrays (*batch, *shape)
     u, status = model.inverse_dynamics(q, v, a, check=False)
@@ -25,13 +27,25 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import check_name
-from symscrew.export import DOUBLE, PRECISIONS, SPILLS, Precision, print_c, read_manifest, read_port
+from symscrew.export import (
+    DOUBLE,
+    HASHES,
+    PRECISIONS,
+    SPILLS,
+    OutputError,
+    Precision,
+    print_c,
+    read_hashes,
+    read_manifest,
+    read_port,
+)
 from symscrew.model import Model
 from symscrew.program import STATUS, Port
 
-COMPILERS = ("cc", "gcc", "clang")
+COMPILERS = ("cc", "gcc", "clang")  # the first that is there
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", "-fPIC")
-Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]
+Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]  # reads first, writes the others
+Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 
 
 class EvaluationError(ArithmeticError):
@@ -63,8 +77,18 @@ class CompiledFunction:
     evaluator: Evaluator
     columns: Evaluator | None = None
 
+    def __repr__(self) -> str:
+        given, found = (", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (self.inputs, self.outputs))
+        return f"CompiledFunction({self.name}({given}) -> {found})"
+
     def __call__(self, *arguments: object, check: bool = True, **named: object) -> object:
-        """Evaluate; see the class."""
+        """Evaluate; see the class.
+
+        Raises:
+            EvaluationError: a status above 0, unless `check` is False.
+            TypeError: not the function's inputs, each of them once.
+            ValueError: an array that does not end in the shape of its input.
+        """
         arrays, batch = self._arrays(self._ordered(arguments, named))
         count = math.prod(batch)
         if self.columns is not None and side_by_side(arrays, batch):
@@ -139,10 +163,13 @@ class CompiledModel:
 
     def __getattr__(self, name: str) -> CompiledFunction:
         """The function of this name."""
-        functions = self.__dict__.get("functions", {})
+        functions: dict[str, CompiledFunction] = self.__dict__.get("functions", {})
         if name not in functions:
             raise AttributeError(f"the model has no function {name}; it has {', '.join(functions)}")
         return functions[name]
+
+    def __repr__(self) -> str:
+        return f"CompiledModel({self.name}: {len(self.functions)} functions in {self.backend})"
 
     def __getitem__(self, name: str) -> CompiledFunction:
         """The function of this name."""
@@ -186,10 +213,14 @@ def load(
 
     Raises:
         CompileError: the compiler refused the code.
+        OutputError: the directory holds nothing that `generate` wrote, or only hashes of its code.
+        ValueError: a backend or precision that cannot be had.
     """
     if backend not in (None, "c", "casadi"):
         raise ValueError(f"expected the backend 'c' or 'casadi', got {backend!r}")
     name, ports, own = _interface(source)
+    if not isinstance(source, Model) and read_hashes(Path(source)):
+        raise OutputError(f"{source}: holds hashes in place of its code ({HASHES}); generate it without --hashes-only")
     real = PRECISIONS[precision or own]
     if not isinstance(source, Model) and precision not in (None, own):
         raise ValueError(f"{source}: expected its own precision, {own}, got {precision}; generate it again")
@@ -200,7 +231,9 @@ def load(
         speed = [f"-D{name.upper()}_STATE_BY_STATE"] if not (vectorised or threads) else []
         speed += ["-fopenmp"] if threads else []
         lanes = vectorised or threads  # else Python's calls take longer than what limbs side by side save
-        evaluators, columns = _c_evaluators(source, name, ports, build_dir, [*speed, *flags], real, lanes=lanes)
+        library = _c_library(source, name, build_dir=build_dir, flags=[*speed, *flags], precision=real, lanes=lanes)
+        evaluators = _c_evaluators(library, name, ports, real, columns=False)
+        columns = _c_evaluators(library, name, ports, real, columns=True)
     else:
         evaluators, columns = _casadi_evaluators(source, ports), {}
     functions = {
@@ -218,11 +251,16 @@ def find_compiler() -> str | None:
 def compile_c(
     source: Path, library: Path, *, compiler: str | None = None, flags: Sequence[str] = (), native: bool = True
 ) -> None:
-    """Compile a C file into a shared library, for this processor (`native`) where the compiler knows it."""
+    """Compile a C file into a shared library, for this processor (`native`) where the compiler knows it.
+
+    Raises:
+        CompileError: there is no compiler, or it refused the file.
+    """
     command = compiler or find_compiler()
     if command is None:
         raise CompileError(f"no C compiler ({', '.join(COMPILERS)}); install one or use backend='casadi'")
     own: tuple[str, ...] = ("-march=native",) if native else ()
+    # a compiler that does not know an option refuses the file: try with fewer of those that only make it faster
     for machine in dict.fromkeys(((*own, SPILLS), own, ())):
         arguments = [command, *FLAGS, *machine, *flags, str(source), "-o", str(library), "-lm"]
         result = subprocess.run(arguments, capture_output=True, text=True, check=False)
@@ -231,10 +269,8 @@ def compile_c(
     raise CompileError(f"{command} refused {source.name}:\n{result.stderr[-4000:]}")
 
 
-Interface = dict[str, tuple[tuple[Port, ...], tuple[Port, ...]]]
-
-
-def _interface(source: Model | str | Path) -> tuple[str, Interface, str]:
+def _interface(source: Model | str | Path) -> tuple[str, Ports, str]:
+    """Name, ports of every function, and precision."""
     if isinstance(source, Model):
         return source.name, {name: (p.inputs, p.outputs) for name, p in source.programs.items()}, "double"
     content = read_manifest(Path(source))
@@ -247,31 +283,34 @@ def _interface(source: Model | str | Path) -> tuple[str, Interface, str]:
     return name, interface, "single" if content.get("precision") == "single" else "double"
 
 
-def _c_evaluators(
+def _c_library(
     source: Model | str | Path,
     name: str,
-    ports: Interface,
+    *,
     build_dir: str | Path | None,
     flags: Sequence[str],
-    real: Precision,
-    *,
+    precision: Precision,
     lanes: bool,
-) -> tuple[dict[str, Evaluator], dict[str, Evaluator]]:
+) -> ctypes.CDLL:
+    """The C of a model or a folder, compiled and loaded."""
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         folder = Path(build_dir) if build_dir is not None else Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         sources = Path(temporary) if isinstance(source, Model) else Path(source)
         if isinstance(source, Model):
-            for file, text in print_c(source, precision=real, lanes=lanes).items():
+            for file, text in print_c(source, precision=precision, lanes=lanes).items():
                 (sources / file).write_text(text, encoding="utf-8")
         library = folder / f"lib{name}.so"
         compile_c(sources / f"{name}.c", library, flags=flags)
-        loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
+        return ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
+
+
+def _c_evaluators(
+    library: ctypes.CDLL, name: str, ports: Ports, real: Precision, *, columns: bool
+) -> dict[str, Evaluator]:
+    """The batch function of every function of a library."""
     sizes = {function: len(inputs) + len(outputs) for function, (inputs, outputs) in ports.items()}
-    rows = {
-        function: _c_evaluator(loaded, f"{name}_{function}", n, real, columns=False) for function, n in sizes.items()
-    }
-    return rows, {f: _c_evaluator(loaded, f"{name}_{f}", n, real, columns=True) for f, n in sizes.items()}
+    return {f: _c_evaluator(library, f"{name}_{f}", n, real, columns=columns) for f, n in sizes.items()}
 
 
 def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int, real: Precision, *, columns: bool) -> Evaluator:
@@ -294,7 +333,7 @@ def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int, real: Precision
     return evaluate if real is DOUBLE else evaluate_single
 
 
-def _casadi_evaluators(source: Model | str | Path, ports: Interface) -> dict[str, Evaluator]:
+def _casadi_evaluators(source: Model | str | Path, ports: Ports) -> dict[str, Evaluator]:
     import casadi
 
     from symscrew.export import casadi_functions

@@ -5,6 +5,17 @@
 
 from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.scene.controllers import controller, parameter_values
+from symscrew.scene.integration_methods import INTEGRATION_METHODS
 from symscrew.scene.scene_file import load_scene, parse_scene
 
-__all__ = ["Initial", "Integrator", "Scene", "Table", "controller", "load_scene", "parameter_values", "parse_scene"]
+__all__ = [
+    "INTEGRATION_METHODS",
+    "Initial",
+    "Integrator",
+    "Scene",
+    "Table",
+    "controller",
+    "load_scene",
+    "parameter_values",
+    "parse_scene",
+]

@@ -1,4 +1,7 @@
-"""What a scene is, as immutable data."""
+"""What a scene is, as immutable data.
+
+mechanism + effects + start + drives (expressions of t, q, v, states, tables) + integrator = Scene
+"""
 
 from __future__ import annotations
 
@@ -11,9 +14,7 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.effects import Effect
 
-METHODS = ("dop853", "rk4", "rk8", "euler", "semi_implicit_euler", "cvodes", "radau", "bdf", "lsoda")
-FIXED_STEP = ("rk4", "rk8", "euler", "semi_implicit_euler")
-INTERPOLATIONS = ("linear", "cubic")
+INTERPOLATIONS = ("linear", "cubic")  # words of scene files
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ class Initial:
 
 @dataclass(frozen=True)
 class Integrator:
-    """How to integrate.
+    """How to integrate: `method` is one of `symscrew.scene.INTEGRATION_METHODS`.
 
     `tolerance` is the error aimed at in the result: local errors are held to a thousandth of it, lengths divided by
     the characteristic length. `step` [s] belongs to the fixed-step methods. `longest_step` [s] bounds adaptive
@@ -86,7 +87,7 @@ class Integrator:
     most_steps: int = 10_000_000
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Scene:
     """A scene. Texts with expressions are kept as they were written, to be read against the model's names.
 
@@ -113,12 +114,18 @@ class Scene:
     text: str = ""
     further: Mapping[str, Any] = field(default_factory=dict)
 
+    def __repr__(self) -> str:
+        return (
+            f"<Scene {self.name}: {self.mechanism.name}, {self.duration:g} s by {self.integrator.method}, "
+            f"{len(self.effects)} effects, {len(self.drives)} drives>"
+        )
+
     @property
     def times(self) -> np.ndarray:
         """Times of the outputs [s]: every 1/rate from 0, and the end."""
         count = int(np.floor(self.duration * self.rate * (1 + 1e-12)))
         times = np.arange(count + 1) / self.rate
-        if self.duration - times[-1] > 1e-9 / self.rate:
+        if self.duration - times[-1] > 1e-9 / self.rate:  # else rounding alone separates the end from an output
             times = np.append(times, self.duration)
         times[-1] = self.duration
         return times

@@ -16,7 +16,7 @@ from symscrew.model import Model
 from symscrew.program import Function, Port, Program, lower
 from symscrew.scene.contents import Scene
 
-STANDARD = ("q", "v", "u", "x", "t", "p")
+STANDARD = ("q", "v", "u", "x", "t", "p")  # inputs of forward dynamics that are no inputs of effects
 
 
 def controller(scene: Scene, model: Model, *, held: bool = False) -> Program | None:
@@ -127,6 +127,6 @@ class _Expressions:
 
 
 def parameter_values(scene: Scene, model: Model) -> Mapping[str, float]:
-    """Values of the run-time parameters: the scene's, else those of the description."""
+    """Values of the run-time parameters by name: the scene's, else those of the description; in the program's order."""
     defaults = {p.name: float(p.value) for p in model.mechanism.parameters.values() if p.run_time}
     return {**defaults, **scene.parameters}

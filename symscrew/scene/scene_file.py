@@ -42,17 +42,19 @@ from symscrew.description import (
 )
 from symscrew.effects import check_effects, effect_from_table
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.scene.contents import FIXED_STEP, INTERPOLATIONS, METHODS, Initial, Integrator, Scene, Table
+from symscrew.scene.contents import INTERPOLATIONS, Initial, Integrator, Scene, Table
+from symscrew.scene.integration_methods import INTEGRATION_METHODS
 
+# sections and their keys, as people write them
 KEYS: dict[str, tuple[str, ...]] = {
     "scene": ("name", "mechanism", "description", "duration", "rate", "reactions"),
     "initial": ("coordinates", "rates", "hold"),
     "integrator": ("method", "tolerance", "step", "longest_step", "most_steps"),
 }
 SECTIONS = (*KEYS, "effects", "parameters", "tables", "signals", "states", "drives", "inputs")
-MOST_OUTPUTS = 2_000_000
-LONGEST_TABLE = 100_000
-RESERVED = ("t", "x", "u", "s", "p", "work")
+MOST_OUTPUTS = 2_000_000  # some GB with forty coordinates; a scene that asks for more is refused
+LONGEST_TABLE = 100_000  # its pieces become constant data of a C file; a longer one is refused
+RESERVED = ("t", "x", "u", "s", "p", "work")  # names of expressions and of the last state, not for signals
 
 
 def load_scene(path: str | Path) -> Scene:
@@ -65,7 +67,13 @@ def load_scene(path: str | Path) -> Scene:
 
 
 def parse_scene(text: str, *, folder: Path | None = None, name: str = "scene") -> Scene:
-    """The scene that a TOML text describes; files it names are looked for in `folder`."""
+    """The scene that a TOML text describes; files it names are looked for in `folder`.
+
+    `name`: what the scene is called where its text does not say.
+
+    Raises:
+        DescriptionError: it says where and what is wrong in the text, and the cure.
+    """
     tables = read_tables(text)
     check_sections(tables, SECTIONS, KEYS, ("effects",))
     if "scene" not in tables:
@@ -256,11 +264,11 @@ def _parameters(table: Mapping[str, Any], mechanism: Mechanism, read: _Reader) -
 
 def _integrator(table: Mapping[str, Any], read: _Reader) -> Integrator:
     method = table.get("method", "dop853")
-    if method not in METHODS:
-        near = did_you_mean(str(method)[:20], METHODS)
+    if not isinstance(method, str) or method not in INTEGRATION_METHODS:
+        near = did_you_mean(str(method)[:20], INTEGRATION_METHODS)
         raise DescriptionError(f"integrator.method: unknown method {shorten(method)}; {near}")
     step = None
-    if method in FIXED_STEP:
+    if INTEGRATION_METHODS[method].fixed_step:
         if "step" not in table:
             raise DescriptionError(f"integrator: the method {method} needs the key 'step' [s]")
         if "tolerance" in table:
@@ -269,7 +277,7 @@ def _integrator(table: Mapping[str, Any], read: _Reader) -> Integrator:
     elif "step" in table:
         raise DescriptionError(f"integrator.step: {method} chooses its steps; expected 'tolerance' or 'longest_step'")
     tolerance = read.number(table.get("tolerance", "1e-8"), "integrator.tolerance", above=0)
-    if not 1e-13 <= tolerance <= 0.1:
+    if not 1e-13 <= tolerance <= 0.1:  # below it rounding decides, above it nothing is left of the motion
         raise DescriptionError(f"integrator.tolerance: expected 1e-13 to 0.1, got {tolerance:g}")
     longest = table.get("longest_step")
     longest = None if longest is None else read.number(longest, "integrator.longest_step", above=0)

@@ -11,19 +11,12 @@ if TYPE_CHECKING:
     from symscrew.simulation.initial import initial_state, initial_states
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.motion import prepare, simulate
-    from symscrew.simulation.native import (
-        NATIVE_FLAGS,
-        NATIVE_METHODS,
-        NO_TABLES,
-        Library,
-        kernel_text,
-        run_natively,
-        table_code,
-    )
+    from symscrew.simulation.native import NATIVE_FLAGS, NATIVE_METHODS, Library, RunLog, run_natively
     from symscrew.simulation.picture import plot_run
-    from symscrew.simulation.real_time_loop import REAL_TIME, emit, loop_plant, loop_source
+    from symscrew.simulation.real_time_loop import REAL_TIME, loop_plant, loop_source, write_loop
     from symscrew.simulation.run_file import FORMATS, run_summary, write_run
-    from symscrew.simulation.scene_functions import Functions, RunError
+    from symscrew.simulation.run_source import NO_TABLES, kernel_text, table_code
+    from symscrew.simulation.scene_functions import PlantFunctions, RunError
     from symscrew.simulation.state_programs import Plant
     from symscrew.simulation.sundials import whole_run
 
@@ -33,13 +26,13 @@ __all__ = [
     "NATIVE_METHODS",
     "NO_TABLES",
     "REAL_TIME",
-    "Functions",
     "Library",
     "Linker",
     "Operand",
     "Plant",
+    "PlantFunctions",
     "RunError",
-    "emit",
+    "RunLog",
     "initial_state",
     "initial_states",
     "kernel_text",
@@ -52,6 +45,7 @@ __all__ = [
     "simulate",
     "table_code",
     "whole_run",
+    "write_loop",
     "write_run",
 ]
 

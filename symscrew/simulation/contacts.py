@@ -19,9 +19,18 @@ from symscrew.errors import DescriptionError
 from symscrew.model import Model
 
 Accelerations = Callable[[np.ndarray], np.ndarray]
-STILL = 1e-9  # a rate below this, without units, counts as zero when modes are chosen
-HELD = 1e-5  # a joint that answers its own force by less than this part of the largest acceleration cannot be held
-SOFT = 1e-6  # a rebound slower than this part of the largest rate ends the bouncing
+# A rate below this, without units, counts as zero when modes are chosen: the joint sticks. Larger: what is slow is
+# stuck though it moves. Smaller: what an integrator left of a rate that is zero chooses a direction of slipping.
+STILL = 1e-9
+# A joint that answers its own force by less than this part of the largest acceleration cannot be held by friction (a
+# dead point of the loops): it slips through. Smaller: forces grow without bound close to dead points.
+HELD = 1e-5
+# A rebound slower than this part of the largest rate ends the bouncing: the contact stays closed. At 0 the impacts of
+# a ball accumulate without end; larger, rebounds are lost.
+SOFT = 1e-6
+# Part of the largest singular value of contacts' accelerations by forces under which contacts that act on the same
+# freedom share their force (least squares) instead of being solved one by one.
+SHARED = 1e-12
 
 
 @dataclass(frozen=True)
@@ -81,6 +90,17 @@ def laws(model: Model, contacts: Sequence[Contact]) -> tuple[Law, ...]:
 
 
 @dataclass(frozen=True)
+class ContactState:
+    """The contacts at a state: their `rules`, q, v, `units` that divide rates, a (nv,) as a function of forces (n,)."""
+
+    rules: Sequence[Law]
+    q: np.ndarray
+    v: np.ndarray
+    units: np.ndarray
+    accelerations: Accelerations
+
+
+@dataclass(frozen=True)
 class Modes:
     """Friction: -1, 0, +1 for slipping down, stuck, slipping up. Stops: -1, 0, +1 for at the lower end, free, upper."""
 
@@ -91,8 +111,9 @@ class Modes:
         return replace(self, values=(*self.values[:k], mode, *self.values[k + 1 :]))
 
 
-def forces(rules: Sequence[Law], modes: Modes, v: np.ndarray, accelerations: Accelerations) -> np.ndarray:
-    """Contact forces (n,) at a state; `accelerations` gives a for contact forces."""
+def forces(at: ContactState, modes: Modes) -> np.ndarray:
+    """Contact forces (n,) at a state: given by the law, or such that rates that are kept at zero stay there."""
+    rules, v, accelerations = at.rules, at.v, at.accelerations
     given = np.zeros(len(rules))
     unknown = []
     for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
@@ -112,12 +133,13 @@ def forces(rules: Sequence[Law], modes: Modes, v: np.ndarray, accelerations: Acc
         unit = np.array(given)
         unit[k] += 1.0
         columns.append(accelerations(unit)[rows] - a)
-    given[unknown] = np.linalg.lstsq(np.stack(columns, 1), -a, rcond=1e-12)[0]
+    given[unknown] = np.linalg.lstsq(np.stack(columns, 1), -a, rcond=SHARED)[0]
     return given
 
 
-def margins(rules: Sequence[Law], modes: Modes, q: np.ndarray, v: np.ndarray, force: np.ndarray) -> np.ndarray:
+def margins(at: ContactState, modes: Modes) -> np.ndarray:
     """Per contact what is positive while its mode lasts."""
+    rules, q, v, force = at.rules, at.q, at.v, forces(at, modes)
     result = np.empty(len(rules))
     for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
         if rule.contact.kind == "friction":
@@ -129,10 +151,13 @@ def margins(rules: Sequence[Law], modes: Modes, q: np.ndarray, v: np.ndarray, fo
     return result
 
 
-def start_modes(
-    rules: Sequence[Law], q: np.ndarray, v: np.ndarray, units: np.ndarray, accelerations: Accelerations
-) -> Modes:
-    """Modes at the start: slipping with the rate, stuck where it is zero and the static force suffices."""
+def start_modes(at: ContactState) -> Modes:
+    """Modes at the start: slipping with the rate, stuck where it is zero and the static force suffices.
+
+    Raises:
+        DescriptionError: a joint starts beyond its stop.
+    """
+    rules, q, v, units = at.rules, at.q, at.v, at.units
     modes = []
     for rule in rules:
         rate = v[rule.v] / units[rule.v]
@@ -144,18 +169,17 @@ def start_modes(
                 raise DescriptionError(
                     f"initial.coordinates: {rule.contact.joint} = {q[rule.q]:g} lies beyond its stop at {place:g}"
                 )
-        at = 1 if rule.upper - q[rule.q] < 1e-12 else -1 if q[rule.q] - rule.lower < 1e-12 else 0
-        modes.append(at if at * rate > -STILL else 0)
-    return released(rules, Modes(tuple(modes)), v, units, accelerations)
+        end = 1 if rule.upper - q[rule.q] < 1e-12 else -1 if q[rule.q] - rule.lower < 1e-12 else 0
+        modes.append(end if end * rate > -STILL else 0)
+    return released(at, Modes(tuple(modes)))
 
 
-def released(
-    rules: Sequence[Law], modes: Modes, v: np.ndarray, units: np.ndarray, accelerations: Accelerations
-) -> Modes:
+def released(at: ContactState, modes: Modes) -> Modes:
     """Modes after those whose forces break their law have ended, one after the other."""
-    modes = _turned(rules, modes, units, accelerations)
+    rules = at.rules
+    modes = _turned(at, modes)
     for _ in range(2 * len(rules) + 1):
-        force = forces(rules, modes, v, accelerations)
+        force = forces(at, modes)
         worst, which = 0.0, -1
         for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
             if rule.contact.kind == "friction" and mode == 0:
@@ -173,9 +197,10 @@ def released(
     return modes
 
 
-def _turned(rules: Sequence[Law], modes: Modes, units: np.ndarray, accelerations: Accelerations) -> Modes:
+def _turned(at: ContactState, modes: Modes) -> Modes:
     """Modes with those stuck joints slipping that no force of theirs can hold: at a dead point of the loops the joint's
     rate is zero whatever the others do, and changes its sign there."""
+    rules, units, accelerations = at.rules, at.units, at.accelerations
     stuck = [k for k, r in enumerate(rules) if r.contact.kind == "friction" and modes.values[k] == 0]
     base = accelerations(np.zeros(len(rules))) / units if stuck else np.zeros(0)
     for k in stuck:
@@ -189,14 +214,12 @@ def _turned(rules: Sequence[Law], modes: Modes, units: np.ndarray, accelerations
     return modes
 
 
-def impact(
-    rules: Sequence[Law], hit: int, end: int, modes: Modes, v: np.ndarray, units: np.ndarray,
-    accelerations: Accelerations,
-) -> tuple[np.ndarray, Modes]:  # fmt: skip
+def impact(at: ContactState, modes: Modes, hit: int, end: int) -> tuple[np.ndarray, Modes]:
     """Rates and modes after contact `hit` has met its stop `end`: Newton's law of impact.
 
     Other stops that are in contact take their part by impulses that only push (complementarity, by active sets).
     """
+    rules, v, units, accelerations = at.rules, at.v, at.units, at.accelerations
     base = accelerations(np.zeros(len(rules)))
     active = [hit, *(k for k, m in enumerate(modes.values) if k != hit and m and rules[k].contact.kind == "stop")]
     ends = {k: end if k == hit else modes.values[k] for k in active}
@@ -209,7 +232,7 @@ def impact(
         rows = [rules[k].v for k in active]
         matrix = np.stack([columns[k][rows] for k in active], 1)
         wanted = np.array([-rules[k].restitution * v[rules[k].v] if k == hit else 0.0 for k in active])
-        impulse = np.linalg.lstsq(matrix, wanted - v[rows], rcond=1e-12)[0]
+        impulse = np.linalg.lstsq(matrix, wanted - v[rows], rcond=SHARED)[0]
         pulling = [k for k, p in zip(active, impulse, strict=True) if ends[k] * p > 0 and k != hit]
         if not pulling:
             break

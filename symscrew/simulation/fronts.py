@@ -15,6 +15,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+# A row whose remaining length is below this part of the longest one, in all sampled configurations, depends on the rows
+# before it: it does not count for the rank of a front. Smaller: rounding makes dependent rows independent.
+DEPENDENT = 1e-7
+# Length of a row, without units, that is rounding of the rows before: no direction is taken from it.
+NOTHING_LEFT = 1e-14
+
 
 @dataclass(frozen=True)
 class Front:
@@ -69,7 +75,7 @@ def regular(found: Sequence[Front], matrices: Sequence[np.ndarray]) -> tuple[tup
     """The fronts with their ranks, and the smallest pivot of regular configurations (the median over `matrices`)."""
     pivots = [front_pivots(matrix, found) for matrix in matrices]
     ranks = [
-        max(int((p[k] > 1e-7 * max(max(own, default=0.0) for own in p)).sum()) for p in pivots)
+        max(int((p[k] > DEPENDENT * max(max(own, default=0.0) for own in p)).sum()) for p in pivots)
         for k in range(len(found))
     ]
     complete = [p for p in pivots if all(len(own) >= rank for own, rank in zip(p, ranks, strict=True))]
@@ -88,11 +94,11 @@ def front_pivots(matrix: np.ndarray, found: Sequence[Front]) -> list[np.ndarray]
         while rows:
             norms = np.sqrt((left[rows] ** 2).sum(axis=1))
             best = int(norms.argmax())
-            if norms[best] < 1e-14:
+            if norms[best] < NOTHING_LEFT:
                 break
             own.append(float(norms[best]))
             unit = left[rows.pop(best)] / norms[best]
-            for _ in range(2):
+            for _ in range(2):  # twice is enough: Kahan, in Parlett, The Symmetric Eigenvalue Problem, section 6.9
                 left -= np.outer(left @ unit, unit)
         pivots.append(np.array(own))
     return pivots

@@ -1,21 +1,37 @@
-"""Where a run begins: the scene's coordinates and rates put in, everything else assembled."""
+"""Where a run begins: the scene's coordinates and rates put in, everything else assembled.
+
+reference configuration --strides to the given coordinates, Newton's method--> q;    J v = 0, given rates --> v
+"""
 
 from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinematics import System
 from symscrew.model import Model
 from symscrew.scene import Scene
 
-STRIDES = (8, 32, 128)  # intermediate targets on the way from the reference configuration
-CLOSED = 1e-13  # of the closure, without units
-FOLLOWED = 1e-10  # of the given values, without units
+# Intermediate targets on the way from the reference configuration; more where fewer fail. Long strides may lead to
+# another assembly branch, which nothing here would notice: hence eight also where Newton's method would manage one.
+STRIDES = (8, 32, 128)
+CLOSED = 1e-13  # opening of the loops, and miss of given values, at which Newton's steps end: what rounding leaves
+# Where steps no longer move anything the state is taken if the loops are closed to STALLED and the given values are
+# met to FOLLOWED (without units): given values that the loops contradict miss by more, and are refused.
+STALLED, FOLLOWED = 1e-12, 1e-10
+MOST_STEPS, LARGEST_STEP = 40, 0.5  # of Newton's method; larger steps [1, rad] are shortened, so that they do not jump
+# Parts of the largest singular value below which rates are left alone: in singular configurations the closure does not
+# determine them. Newton's method steps over such places; rates at the start are to keep more of what was given.
+STEP_RANK, RATE_RANK = 1e-10, 1e-11
 
 
 def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Configuration and rates (nq,), (nv,) that close all loops and have the scene's values.
+    """Configuration (nq,) [rad, m] and rates (nv,) [rad/s, m/s] that close all loops and have the scene's values.
+
+    `parameters`: values of the run-time parameters (np,).
 
     Raises:
         DescriptionError: an unknown label, loops that cannot be closed with these values, rates that contradict
@@ -23,8 +39,7 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
     """
     system, closure = model.system, _Closure(model, parameters)
     known = {c.label: k for k, c in enumerate(system.tree.q)}
-    target = dict(_labelled(scene.initial.coordinates, known, "initial.coordinates"))
-    target = _unit_quaternions(system, target)
+    target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     hold = scene.initial.hold
     if hold is None:
         q = next((q for n in STRIDES if (q := _followed(model, closure, target, n)) is not None), None)
@@ -63,12 +78,12 @@ def moves(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str
 
 
 def initial_states(scene: Scene, model: Model) -> np.ndarray:
-    """Values of the states at the start: those of the effects, then those of the controller."""
+    """Values of the states at the start (states,): those of the effects, then those of the controller."""
     effects = [state.initial for state in Acting(model.system, model.effects).states]
     return np.array([*effects, *(value for _, value in scene.states.values())], dtype=float)
 
 
-def _labelled(values, known, where):  # type: ignore[no-untyped-def]
+def _labelled(values: Mapping[str, float], known: Mapping[str, int], where: str) -> Iterator[tuple[int, float]]:
     for label, value in values.items():
         if label not in known:
             raise DescriptionError(f"{where}: there is no {label!r}; {did_you_mean(label, known)}")
@@ -77,8 +92,8 @@ def _labelled(values, known, where):  # type: ignore[no-untyped-def]
         yield known[label], value
 
 
-def _shown(values: object) -> str:
-    return ", ".join(f"{k} = {v:g}" for k, v in dict(values).items()) or "the reference configuration"  # type: ignore[call-overload]
+def _shown(values: Mapping[str, float]) -> str:
+    return ", ".join(f"{k} = {v:g}" for k, v in values.items()) or "the reference configuration"
 
 
 class _Closure:
@@ -101,17 +116,19 @@ class _Closure:
         return residual * self.rows, matrix * self.rows[:, None] * self.units
 
 
-def _unit_quaternions(system, target):  # type: ignore[no-untyped-def]
+def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, float]:
+    """The given coordinates with quaternions of unit length; all four entries of one are given, or none."""
+    target = dict(given)
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             continue
-        given = [k for k in range(link.q.start, link.q.stop) if k in target]
-        if not given:
+        named = [k for k in range(link.q.start, link.q.stop) if k in target]
+        if not named:
             continue
         values = np.array([target.get(k, 0.0) for k in range(link.q.start, link.q.stop)])
         label = link.joint
-        if len(given) < 4:
-            raise DescriptionError(f"initial.coordinates: the quaternion of {label} has four entries, got {len(given)}")
+        if len(named) < 4:
+            raise DescriptionError(f"initial.coordinates: the quaternion of {label} has four entries, got {len(named)}")
         if abs(np.linalg.norm(values) - 1) > 1e-6:
             raise DescriptionError(
                 f"initial.coordinates: expected a unit quaternion of {label}, got one of length "
@@ -152,48 +169,47 @@ def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: lis
     return found
 
 
-def _solved(system, closure: _Closure, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray | None:  # type: ignore[no-untyped-def]
+def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[int, float]) -> np.ndarray | None:
+    """Newton's method by least squares onto the closed loops with the wanted coordinates; None where it fails."""
     moved = _turned(system, q, wanted)
     plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
-    column = {link.q.start: link.v.start for link in system.tree.links[1:] if link.motion.kind != "S"}
-    held = [k for link in system.tree.links[1:] if link.motion.kind == "S" and link.q.start in wanted
-            for k in range(link.v.start, link.v.stop)]  # fmt: skip
+    column = dict(system.tree.plain)
+    held = [k for in_q, in_v in system.tree.spheres if in_q in wanted for k in range(in_v, in_v + 3)]
     pick = np.zeros((len(plain) + len(held), len(closure.units)))
     for i, k in enumerate(plain):
         pick[i, column[k]] = 1.0
     for i, k in enumerate(held):
         pick[len(plain) + i, k] = 1.0
-    for _ in range(40):
+    for _ in range(MOST_STEPS):
         residual, jacobian = closure.at(moved)
         away = [(value - moved[k]) / closure.units[column[k]] for k, value in plain.items()] + [0.0] * len(held)
         right = np.concatenate([away, -residual])
         if np.abs(residual).max(initial=0) < CLOSED and np.abs(away).max(initial=0) < CLOSED:
             return moved
-        step = np.linalg.lstsq(np.concatenate([pick, jacobian]), right, rcond=1e-10)[0]
+        step = np.linalg.lstsq(np.concatenate([pick, jacobian]), right, rcond=STEP_RANK)[0]
         size = np.abs(step).max(initial=0)
-        if size < 1e-15:
-            good = np.abs(residual).max(initial=0) < 1e-12 and np.abs(away).max(initial=0) < FOLLOWED
+        if size < 1e-15:  # nothing moves any more
+            good = np.abs(residual).max(initial=0) < STALLED and np.abs(away).max(initial=0) < FOLLOWED
             return moved if good else None
-        step *= min(1.0, 0.5 / size) * closure.units
+        step *= min(1.0, LARGEST_STEP / size) * closure.units
         moved = system.advance(moved, _turned_rates(system, moved, step))
     return None
 
 
-def _turned(system, q: np.ndarray, wanted: dict[int, float]) -> np.ndarray:  # type: ignore[no-untyped-def]
+def _turned(system: System, q: np.ndarray, wanted: Mapping[int, float]) -> np.ndarray:
     """q with the wanted quaternions put in."""
     moved = np.array(q)
     for link in system.tree.links[1:]:
-        if link.motion.kind == "S" and link.q.start in wanted:
+        if link.motion.spherical and link.q.start in wanted:
             value = np.array([wanted[k] for k in range(link.q.start, link.q.stop)])
             moved[link.q] = value / np.linalg.norm(value)
     return moved
 
 
-def _turned_rates(system, q: np.ndarray, v: np.ndarray) -> np.ndarray:  # type: ignore[no-untyped-def]
+def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Joint rates from rates v: spherical ones from the child's axes to those before the rotation."""
-    return system.numeric(system.joint_rates(system.inputs.v), (system.inputs.q, q[None]), (system.inputs.v, v[None]))[
-        0
-    ]
+    at = system.inputs
+    return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q[None]), (at.v, v[None]))[0])
 
 
 def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Scene) -> np.ndarray:
@@ -212,11 +228,11 @@ def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Sce
     values = np.array([given[k] / closure.units[k] for k in kept])
     matrix = np.concatenate([pick, jacobian])
     right = np.concatenate([values, np.zeros(len(jacobian))])
-    v = start + np.linalg.lstsq(matrix, right - matrix @ start, rcond=1e-11)[0]
-    v += np.linalg.lstsq(matrix, right - matrix @ v, rcond=1e-11)[0]
+    v = start + np.linalg.lstsq(matrix, right - matrix @ start, rcond=RATE_RANK)[0]
+    v += np.linalg.lstsq(matrix, right - matrix @ v, rcond=RATE_RANK)[0]
     if np.abs(matrix @ v - right).max(initial=0) > 1e-9 * max(1.0, np.abs(values).max(initial=0)):
         raise DescriptionError(
             f"initial.rates: the loops do not allow {_shown(scene.initial.rates)} in this configuration; check the "
             "values, or give only the rates of independent coordinates"
         )
-    return v * closure.units
+    return np.asarray(v * closure.units)

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from symscrew.program import Instruction, Port, Program
 
-Operand = int | float
+Operand = int | float  # a slot, or a number
 
 
 class Linker:
@@ -25,7 +25,7 @@ class Linker:
             self.entries[port.name] = tuple(range(self._next, self._next + port.size))
             self._next += port.size
         self._instructions: list[Instruction] = []
-        self._known: dict[tuple, int] = {}
+        self._known: dict[tuple[object, ...], int] = {}
         self._guards: dict[tuple[int, float], None] = {}
 
     def apply(self, op: str, *args: Operand) -> int:

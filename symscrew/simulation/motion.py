@@ -1,27 +1,33 @@
-"""A run of a scene: integrate it, look at it at every output, say what happened."""
+"""A run of a scene: integrate it, look at it at every output, say what happened.
+
+Scene --prepare--> Model, Plant --initial_state--> q, v --integrate--> History --energy, reactions, errors--> Run
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 from symscrew.program import Program
+from symscrew.runtime import find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
 from symscrew.simulation.initial import initial_state, initial_states, moves
-from symscrew.simulation.recording import History
+from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
+from symscrew.simulation.portable import Controller, integrate
+from symscrew.simulation.recording import History, State
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
 
 Progress = Callable[[float], None]
-Callback = Callable[[float, np.ndarray, np.ndarray], object]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Run:
     """What a run gave: arrays over its n outputs, what it met, and how it ended.
 
@@ -50,6 +56,10 @@ class Run:
     backend: str = "c"
     inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
 
+    def __repr__(self) -> str:
+        end = float(self.t[-1]) if len(self.t) else 0.0
+        return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"
+
     @property
     def energy_error(self) -> float:
         """Largest energy balance by the largest kinetic energy."""
@@ -69,7 +79,13 @@ class Crossing:
 
 
 def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
-    """The model of a scene and its programs."""
+    """The model of a scene and its programs.
+
+    `held`: the drives come from outside (a controller in Python) and are held during a step.
+
+    Raises:
+        DescriptionError: the effects leave no forward dynamics, or the scene commands what a contact determines.
+    """
     model = derive(scene.mechanism, scene.effects)
     if "forward_dynamics" not in model.programs:
         raise DescriptionError(
@@ -89,7 +105,7 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
 def simulate(
     scene: Scene,
     *,
-    controller: Callback | None = None,
+    controller: Controller | None = None,
     backend: str | None = None,
     progress: Progress | None = None,
     prepared: tuple[Model, Plant] | None = None,
@@ -98,7 +114,8 @@ def simulate(
 
     Args:
         scene: what to simulate.
-        controller: a callable (t, q, v) -> u in place of the scene's drives, called at every evaluation.
+        controller: a callable (t [s], q (nq,), v (nv,)) -> u (drives,) [N, N m] in place of the scene's drives, called
+            at every evaluation.
         backend: "c" (compiled) or "numpy"; default: "c" where there is a C compiler and the method is one of ours.
         progress: called with the part done, 0 to 1.
         prepared: model and programs of an earlier `prepare(scene)`, to save time.
@@ -108,31 +125,38 @@ def simulate(
 
     Raises:
         DescriptionError: the scene's start or controller cannot work.
+        ValueError: an unknown backend.
     """
     model, programs = prepared or prepare(scene, held=controller is not None)
     q, v = initial_state(scene, model, programs.parameters)
     x = initial_states(scene, model)
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
-    history = _integrated(scene, programs, (q, v, x), contacts, controller, backend, progress)
+    history = _integrated(
+        scene, programs, (q, v, x), contacts=contacts, controller=controller, backend=backend, progress=progress
+    )
     if controller is None:
         history = with_longest_stable_step(scene, programs, history, (q, v, x))
     history = replace(history, events=(*moves(scene, model, q, v), *history.events))
     return _observed(scene, model, programs, history)
 
 
-def _integrated(scene, programs, start, contacts, controller, backend, progress) -> History:  # type: ignore[no-untyped-def]
-    from symscrew.runtime import find_compiler
-    from symscrew.simulation import native
-
-    own = scene.integrator.method in native.NATIVE_METHODS and not contacts and controller is None
+def _integrated(
+    scene: Scene,
+    programs: Plant,
+    start: State,
+    *,
+    contacts: Sequence[Contact],
+    controller: Controller | None,
+    backend: str | None,
+    progress: Progress | None,
+) -> History:
+    own = scene.integrator.method in NATIVE_METHODS and not contacts and controller is None
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
         raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
     if chosen == "c" and own:
-        return native.integrate_natively(scene, programs, start, progress)
-    from symscrew.simulation.portable import integrate
-
+        return integrate_natively(scene, programs, start, progress)
     return integrate(
         scene, programs, start, contacts=contacts, controller=controller, compiled=chosen == "c", progress=progress
     )

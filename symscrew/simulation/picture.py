@@ -1,4 +1,7 @@
-"""A run as a picture: coordinates, rates, drives, energies and errors over time."""
+"""A run as a picture: coordinates, rates, drives, energies and errors over time.
+
+Run --a frame per kind of quantity--> PNG
+"""
 
 from __future__ import annotations
 
@@ -7,23 +10,28 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.display import TIME, Curve, curve_style, draw_curves, figure, save_figure
+from symscrew.display import TIME, Curve, curve_style, draw_curves, empty_figure, save_figure
 from symscrew.simulation.motion import Run
 from symscrew.simulation.run_file import labels
 from symscrew.whole_files import replaced
 
+# what curves of a unit are called, by q, v and u
 NAMES = {
     "q": {"rad": "angle", "1": "quaternion", "m": "length"},
     "v": {"rad/s": "angular rate", "m/s": "sliding velocity"},
     "u": {"N": "drive force", "N m": "drive torque"},
 }
-MOST, FLOOR = 12, 1e-18
+MOST = 12  # curves in a frame that a legend can name; beyond it the title gives their number
+FLOOR = 1e-18  # errors of zero are drawn there, on a logarithmic axis
 
 
 def plot_run(run: Run, path: Path) -> Path:
-    """Draw a run: a frame for each kind of coordinate, rate and drive, for the energies and for the errors."""
+    """Draw a run: a frame for each kind of coordinate, rate and drive, for the energies and for the errors.
+
+    Returns the path, whose PNG is written whole or not at all. Needs matplotlib.
+    """
     frames = [*_frames(run), _energies(run), _errors(run)]
-    made, axes = figure(-(-len(frames) // 2), 2, width=10.0, height=2.3)
+    made, axes = empty_figure(-(-len(frames) // 2), 2, width=10.0, height=2.3)
     for place, (title, label, curves, logarithmic) in zip(axes, frames, strict=False):
         draw_curves(place, run.t, curves, title=title, label=label, columns=4)
         if len(curves) > MOST and (legend := place.get_legend()) is not None:

@@ -7,7 +7,7 @@ start again.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -15,55 +15,83 @@ import numpy as np
 
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
-from symscrew.scene import Scene
+from symscrew.scene import INTEGRATION_METHODS, Scene
 from symscrew.simulation import contacts as contact
-from symscrew.simulation.recording import History
-from symscrew.simulation.scene_functions import Functions, RunError
+from symscrew.simulation.recording import History, State
+from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.state_programs import Plant
 
-SINGLE_STEP = {"dop853": "DOP853", "radau": "Radau"}
-RESTARTED = {"bdf": "BDF", "lsoda": "LSODA"}
-MOST_EVENTS = 10_000
+Controller = Callable[[float, np.ndarray, np.ndarray], object]
+MOST_EVENTS = 10_000  # a run with more changes of contact is stopped and says so: chattering, not motion
+# Local errors are held to a thousandth of the error aimed at in the result, for they add up; not below what rounding
+# leaves of a step (SciPy's own least relative tolerance is 100 units in the last place).
+LOCAL, LEAST_ABSOLUTE, LEAST_RELATIVE = 1e-3, 3e-14, 2.3e-14
+WATCHED = 5  # places in a step at which margins of contacts are looked at: what opens and closes between two is missed
 
 
 def integrate(
     scene: Scene,
     plant: Plant,
-    start: tuple[np.ndarray, np.ndarray, np.ndarray],
+    start: State,
     *,
     contacts: Sequence[Contact] = (),
-    controller: Callable[..., Any] | None = None,
+    controller: Controller | None = None,
     compiled: bool = True,
     progress: Callable[[float], None] | None = None,
 ) -> History:
-    """The run of a scene; see the module."""
+    """The run of a scene from (q, v, x); see the module.
+
+    Args:
+        scene: with the integrator and the times of outputs.
+        plant: its programs.
+        start: closes the loops.
+        contacts: what sticks or hits, with events.
+        controller: (t, q, v) -> u (drives,) [N, N m] in place of the scene's drives.
+        compiled: whether slopes are compiled; else they are evaluated on NumPy.
+        progress: called with the part done, 0 to 1.
+
+    Raises:
+        DescriptionError: the method cannot have contacts or a controller, or SciPy is missing.
+    """
     rules = contact.laws(plant.model, contacts)
     method = scene.integrator.method
-    if rules and method not in SINGLE_STEP:
+    marching = INTEGRATION_METHODS[method].marching
+    if rules and marching != "projected":
         raise DescriptionError(f"integrator.method: contacts with events need dop853 or radau, got {method}")
-    if method == "cvodes":
+    if marching == "sundials":
         if controller is not None:
-            raise DescriptionError("integrator.method: cvodes takes no Python controller; use radau or bdf")
-        from symscrew.simulation.sundials import integrate as by_sundials
+            raise DescriptionError(f"integrator.method: {method} takes no Python controller; use radau or bdf")
+        from symscrew.simulation.sundials import integrate as by_sundials  # casadi, which the others do not need
 
         return by_sundials(scene, plant, start, progress)
-    functions = Functions(plant, list(scene.tables.values()), compiled=compiled)
-    return _Marching(scene, functions, rules, controller, progress).run(start)
+    functions = PlantFunctions(plant, list(scene.tables.values()), compiled=compiled)
+    march = _Marching(scene, functions, rules=rules, controller=controller, progress=progress)
+    return march.run(start)
 
 
 class _Marching:
     """State of one run: y = (q, v, x), the modes of the contacts, the samples so far."""
 
-    def __init__(self, scene, functions: Functions, rules, controller, progress) -> None:  # type: ignore[no-untyped-def]
+    def __init__(
+        self,
+        scene: Scene,
+        functions: PlantFunctions,
+        *,
+        rules: Sequence[contact.Law],
+        controller: Controller | None,
+        progress: Callable[[float], None] | None,
+    ) -> None:
         self.scene, self.f, self.rules, self.controller, self.progress = scene, functions, rules, controller, progress
+        self.method = INTEGRATION_METHODS[scene.integrator.method]
         self.modes = contact.Modes(())
+        self.contact_forces: list[np.ndarray] = []  # at the samples
         self.samples: list[tuple[float, np.ndarray]] = []
         self.events: list[str] = []
         self.steps = 0
 
     # -- slopes -----------------------------------------------------------------------------------------------
 
-    def parts(self, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def parts(self, y: np.ndarray) -> State:
         nq, nv = self.f.nq, self.f.nv
         return y[:nq], y[nq : nq + nv], y[nq + nv :]
 
@@ -78,16 +106,20 @@ class _Marching:
     def accelerations(self, t: float, y: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
         q, v, x = self.parts(y)
         u = self.commanded(t, q, v)
-        return lambda outside: self.f.slopes(t, q, v, x, u, outside)[0]
+        return lambda outside: self.f.slopes(t, q, v, x, u=u, outside=outside)[0]
+
+    def contacts_at(self, t: float, y: np.ndarray) -> contact.ContactState:
+        q, v, _ = self.parts(y)
+        return contact.ContactState(self.rules, q, v, self.f.plant.units, self.accelerations(t, y))
 
     def forces(self, t: float, y: np.ndarray) -> np.ndarray:
         if not self.rules:
             return np.zeros(0)
-        return contact.forces(self.rules, self.modes, self.parts(y)[1], self.accelerations(t, y))
+        return contact.forces(self.contacts_at(t, y), self.modes)
 
     def slopes(self, t: float, y: np.ndarray) -> np.ndarray:
         q, v, x = self.parts(y)
-        a, x_dot = self.f.slopes(t, q, v, x, self.commanded(t, q, v), self.forces(t, y))
+        a, x_dot = self.f.slopes(t, q, v, x, u=self.commanded(t, q, v), outside=self.forces(t, y))
         return np.concatenate([self.f.coordinate_rates(q, v), a, x_dot])
 
     def settled(self, y: np.ndarray) -> np.ndarray:
@@ -97,28 +129,22 @@ class _Marching:
 
     # -- the run ------------------------------------------------------------------------------------------------
 
-    def run(self, start: tuple[np.ndarray, np.ndarray, np.ndarray]) -> History:
+    def run(self, start: State) -> History:
         times, status, ok = self.scene.times, "completed", True
         y = self.settled(np.concatenate(start))
         if self.rules:
-            q, v, _ = self.parts(y)
-            self.modes = contact.start_modes(self.rules, q, v, self.f.plant.units, self.accelerations(0.0, y))
+            self.modes = contact.start_modes(self.contacts_at(0.0, y))
         self.sample(0.0, y)
         try:
-            if self.scene.integrator.method in SINGLE_STEP:
-                self.single_steps(y, times)
-            elif self.scene.integrator.method in RESTARTED:
-                self.restarted(y, times)
-            else:
-                self.fixed_steps(y, times)
-        except RunError as error:
-            ok, status = False, f"stopped at t = {self.samples[-1][0]:.9g} s: {error}"
-        except FloatingPointError as error:
+            MARCHES[self.method.marching](self, y, times)
+        except (RunError, FloatingPointError) as error:
             ok, status = False, f"stopped at t = {self.samples[-1][0]:.9g} s: {error}"
         return self.history(ok, status)
 
     def sample(self, t: float, y: np.ndarray) -> None:
         self.samples.append((t, y))
+        if self.rules:
+            self.contact_forces.append(self.forces(t, y))
         if self.progress is not None:
             self.progress(t / self.scene.duration)
 
@@ -129,24 +155,16 @@ class _Marching:
         u = None
         if self.controller is not None:
             u = np.array([self.commanded(a, b, c) for a, b, c in zip(t, q, v, strict=True)]).reshape(len(t), self.f.nu)
-        forces = np.array(self.recorded) if self.rules else None
+        forces = np.array(self.contact_forces) if self.rules else None
         counters = {"steps": float(self.steps), "evaluations": float(self.f.evaluations)}
         return History(t, q, v, x, ok, status, "library", (), tuple(self.events), counters, u, forces)
 
-    @property
-    def recorded(self) -> list[np.ndarray]:
-        """Contact forces at the samples."""
-        return [force for _, force in self.kept]
-
-    def tolerance(self) -> float:
-        return max(1e-3 * self.scene.integrator.tolerance, 3e-14)
-
-    def solver(self, name: str, t: float, y: np.ndarray, end: float) -> Any:
-        integrate = _scipy()
-        local = self.tolerance()
+    def solver(self, t: float, y: np.ndarray, end: float) -> Any:
+        """SciPy's integrator from t to `end`."""
+        local = max(LOCAL * self.scene.integrator.tolerance, LEAST_ABSOLUTE)
         longest = self.scene.integrator.longest_step or np.inf
-        kind = getattr(integrate, name)
-        return kind(self.slopes, t, y, end, rtol=max(local, 2.3e-14), atol=local, max_step=longest)
+        made = getattr(_scipy(), self.method.library)
+        return made(self.slopes, t, y, end, rtol=max(local, LEAST_RELATIVE), atol=local, max_step=longest)
 
     def count(self) -> None:
         self.steps += 1
@@ -154,11 +172,10 @@ class _Marching:
             raise RunError("more steps than most_steps allows")
 
     def single_steps(self, y: np.ndarray, times: np.ndarray) -> None:
-        name, k = SINGLE_STEP[self.scene.integrator.method], 1
-        self.kept = [(0.0, self.forces(0.0, y))] if self.rules else []
-        t = 0.0
+        """One-step methods: projected after every step, begun anew where a contact changes."""
+        t, k = 0.0, 1
         while k < len(times):
-            solver = self.solver(name, t, y, times[-1])
+            solver = self.solver(t, y, times[-1])
             before = self.margins(t, y)
             while k < len(times):
                 message = solver.step()
@@ -170,17 +187,14 @@ class _Marching:
                     found = self.first_event(dense, solver.t_old, solver.t, before)
                     t = solver.t if found is None else found[0]
                 while k < len(times) and times[k] <= t:
-                    at = self.settled(dense(times[k]))
-                    self.sample(float(times[k]), at)
-                    if self.rules:
-                        self.kept.append((float(times[k]), self.forces(float(times[k]), at)))
+                    self.sample(float(times[k]), self.settled(dense(times[k])))
                     k += 1
                 if found is not None:
                     y = self.changed(found, self.settled(dense(t)))
                     break
                 y = self.settled(solver.y)
                 solver.y = y
-                if name == "DOP853":
+                if self.method.stable is not None:  # explicit: its next step begins with the slope at the end of this
                     solver.f = self.slopes(solver.t, y)
                 if self.rules:
                     before = self.margins(solver.t, y)
@@ -190,12 +204,11 @@ class _Marching:
     def margins(self, t: float, y: np.ndarray) -> np.ndarray:
         if not self.rules:
             return np.zeros(0)
-        q, v, _ = self.parts(y)
-        return contact.margins(self.rules, self.modes, q, v, self.forces(t, y))
+        return contact.margins(self.contacts_at(t, y), self.modes)
 
     def first_event(self, dense: Any, left: float, right: float, before: np.ndarray) -> tuple[float, int] | None:
         """The first end of a mode within a step: its time and contact; the margins are watched at a few places."""
-        places = np.linspace(left, right, 5)
+        places = np.linspace(left, right, WATCHED)
         found: tuple[float, int] | None = None
         previous = before
         for a, b in pairwise(places):
@@ -212,7 +225,7 @@ class _Marching:
 
     def lifted(self, dense: Any, k: int, left: float, right: float) -> float | None:
         """A time at which a contact that has just begun to hold its new mode does so: rounding hides the very start."""
-        for halving in range(1, 50):
+        for halving in range(1, 50):  # down to rounding of the step
             t = left + (right - left) * 0.5**halving
             if self.margins(t, dense(t))[k] > 0:
                 return t
@@ -220,7 +233,7 @@ class _Marching:
 
     def root(self, dense: Any, k: int, left: float, right: float) -> float:
         """Where a margin ends, by bisection and regula falsi (Brent); just behind it, so that the new mode holds."""
-        from scipy.optimize import brentq
+        from scipy.optimize import brentq  # SciPy is there: the step came from it
 
         return float(brentq(lambda t: self.margins(t, dense(t))[k], left, right, xtol=1e-14, rtol=8.9e-16))
 
@@ -231,11 +244,11 @@ class _Marching:
             raise RunError(f"more than {MOST_EVENTS} changes of contact")
         rule, mode = self.rules[k], self.modes.values[k]
         q, v, x = self.parts(y)
-        units, after = self.f.plant.units, self.accelerations(t, y)
+        before = self.contacts_at(t, y)
         name = rule.contact.joint
         if rule.contact.kind == "friction" and mode != 0:
             text = f"{name} sticks"
-            self.modes = contact.released(self.rules, self.modes.with_mode(k, 0), v, units, after)
+            self.modes = contact.released(before, self.modes.with_mode(k, 0))
             if self.modes.values[k] != 0:
                 text = f"{name} turns back"
         elif rule.contact.kind == "friction":
@@ -244,9 +257,9 @@ class _Marching:
             text = f"{name} slips"
         elif mode == 0:
             end = 1 if rule.upper - q[rule.q] < q[rule.q] - rule.lower else -1
-            v, self.modes = contact.impact(self.rules, k, end, self.modes, v, units, after)
+            v, self.modes = contact.impact(before, self.modes, k, end)
             y = np.concatenate([q, v, x])
-            self.modes = contact.released(self.rules, self.modes, v, units, self.accelerations(t, y))
+            self.modes = contact.released(self.contacts_at(t, y), self.modes)
             text = f"{name} meets its {'upper' if end > 0 else 'lower'} stop"
         else:
             self.modes = self.modes.with_mode(k, 0)
@@ -255,9 +268,9 @@ class _Marching:
         return y
 
     def restarted(self, y: np.ndarray, times: np.ndarray) -> None:
-        name = RESTARTED[self.scene.integrator.method]
+        """Multistep methods: from output to output, projected and begun anew at each."""
         for left, right in pairwise(times):
-            solver = self.solver(name, float(left), y, float(right))
+            solver = self.solver(float(left), y, float(right))
             while solver.status == "running":
                 message = solver.step()
                 self.count()
@@ -267,17 +280,15 @@ class _Marching:
             self.sample(float(right), y)
 
     def fixed_steps(self, y: np.ndarray, times: np.ndarray) -> None:
-        step = self.scene.integrator.step
-        assert step is not None
-        advance = {"euler": self.euler, "semi_implicit_euler": self.semi_implicit, "rk4": self.rk4, "rk8": self.rk8}[
-            self.scene.integrator.method
-        ]
+        """Steps of our own of the given length, or a little shorter so that outputs fall on their ends."""
+        step, advance = self.scene.integrator.step, FIXED_STEPS[self.scene.integrator.method]
+        assert step is not None  # the reader of scenes asks for it
         for left, right in pairwise(times):
             count = max(1, int(np.ceil((right - left) / step - 1e-9)))
             h = (right - left) / count
             for i in range(count):
                 self.count()
-                y = self.settled(advance(left + i * h, y, h))
+                y = self.settled(advance(self, left + i * h, y, h))
             self.sample(float(right), y)
 
     def euler(self, t: float, y: np.ndarray, h: float) -> np.ndarray:
@@ -297,15 +308,28 @@ class _Marching:
         k2 = self.slopes(t + h / 2, y + h / 2 * k1)
         k3 = self.slopes(t + h / 2, y + h / 2 * k2)
         k4 = self.slopes(t + h, y + h * k3)
-        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        return np.asarray(y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
 
     def rk8(self, t: float, y: np.ndarray, h: float) -> np.ndarray:
-        from scipy.integrate import DOP853
-
+        rule = _scipy().DOP853
         k = np.zeros((12, len(y)))
         for stage in range(12):
-            k[stage] = self.slopes(t + DOP853.C[stage] * h, y + h * (DOP853.A[stage, :stage] @ k[:stage]))
-        return y + h * (DOP853.B @ k)
+            k[stage] = self.slopes(t + rule.C[stage] * h, y + h * (rule.A[stage, :stage] @ k[:stage]))
+        return np.asarray(y + h * (rule.B @ k))
+
+
+# marching of `symscrew.scene.INTEGRATION_METHODS` -> how a run goes on; sundials goes its own way above
+MARCHES: Mapping[str, Callable[[_Marching, np.ndarray, np.ndarray], None]] = {
+    "projected": _Marching.single_steps,
+    "restarted": _Marching.restarted,
+    "fixed": _Marching.fixed_steps,
+}
+FIXED_STEPS: Mapping[str, Callable[[_Marching, float, np.ndarray, float], np.ndarray]] = {
+    "euler": _Marching.euler,
+    "semi_implicit_euler": _Marching.semi_implicit,
+    "rk4": _Marching.rk4,
+    "rk8": _Marching.rk8,
+}
 
 
 def _scipy() -> Any:

@@ -10,27 +10,30 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 from symscrew.errors import DescriptionError
 from symscrew.export import banner, packed, plain
 from symscrew.model import derive
-from symscrew.scene import Scene, controller, parameter_values
+from symscrew.scene import INTEGRATION_METHODS, Scene, controller, parameter_values
 from symscrew.simulation.initial import initial_state, initial_states
-from symscrew.simulation.native import (
-    NATIVE_METHODS,
-    NO_TABLES,
-    adapters,
-    constants,
-    generated,
-    kernel_text,
-    table_code,
-)
+from symscrew.simulation.native import NATIVE_METHODS
+from symscrew.simulation.run_source import NO_TABLES, adapters, constants, generated, kernel_text, table_code
 from symscrew.simulation.state_programs import Plant, plant
+from symscrew.whole_files import replaced
 
-REAL_TIME = ("euler", "semi_implicit_euler", "rk4", "rk8")
+# methods whose work per step is bounded: compiled ones of fixed step, in the order of the kernels
+REAL_TIME = tuple(
+    name for name in sorted(NATIVE_METHODS, key=NATIVE_METHODS.__getitem__) if INTEGRATION_METHODS[name].fixed_step
+)
 
 
 def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
-    """The programs of the loop: drives from outside unless the scene commands them, and `outside` inputs of effects."""
+    """The programs of the loop: drives from outside unless the scene commands them, and `outside` inputs of effects.
+
+    Raises:
+        DescriptionError: the integrator has no fixed step, or contacts switch by events.
+    """
     if scene.integrator.method not in REAL_TIME:
         raise DescriptionError(
             f"integrator.method: a loop for real time needs a fixed step, got {scene.integrator.method}; expected one "
@@ -42,7 +45,7 @@ def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
     held = bool(model.system.drives) and not scene.drives
     values = list(parameter_values(scene, model).values())
     made = controller(scene, model, held=held)
-    return plant(model, made, held=held, parameters=values, work=False, outside=outside)  # type: ignore[arg-type]
+    return plant(model, made, held=held, parameters=np.array(values, dtype=float), work=False, outside=outside)
 
 
 def print_loop(scene: Scene) -> dict[str, str]:
@@ -52,10 +55,12 @@ def print_loop(scene: Scene) -> dict[str, str]:
     return {f"{scene.name}_loop.h": _header(scene, made, start), f"{scene.name}_loop.c": loop_source(scene, made)}
 
 
-def emit(scene: Scene, folder: Path) -> list[Path]:
-    """Write the loop into a folder, which is made if it is not there."""
-    from symscrew.whole_files import replaced
+def write_loop(scene: Scene, folder: Path) -> list[Path]:
+    """Write the loop, `<scene>_loop.h` and `<scene>_loop.c`, into a folder, which is made if it is not there.
 
+    Raises:
+        DescriptionError: the integrator has no fixed step, or contacts switch by events.
+    """
     files = print_loop(scene)
     folder.mkdir(parents=True, exist_ok=True)
     written = []
@@ -73,14 +78,14 @@ def _labels(name: str, labels: tuple[str, ...]) -> list[str]:
     return [f" * {name}[{len(labels)}]:", *(f" * {line}" for line in entries)]
 
 
-def _header(scene: Scene, made: Plant, start: tuple) -> str:  # type: ignore[type-arg]
+def _header(scene: Scene, made: Plant, start: tuple[np.ndarray, np.ndarray]) -> str:
     name, upper = scene.name, scene.name.upper()
     ports = {port.name: port for port in made.slopes.inputs}
     q, v = start
     states = initial_states(scene, made.model)
 
-    def initial(key: str, values: object) -> str:
-        numbers = ", ".join(repr(float(value)) for value in values) or "0.0"  # type: ignore[attr-defined]
+    def initial(key: str, values: np.ndarray) -> str:
+        numbers = ", ".join(repr(float(value)) for value in values) or "0.0"
         return f"#define {upper}_{key}_START {{{numbers}}}"
 
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(made.model)), " *"]

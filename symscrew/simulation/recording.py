@@ -1,4 +1,7 @@
-"""What an integrator hands over: samples, what it met, how it ended."""
+"""What an integrator takes and hands over: a state; samples, what it met, how it ended.
+
+State (q, v, x) --native, portable or sundials--> History
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+
+State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,7 @@
-"""A run as files: NumPy archive, table of comma-separated values; and in a few lines."""
+"""A run as files: NumPy archive, table of comma-separated values; and in a few lines.
+
+Run --> .npz (everything, with the texts of mechanism and scene) or .csv (a column per number) or sentences
+"""
 
 from __future__ import annotations
 
@@ -11,11 +14,17 @@ from symscrew.errors import DescriptionError
 from symscrew.simulation.motion import Run
 from symscrew.whole_files import replaced
 
-FORMATS = (".npz", ".csv")
+FORMATS = (".npz", ".csv")  # ends of names of files that a run can be written into
 
 
 def write_run(run: Run, path: Path) -> Path:
-    """Write a run into a .npz or .csv file; a file that is not finished never has its name."""
+    """Write a run into a .npz or .csv file; a file that is not finished never has its name.
+
+    Units are SI; columns are named by `t`, `q.LABEL`, `v.LABEL`, `u.LABEL`, `x.LABEL`, energies and errors.
+
+    Raises:
+        DescriptionError: the name ends in something else.
+    """
     if path.suffix not in FORMATS:
         raise DescriptionError(f"expected a file name that ends in .npz or .csv, got {path.name!r}")
     return replaced(path, lambda target: _archive(run, target) if path.suffix == ".npz" else _table(run, target))

@@ -1,4 +1,7 @@
-"""A plant's functions for calls from Python: compiled where there is a compiler, else on NumPy."""
+"""A plant's functions for calls from Python: compiled where there is a compiler, else on NumPy.
+
+t, q, v, x --slopes--> v_dot, x_dot;    q, v near the closed loops --settle--> q, v on them
+"""
 
 from __future__ import annotations
 
@@ -12,34 +15,36 @@ import numpy as np
 from symscrew.program import Program, evaluate
 from symscrew.runtime import compile_c
 from symscrew.scene import Table
+from symscrew.simulation.run_source import generated
 from symscrew.simulation.state_programs import Plant
 
-CLOSED = 1e-14
-GOOD = 1e-11
+CLOSED = 1e-14  # opening of the loops, without units, at which Newton's steps end: nothing is left but rounding
+GOOD = 1e-11  # an opening that no longer halves is taken as closed below this; above it the run is stopped
+# Singular values below this part of the largest are directions that the closure does not hold in this configuration:
+# no step is made along them. Larger: ill-conditioned loops are left open; smaller: steps jump at singularities.
+RANK = 1e-9
+MOST_STEPS = 12  # of Newton's method, which doubles the digits from a state that was closed one step before
+LARGEST_STEP = 1.0  # [1, rad]: a longer one leads to another assembly branch; the run is stopped
 
 
 class RunError(ArithmeticError):
     """The state cannot be evaluated or the loops cannot be closed; the message says why."""
 
 
-class Functions:
-    """Slopes and closure of a plant at single states."""
+class PlantFunctions:
+    """Slopes and closure of a plant at single states, and steps on the manifold that the closure leaves."""
 
     def __init__(self, plant: Plant, tables: Sequence[Table], *, compiled: bool) -> None:
         self.plant, self.tables = plant, tuple(tables)
         self.system = plant.system
         sizes = plant.sizes
         self.nq, self.nv, self.nx, self.nu = (sizes[k] for k in ("q", "v", "x", "u"))
-        self.spheres = [(li.q.start, li.v.start) for li in self.system.tree.links[1:] if li.motion.kind == "S"]
-        self.plain = np.array(
-            [(li.q.start, li.v.start) for li in self.system.tree.links[1:] if li.motion.kind not in "SF"], dtype=int
-        ).reshape(-1, 2)
+        self.spheres = self.system.tree.spheres
+        self.plain = np.array(self.system.tree.plain, dtype=int).reshape(-1, 2)
         self.evaluations = 0
         self._library = self._compiled() if compiled else None
 
     def _compiled(self) -> ctypes.CDLL:
-        from symscrew.simulation.native import generated
-
         with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
             folder, name = Path(temporary), self.plant.model.name
             for file, text in generated(self.plant).items():
@@ -52,9 +57,15 @@ class Functions:
         return np.array([*(float(table(t)) for table in self.tables), *outside])
 
     def slopes(
-        self, t: float, q: np.ndarray, v: np.ndarray, x: np.ndarray, u: np.ndarray, outside: np.ndarray
+        self, t: float, q: np.ndarray, v: np.ndarray, x: np.ndarray, *, u: np.ndarray, outside: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Accelerations (nv,) and rates of the states (nx,); raises RunError where they are not defined."""
+        """Accelerations (nv,) and rates of the states (nx,).
+
+        `u`: drives from outside [N, N m], empty where the scene commands them; `outside`: forces of contacts.
+
+        Raises:
+            RunError: they are not defined at this state.
+        """
         self.evaluations += 1
         plant = self.plant
         arrays = [np.array([t]), q, v, x, u, self.signals(t, outside), plant.parameters]
@@ -64,7 +75,7 @@ class Functions:
         else:
             a, x_dot = np.empty(self.nv), np.empty(self.nx)
             outcome = self._call("slopes", arrays, [a, x_dot])
-        if outcome == 1:
+        if outcome == 1:  # a pivot is small: the model's own function has a second path, which costs more
             commanded, _ = evaluate(plant.inputs, arrays)
             known = dict(zip(("t", "q", "v", "x", "u", "s", "p"), arrays, strict=True))
             known |= {p.name.removesuffix("_command"): c for p, c in zip(plant.inputs.outputs, commanded, strict=True)}
@@ -139,22 +150,22 @@ class Functions:
         if self.plant.closure is None:
             return q, v, 1.0
         units, before = self.plant.units, np.inf
-        for _ in range(12):
+        for _ in range(MOST_STEPS):
             residual, jacobian = self.opening(q)
             left, values, right = np.linalg.svd(jacobian, full_matrices=False)
-            keep = values > 1e-9 * values[0]
+            keep = values > RANK * values[0]
             open_by = np.abs(residual).max()
             if open_by < CLOSED or (open_by < GOOD and open_by > 0.5 * before):
                 break
             before = open_by
             step = right[keep].T @ ((left[:, keep].T @ residual) / values[keep])
-            if not np.isfinite(open_by) or np.abs(step).max() > 1.0:
+            if not np.isfinite(open_by) or np.abs(step).max() > LARGEST_STEP:
                 raise RunError("the loops could not be closed again")
             q = self.moved(q, -step * units)
         else:
             if open_by > GOOD:
                 raise RunError("the loops could not be closed again")
         scaled = v / units
-        for _ in range(2):
+        for _ in range(2):  # once more for what rounding left of the first
             scaled = scaled - right[keep].T @ ((left[:, keep].T @ (jacobian @ scaled)) / values[keep])
         return q, scaled * units, float(values[self.plant.rank - 1]) if self.plant.rank else 1.0

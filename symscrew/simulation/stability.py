@@ -11,24 +11,26 @@ from dataclasses import replace
 import numpy as np
 
 from symscrew.program import evaluate
-from symscrew.scene import Scene
-from symscrew.simulation.recording import History
+from symscrew.scene import INTEGRATION_METHODS, Scene
+from symscrew.simulation.recording import History, State
 from symscrew.simulation.state_programs import Plant
 
-LIMITS = {"dop853": 6.39, "rk8": 6.39, "rk4": 2.785, "euler": 2.0, "semi_implicit_euler": 2.0}
-CLOSE = 0.5  # mean steps above this part of the longest stable one are bound by it
-STEP = 1e-6
+# Mean steps above this part of the longest stable one count as bound by it, and an event says so: a step that stability
+# bounds grows up to the limit and is cut back, so its mean is near the limit. Below, accuracy chose the steps.
+CLOSE = 0.5
+STEP = 1e-6  # of central differences: about the cube root of rounding, where its error and theirs are least
 
 
-def with_longest_stable_step(scene: Scene, plant: Plant, history: History, start: tuple) -> History:
+def with_longest_stable_step(scene: Scene, plant: Plant, history: History, start: State) -> History:
     """The history with `longest_stable_step` [s] among its counters, and an event where it bound the steps."""
     method, end = scene.integrator.method, (history.q[-1], history.v[-1], history.x[-1])
-    if method not in LIMITS:
+    limit = INTEGRATION_METHODS[method].stable
+    if limit is None:
         return history
     found = [rate for t, state in ((0.0, start), (history.t[-1], end)) if (rate := fastest(scene, plant, t, state))]
     if not found:
         return history
-    longest = LIMITS[method] / max(found)
+    longest = limit / max(found)
     mean = scene.integrator.step or history.t[-1] / max(history.counters.get("steps", 1.0), 1.0)
     events = history.events
     if mean > CLOSE * longest:
@@ -40,7 +42,7 @@ def with_longest_stable_step(scene: Scene, plant: Plant, history: History, start
     return replace(history, counters={**history.counters, "longest_stable_step": longest}, events=events)
 
 
-def fastest(scene: Scene, plant: Plant, t: float, state: tuple[np.ndarray, np.ndarray, np.ndarray]) -> float:
+def fastest(scene: Scene, plant: Plant, t: float, state: State) -> float:
     """The largest decay rate [1/s] at a state; 0 where there is none, or where accelerations are not defined."""
     q, v, x = state
     if not all(np.isfinite(part).all() for part in state):

@@ -16,15 +16,15 @@ import numpy as np
 from symscrew.functions import a_port, q_port, u_port, v_port
 from symscrew.kinematics import System
 from symscrew.model import Model
-from symscrew.program import Port, Program
+from symscrew.program import Port, Program, evaluate
 from symscrew.simulation.fronts import Front, fronts, regular
 from symscrew.simulation.linking import Linker, Operand
 
-WORK = "work"
-STANDARD = ("q", "v", "u", "x", "t", "p")
+WORK = "work"  # label of the last state, the work of drives and effects
+STANDARD = ("q", "v", "u", "x", "t", "p")  # inputs of forward dynamics that are no inputs of effects
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plant:
     """What an integrator needs of a model in a scene.
 
@@ -52,6 +52,11 @@ class Plant:
     tables: int
     outside: tuple[str, ...] = ()
     entries: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), dtype=int))
+
+    def __repr__(self) -> str:
+        count = len(self.slopes.instructions)
+        loops = f"{len(self.rows)} rows of the closure" if self.closure is not None else "no loops"
+        return f"<Plant {self.model.name}: {self.sizes['q']} coordinates, {loops}, slopes in {count} operations>"
 
     @property
     def system(self) -> System:
@@ -102,8 +107,8 @@ def plant(
     tables = next((p.size for p in controller.inputs if p.name == "s"), 0) if controller else 0
     ports = _ports(system, labels, tables + sum(own[name].size for name in outside), held)
     linker = Linker(ports)
-    counts = _Counts(len(effect_states), len(controller_states), tables)
-    link = _Link(linker, forward, controller, counts, outside)
+    wiring = _Wiring(forward, controller, len(effect_states), len(controller_states), tables, tuple(outside))
+    link = _Link(linker, wiring)
     outputs = link.run(forward)
     own_rates = model.programs.get("effect_state_rates")
     rates = [*(link.run(own_rates)["x_dot"] if isinstance(own_rates, Program) else ()), *link.commands.get("c_dot", ())]
@@ -117,24 +122,24 @@ def plant(
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
     rows = np.array([1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows])
     closure, entries = _closure(model)
-    found: tuple[Front, ...] = ()
-    pivot = 1.0
-    if closure is not None:
-        found, pivot = _regular(model, units, rows, entries)
-    inputs = _inputs(ports, forward, controller, counts, outside)
+    found, pivot = _regular(model, units, rows, entries) if closure is not None else ((), 1.0)
     return Plant(
-        model, slopes, inputs, forward, closure, labels, units, rows, found, pivot, bool(work), values, tables,
-        tuple(outside), entries,
+        model, slopes, _inputs(ports, wiring), forward, closure, labels, units, rows, found, pivot, bool(work), values,
+        tables, tuple(outside), entries,
     )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class _Counts:
-    """Entries of x that belong to effects and to the controller, and of s that belong to tables."""
+class _Wiring:
+    """Forward dynamics and its controller: entries of x that are effects' and the controller's states, of s that are
+    tables, and inputs of effects whose values come from outside, in the entries of s after the tables."""
 
+    forward: Program
+    controller: Program | None
     effects: int
     states: int
     tables: int
+    outside: tuple[str, ...]
 
 
 def _ports(system: System, labels: Sequence[str], tables: int, held: bool) -> list[Port]:
@@ -154,18 +159,15 @@ def _ports(system: System, labels: Sequence[str], tables: int, held: bool) -> li
 class _Link:
     """Forward dynamics behind a controller in one linker."""
 
-    def __init__(
-        self, linker: Linker, forward: Program, controller: Program | None, counts: _Counts, outside: Sequence[str]
-    ) -> None:
+    def __init__(self, linker: Linker, wiring: _Wiring) -> None:
         self.linker = linker
-        x, s, at = linker.entries["x"], linker.entries["s"], counts.tables
-        effects = counts.effects
+        forward, effects, outside = wiring.forward, wiring.effects, wiring.outside
+        x, s, at = linker.entries["x"], linker.entries["s"], wiring.tables
         self.arguments: dict[str, Sequence[Operand]] = {"x": x[:effects]}
         self.commands: dict[str, tuple[Operand, ...]] = {}
-        if controller is not None:
-            self.commands = linker.call(
-                controller, {"x": x[:effects], "c": x[effects : effects + counts.states], "s": s[:at]}
-            )
+        if wiring.controller is not None:
+            own = x[effects : effects + wiring.states]
+            self.commands = linker.call(wiring.controller, {"x": x[:effects], "c": own, "s": s[:at]})
         sizes = {port.name: port.size for port in forward.inputs}
         for name in outside:
             self.arguments[name] = s[at : at + sizes[name]]
@@ -196,15 +198,13 @@ def _power(link: _Link, model: Model, powers: object) -> Operand:
     return total
 
 
-def _inputs(
-    ports: Sequence[Port], forward: Program, controller: Program | None, counts: _Counts, outside: Sequence[str]
-) -> Program:
+def _inputs(ports: Sequence[Port], wiring: _Wiring) -> Program:
     """The controller alone: what it commands, as the inputs of forward dynamics that are not the state."""
     linker = Linker(ports)
-    link = _Link(linker, forward, controller, counts, outside)
+    link = _Link(linker, wiring)
     outputs = [
         (_renamed(port), link.arguments[port.name])
-        for port in forward.inputs
+        for port in wiring.forward.inputs
         if port.name == "u" or port.name not in STANDARD
     ]
     return linker.program("inputs", "Drives and inputs of the effects that the scene commands.", outputs)
@@ -250,8 +250,6 @@ def _regular(model: Model, units: np.ndarray, rows: np.ndarray, entries: np.ndar
 
 def commands(plant: Plant, controller_inputs: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     """What the scene commands at states (n, size): drives `u` and the effects' inputs, by name."""
-    from symscrew.program import evaluate
-
     arrays = [controller_inputs[port.name] for port in plant.inputs.inputs]
     results, _ = evaluate(plant.inputs, arrays)
     return {p.name.removesuffix("_command"): r for p, r in zip(plant.inputs.outputs, results, strict=True)}

@@ -1,4 +1,7 @@
-"""Stiff runs by CVODES of SUNDIALS, through CasADi: exact Jacobians from the programs."""
+"""Stiff runs by CVODES of SUNDIALS, through CasADi: exact Jacobians from the programs.
+
+slopes as a CasADi expression of (t, q, v, x) --CVODES (BDF, Newton)--> state at the next output --projection-->
+"""
 
 from __future__ import annotations
 
@@ -10,25 +13,27 @@ import numpy as np
 
 from symscrew.export import program_function
 from symscrew.scene import Scene, Table
-from symscrew.simulation.recording import History
-from symscrew.simulation.scene_functions import Functions, RunError
+from symscrew.simulation.recording import History, State
+from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.state_programs import Plant
+
+LEAST = 1e-13  # tolerance of single steps: below it CVODES gives up, for its Newton steps cannot reach it in doubles
 
 
 def integrate(
     scene: Scene,
     plant: Plant,
-    start: tuple[np.ndarray, np.ndarray, np.ndarray],
+    start: State,
     progress: Callable[[float], None] | None = None,
 ) -> History:
     """The run of a scene, from output to output; projected and started again at each."""
-    functions = Functions(plant, list(scene.tables.values()), compiled=False)
+    functions = PlantFunctions(plant, list(scene.tables.values()), compiled=False)
     nq, nv, nx = functions.nq, functions.nv, functions.nx
-    local = max(1e-3 * scene.integrator.tolerance, 1e-13)
+    local = max(1e-3 * scene.integrator.tolerance, LEAST)
     options = {"abstol": local, "reltol": local, "max_num_steps": scene.integrator.most_steps}
     t, y, span = ca.SX.sym("t"), ca.SX.sym("y", nq + nv + nx), ca.SX.sym("span", 2)
     at = span[0] + t * span[1]
-    rates = span[1] * state_rates(scene, plant, functions, at, y)
+    rates = span[1] * state_rates(scene, functions, at, y)
     ode = {"x": y, "t": t, "p": span, "ode": rates}
     solver = ca.integrator("run", "cvodes", ode, 0.0, 1.0, options)
     times = scene.times
@@ -53,21 +58,19 @@ def integrate(
     return History(times[: len(states)], *parts, ok, status, "cvodes")
 
 
-def whole_run(
-    scene: Scene, plant: Plant, tolerance: float, most_steps: int
-) -> Callable[[tuple[np.ndarray, np.ndarray, np.ndarray]], np.ndarray]:
+def whole_run(scene: Scene, plant: Plant, tolerance: float, most_steps: int) -> Callable[[State], np.ndarray]:
     """CVODES from a start (q, v, x) to all outputs, never projected or started again: states (outputs, q v x).
 
     `tolerance` is of single steps, relative and absolute; `most_steps` may lie between two outputs. Calls raise
     RunError where the integrator gives up.
     """
-    functions = Functions(plant, list(scene.tables.values()), compiled=False)
+    functions = PlantFunctions(plant, list(scene.tables.values()), compiled=False)
     t, y = ca.SX.sym("t"), ca.SX.sym("y", functions.nq + functions.nv + functions.nx)
-    ode = {"x": y, "t": t, "ode": state_rates(scene, plant, functions, t, y)}
+    ode = {"x": y, "t": t, "ode": state_rates(scene, functions, t, y)}
     options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": most_steps}
     solver = ca.integrator("run", "cvodes", ode, 0.0, [float(time) for time in scene.times[1:]], options)
 
-    def run(start: tuple[np.ndarray, np.ndarray, np.ndarray]) -> np.ndarray:
+    def run(start: State) -> np.ndarray:
         begin = np.concatenate(start)
         try:
             states = np.asarray(solver(x0=begin)["xf"], dtype=float).T
@@ -78,9 +81,9 @@ def whole_run(
     return run
 
 
-def state_rates(scene: Scene, plant: Plant, functions: Functions, t: ca.SX, y: ca.SX) -> ca.SX:
+def state_rates(scene: Scene, functions: PlantFunctions, t: ca.SX, y: ca.SX) -> ca.SX:
     """Rates of y = (q, v, x) at the time t under the scene's controller."""
-    nq, nv = functions.nq, functions.nv
+    plant, nq, nv = functions.plant, functions.nq, functions.nv
     q, v, x = y[:nq], y[nq : nq + nv], y[nq + nv :]
     s = ca.vertcat(ca.SX(0, 1), *[_table(table, t) for table in scene.tables.values()])
     a, x_dot, _ = program_function(plant.slopes)(t, q, v, x, ca.SX(0, 1), s, ca.SX(plant.parameters))

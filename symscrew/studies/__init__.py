@@ -7,22 +7,19 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.studies.bill_of_effects import FUNCTIONS, Bill, figure, run, scene_bill
+    from symscrew.studies.bill_of_effects import BILLED_FUNCTIONS, Bill, bill_figure, bill_text, scene_bill
     from symscrew.studies.this_machine import machine
-    from symscrew.studies.timing import Times, interleaved, nanoseconds_per_state
-    from symscrew.studies.transcription_study import run as study_transcriptions
+    from symscrew.studies.timing import Times, time_every_function
 
 __all__ = [
-    "FUNCTIONS",
+    "BILLED_FUNCTIONS",
     "Bill",
     "Times",
-    "figure",
-    "interleaved",
+    "bill_figure",
+    "bill_text",
     "machine",
-    "nanoseconds_per_state",
-    "run",
     "scene_bill",
-    "study_transcriptions",
+    "time_every_function",
 ]
 
 __getattr__ = doors(__name__)

@@ -8,19 +8,16 @@ the same drives.
 
 from __future__ import annotations
 
-import argparse
-import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.display import Progress, table
+from symscrew.display import Progress, aligned_table
 from symscrew.effects import Acting, Effect, type_name
-from symscrew.errors import DescriptionError, shorten
+from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
 from symscrew.model import Model, derive
 from symscrew.runtime import CompiledModel, find_compiler, load
@@ -32,8 +29,9 @@ if TYPE_CHECKING:
     from symscrew.scene import Scene
 
 RESULTS = {"inverse_dynamics": "drives", "forward_dynamics": "accelerations"}
-FUNCTIONS = tuple(RESULTS)
-BATCH, ROUNDS, WARM = 256, 301, 10
+BILLED_FUNCTIONS = tuple(RESULTS)
+BATCH = 256  # states per call: Python's share vanishes
+ROUNDS, WARM = 301, 10  # pairs of calls that count, with and without an effect in turns, and before them not
 ZERO = 1e-6  # a result below this part of what leaving an effect out makes of it vanishes
 Arrays = Mapping[str, np.ndarray]
 
@@ -67,6 +65,10 @@ class Bill:
     items: tuple[Item, ...]
     operations: Mapping[str, int]
     nanoseconds: Mapping[str, float | None]
+
+    def __repr__(self) -> str:
+        counted = ", ".join(f"{name} {count}" for name, count in self.operations.items())
+        return f"Bill({self.name}: {len(self.items)} effects on {self.mechanism}, {counted} operations)"
 
     def values(self) -> dict[str, Any]:
         """Everything as numbers and texts, for JSON."""
@@ -126,9 +128,9 @@ def bill(
         items.append(
             Item(
                 labels[k],
-                {f: full[f] - less[f] for f in FUNCTIONS if f in full and f in less},
+                {f: full[f] - less[f] for f in BILLED_FUNCTIONS if f in full and f in less},
                 len(_states(whole)) - len(_states(model)),
-                {f: times.get(f) for f in FUNCTIONS if f in full and f in less},
+                {f: times.get(f) for f in BILLED_FUNCTIONS if f in full and f in less},
                 {},
             )
         )
@@ -174,13 +176,13 @@ def _states(model: Model) -> list[str]:
 
 
 def _operations(model: Model) -> dict[str, int]:
-    return {f: model.programs[f].operations["total"] for f in FUNCTIONS if f in model.programs}
+    return {f: model.programs[f].operations["total"] for f in BILLED_FUNCTIONS if f in model.programs}
 
 
 def _samples(model: Model) -> dict[str, np.ndarray]:
     """The sample states with all inputs that any of the functions has."""
     known: dict[str, np.ndarray] = {}
-    for function in FUNCTIONS:
+    for function in BILLED_FUNCTIONS:
         if function in model.programs:
             ports = [p.name for p in model.programs[function].inputs]
             known |= dict(zip(ports, model.test_inputs[function], strict=True))
@@ -287,7 +289,7 @@ class _Clock:
 
 
 def _compiled(model: Model) -> CompiledModel:
-    chosen = {f: model.programs[f] for f in FUNCTIONS if f in model.programs}
+    chosen = {f: model.programs[f] for f in BILLED_FUNCTIONS if f in model.programs}
     inputs = {f: model.test_inputs[f] for f in chosen}
     return load(replace(model, programs=chosen, test_inputs=inputs), backend="c")
 
@@ -295,7 +297,7 @@ def _compiled(model: Model) -> CompiledModel:
 # -- output -------------------------------------------------------------------------------------------
 
 
-def text(found: Bill) -> str:
+def bill_text(found: Bill) -> str:
     """The bill as a table."""
     header = [
         "effect",
@@ -310,18 +312,18 @@ def text(found: Bill) -> str:
     rows = [
         [
             item.effect,
-            *(_signed(item.operations.get(f)) for f in FUNCTIONS),
+            *(_signed(item.operations.get(f)) for f in BILLED_FUNCTIONS),
             str(item.states),
-            *(_signed(item.nanoseconds.get(f), 1) for f in FUNCTIONS),
+            *(_signed(item.nanoseconds.get(f), 1) for f in BILLED_FUNCTIONS),
             *(_share(item.change, name) for name in ("drives", "accelerations")),
         ]
         for item in found.items
     ]
-    totals = [str(found.operations[f]) if f in found.operations else "-" for f in FUNCTIONS]
-    times = [found.nanoseconds.get(f) for f in FUNCTIONS]
+    totals = [str(found.operations[f]) if f in found.operations else "-" for f in BILLED_FUNCTIONS]
+    times = [found.nanoseconds.get(f) for f in BILLED_FUNCTIONS]
     shown = [f"{t:.0f}" if t is not None else "-" for t in times]
     rows.append(["all of it", *totals, str(sum(i.states for i in found.items)), *shown, "", ""])
-    return table(header, rows)
+    return aligned_table(header, rows)
 
 
 def _signed(value: float | None, digits: int = 0) -> str:
@@ -332,7 +334,7 @@ def _share(change: Mapping[str, float], name: str) -> str:
     return f"{100 * change[name]:.3g} %" if name in change else "-"
 
 
-def figure(found: Bill) -> Figure:
+def bill_figure(found: Bill) -> Figure:
     """Bars per effect: operations and nanoseconds that it adds, and what leaving it out changes."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import NullFormatter
@@ -344,12 +346,12 @@ def figure(found: Bill) -> Figure:
     panels: list[tuple[str, list[tuple[str, list[float]]], bool]] = [
         (
             "added operations",
-            [(f.replace("_", " "), [i.operations.get(f, 0) for i in found.items]) for f in FUNCTIONS],
+            [(f.replace("_", " "), [i.operations.get(f, 0) for i in found.items]) for f in BILLED_FUNCTIONS],
             False,
         )
     ]
     if any(v is not None for i in found.items for v in i.nanoseconds.values()):
-        times = [(f.replace("_", " "), [i.nanoseconds.get(f) or 0.0 for i in found.items]) for f in FUNCTIONS]
+        times = [(f.replace("_", " "), [i.nanoseconds.get(f) or 0.0 for i in found.items]) for f in BILLED_FUNCTIONS]
         panels.append(("added time  [ns]", times, False))
     kinds = [(n, [100 * i.change.get(n, 0.0) for i in found.items]) for n in ("drives", "accelerations")]
     panels.append(("change without it  [%]", kinds, True))
@@ -372,27 +374,3 @@ def figure(found: Bill) -> Figure:
         axes[0].set_yticks(places, names)
         axes[0].invert_yaxis()
     return drawn
-
-
-def run(options: argparse.Namespace) -> int:
-    """`symscrew cost`."""
-    from symscrew.scene import load_scene
-
-    path = Path(options.plot) if options.plot else None
-    if path is not None and path.suffix != ".png":
-        raise DescriptionError(f"--plot: expected a file name that ends in .png, got {shorten(options.plot)}")
-    if path is not None and not path.parent.is_dir():
-        raise DescriptionError(f"--plot: no folder {shorten(str(path.parent))} to write into")
-    progress = Progress()
-    found = scene_bill(load_scene(options.scene), timed=not options.no_timing, progress=progress)
-    if options.json:
-        print(json.dumps(found.values(), indent=1, ensure_ascii=False))
-    else:
-        print(f"{found.name}: {found.mechanism}, {found.motion}")
-        print(text(found))
-        print("operations, states and ns: with the effect less without it; drives, accelerations: change without it")
-    if path is not None:
-        from symscrew.display import save_figure
-
-        save_figure(figure(found), path)
-    return 0

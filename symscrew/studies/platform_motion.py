@@ -58,6 +58,9 @@ class Motion:
     opening: float
     drift: float
 
+    def __repr__(self) -> str:
+        return f"Motion({len(self.t)} states to {self.t[-1]:g} s, loops open by {self.opening:.1e})"
+
 
 def integrate(
     model: Model,
@@ -87,52 +90,53 @@ def integrate(
     q[0] = model.system.reference
 
     def q_dot(t: float, state: Array) -> Array:
-        return coordinate_rates(model, state, _rates(functions, rows, wanted, t, state)[0])
+        return coordinate_rates(model, state, _rates(functions, rows, wanted.rate(np.asarray(t)), state)[0])
 
     slopes: list[Array] = []
     for k in steps(range(len(time) - 1)):
         h = time[k + 1] - time[k]
         slopes = [q_dot(time[k], q[k]), *slopes[: len(ADAMS) - 1]]
         if len(slopes) < len(ADAMS):
-            change = _runge_kutta(q_dot, time[k], h, q[k], slopes[0])
+            change = _runge_kutta(q_dot, time[k], q[k], h=h, first=slopes[0])
         else:
             change = h * sum((c * s for c, s in zip(ADAMS, slopes, strict=True)), np.zeros_like(q[0]))
         q[k + 1] = _normalised(model, q[k] + change)
     projected = _assembled(model, functions, q)
-    v, select = _rates(functions, rows, wanted, time, projected)
-    a = _accelerations(model, functions, wanted.acceleration(time), rows, select, projected, v)
+    v, select = _rates(functions, rows, wanted.rate(time), projected)
+    a = _accelerations(model, functions, projected, v, wanted=wanted.acceleration(time), rows=rows, select=select)
     opening = np.abs(np.asarray(functions.closure(projected))).max() if "closure" in functions.functions else 0.0
     jacobian = np.asarray(functions.platform_jacobian(projected))
     twist = np.einsum("nij,nj->ni", jacobian, v)
     return Motion(time, projected, v, a, twist, float(opening), float(np.abs(projected - q).max()))
 
 
-def _runge_kutta(slope: Callable[[float, Array], Array], t: float, h: float, q: Array, first: Array) -> Array:
+def _runge_kutta(slope: Callable[[float, Array], Array], t: float, q: Array, *, h: float, first: Array) -> Array:
     """Change of q over a step, order 4; `first` is the slope at its start."""
     second = slope(t + h / 2, q + h / 2 * first)
     third = slope(t + h / 2, q + h / 2 * second)
     fourth = slope(t + h, q + h * third)
-    return h / 6 * (first + 2 * second + 2 * third + fourth)
+    change: Array = h / 6 * (first + 2 * second + 2 * third + fourth)
+    return change
 
 
-def _rates(
-    functions: CompiledModel, rows: Sequence[int], wanted: PlatformTwist, t: Array | float, q: Array
-) -> tuple[Array, Array]:
-    """v of the tree, and the matrix that y_dot is multiplied with to give the prescribed components."""
+def _rates(functions: CompiledModel, rows: Sequence[int], wanted: Array, q: Array) -> tuple[Array, Array]:
+    """v of the tree at which the twist has the components `wanted`, and the matrix that takes y_dot to them."""
     basis = np.asarray(functions.null_space(q))
     select = np.asarray(functions.platform_jacobian(q))[..., rows, :] @ basis
-    y_dot = np.linalg.solve(select, wanted.rate(np.asarray(t))[..., None])
-    return (basis @ y_dot)[..., 0], select
+    y_dot = np.linalg.solve(select, wanted[..., None])
+    v: Array = (basis @ y_dot)[..., 0]
+    return v, select
 
 
 def _accelerations(
     model: Model,
     functions: CompiledModel,
+    q: Array,
+    v: Array,
+    *,
     wanted: Array,
     rows: Sequence[int],
     select: Array,
-    q: Array,
-    v: Array,
 ) -> Array:
     """Accelerations with which the prescribed components have the derivative `wanted`.
 

@@ -1,6 +1,6 @@
 """Whether generated code is what the tool would write today, compiles without a warning, and agrees by number.
 
-folder --regeneration--> equal bytes? --agreement--> every target against the reference evaluator
+folder --regeneration--> equal bytes, or hashes? --> every target's numbers against the reference evaluator
        --embedded--> the same on a microcontroller, emulated
 """
 

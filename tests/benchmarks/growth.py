@@ -10,7 +10,7 @@ import resource
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from multiprocessing import get_context
@@ -25,7 +25,7 @@ from symscrew.export.c import print_c
 from symscrew.generation.folder import render
 from symscrew.model import Model, derive
 from symscrew.runtime.compiled import FLAGS, SPILLS, find_compiler
-from symscrew.simulation.native import Library
+from symscrew.simulation.native import Library, RunLog
 from symscrew.simulation.state_programs import plant
 from symscrew.studies.accuracy.growth_study import GRAVITY, four_bars
 
@@ -139,13 +139,11 @@ def _fall(model: Model, repeats: int) -> tuple[float, float]:
 def _once(library: Library, q: np.ndarray, v: np.ndarray) -> float:
     """Processor time of a run [s]."""
     sizes, times = library.plant.sizes, np.linspace(0.0, DURATION, 11)
-    samples: Sequence[np.ndarray] = [np.zeros((len(times), max(sizes[k], 1))) for k in "qvx"]
-    written, met = np.zeros(1, dtype=np.uintp), np.zeros(1, dtype=np.uintp)
-    crossings = np.zeros(1000, dtype=library.crossing)
+    log = RunLog.empty(library, times, most_crossings=1000)
     start = time.thread_time()
     outcome = library.start(0.0, q, v, np.zeros(sizes["x"]), method="dop853", h=0.0, rtol=TOLERANCE, atol=TOLERANCE,
                             longest=DURATION, budget=100_000)  # fmt: skip
-    outcome = outcome or library.advance(100_000, times, written, *samples, crossings, met)
+    outcome = outcome or library.advance(100_000, log)
     taken = time.thread_time() - start
     if outcome:
         raise ArithmeticError(f"the run of {library.plant.model.name} ended with {outcome}")

@@ -106,7 +106,7 @@ def _case(name: str, folder: Path, library: ctypes.CDLL | None, repeats: int) ->
                 "Pinocchio: RNEA, world Jacobian, limb by limb": 1,
             }
         for variant, structured in variants.items():
-            measures[variant], others[variant] = timed(library, opened, structured, states, u.shape)
+            measures[variant], others[variant] = timed(library, opened, states, u.shape, structured=structured)
     elif not tree.cuts:
         variant = "Pinocchio from Python, less overhead: RNEA"
         measures[variant], others[variant] = python_rnea(tree, states)

@@ -200,7 +200,7 @@ def _cart_pole_beside_opty(repeats: int) -> tuple[str, dict[str, Any]]:
     if importlib.util.find_spec("opty") is None:
         return 'opty is not installed, nothing is compared: pip install -e ".[opty]" (builds cyipopt on IPOPT)', {}
     from symscrew.optimisation.problem import Transcription
-    from tests.optimal_problems import cart_pole_problem
+    from tests.support.optimal_problems import cart_pole_problem
 
     known = solve(cart_pole_problem(Transcription("gauss", 6, 60))).cost
     jobs: dict[str, Callable[[], float]] = {

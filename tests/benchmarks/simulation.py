@@ -23,7 +23,7 @@ from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.motion import _observed, prepare
 from symscrew.simulation.state_programs import Plant
 from tests.hard.mechanisms import four_bars, swung
-from tests.runs import error_of, scene_of
+from tests.support.runs import error_of, scene_of
 
 from .tables import table
 

@@ -1,4 +1,4 @@
-"""Helpers of the hard cases (tests/test_hard_*.py): their numbers, their mechanisms, arithmetic in many digits."""
+"""Helpers of the hard cases (tests/hard/test_*.py): their numbers, their mechanisms, arithmetic in many digits."""
 
 from __future__ import annotations
 

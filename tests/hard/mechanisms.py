@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.optimize import brentq
 from scipy.special import ellipj, ellipkinc
 
 import symscrew
 from symscrew.description import toml_file
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
+from symscrew.model import Model, derive
 
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 EXAMPLES = Path(__file__).parents[2] / "examples" / "benchmarks" / "mechanisms"
@@ -109,3 +112,45 @@ def chain(
         options = {"axes": list(axes)} if axes else {}
         builder.joint(joint, kind, parent=parent, child=child, point=list(point), driven=joint == driven, **options)
     return builder.build()
+
+
+def on_the_locus() -> float:
+    """The tilt [rad] at which L = R sin(theta), from the geometry of limb 1."""
+
+    def gap(angle: float) -> float:
+        x, z = -0.5, 0.3 * np.sqrt(3)
+        leg = np.array([np.cos(angle) * x + np.sin(angle) * z + 0.8, -np.sin(angle) * x + np.cos(angle) * z])
+        return float(np.linalg.norm(leg) - 0.8 * leg[0] / np.linalg.norm(leg))
+
+    return float(brentq(gap, -0.6, 0.0, xtol=1e-15))
+
+
+@cache
+def reaching() -> Model:
+    """Distal rods of 0.6 m, cranks of 0.25 m at x = +-0.375 m: the elbows reach a distance of 1.25 m."""
+    builder = MechanismBuilder("reaching", platform="distal_left")
+    x, z = "3/8 + 3/20", "1/5"  # crank in the direction (0.6, 0.8); elbows 1.05 m apart
+    height = "1/5 + sqrt(9/25 - (21/40)^2)"
+    for side, sign in (("left", "-"), ("right", "")):
+        builder.body(f"crank_{side}", mass=1, com=[f"{sign}9/20", 0, "1/10"], inertia=["1/100", "1/100", "1/100"])
+        builder.body(f"distal_{side}", mass=1, com=[f"{sign}21/80", 0, "2/5"], inertia=["1/50", "1/50", "1/50"])
+        builder.joint(
+            f"A_{side}",
+            "R",
+            parent="base",
+            child=f"crank_{side}",
+            point=[f"{sign}3/8", 0, 0],
+            axes=[[0, 1, 0]],
+            driven=True,
+        )
+        builder.joint(
+            f"E_{side}",
+            "R",
+            parent=f"crank_{side}",
+            child=f"distal_{side}",
+            point=[f"{sign}({x})", 0, z],
+            axes=[[0, 1, 0]],
+        )
+    builder.joint("tip", "R", parent="distal_right", child="distal_left", point=[0, 0, height], axes=[[0, 1, 0]])
+    builder.point("tool", body="distal_left", at=[0, 0, height])
+    return derive(builder.build(), independent=["A_left", "A_right"])

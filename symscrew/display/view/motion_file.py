@@ -27,7 +27,7 @@ from symscrew.model import Model
 
 Array = np.ndarray
 NEEDED = ("t", "q", "v", "mechanism", "q_labels")
-MAX_ENTRIES = 50_000_000
+MAX_ENTRIES = 50_000_000  # of an array, 400 MB; a larger one is refused before it fills the memory
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,9 @@ class RecordedMotion:
     reactions: Array | None
     q_labels: tuple[str, ...]
     u_labels: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return f"RecordedMotion({self.mechanism.name}: {len(self.t)} states from {self.t[0]:g} s to {self.t[-1]:g} s)"
 
     def check(self, model: Model) -> None:
         """Raises DescriptionError unless the columns are those of the model."""
@@ -61,7 +64,7 @@ class RecordedMotion:
                 )
 
 
-def read(name_or_path: str) -> tuple[Mechanism, RecordedMotion | None]:
+def read_mechanism_and_motion(name_or_path: str) -> tuple[Mechanism, RecordedMotion | None]:
     """A mechanism by its name or file, or a recorded motion (.npz) and the mechanism that moved.
 
     Raises:

@@ -14,7 +14,7 @@ from importlib import resources
 from pathlib import Path
 
 from symscrew.display.view.motion_file import RecordedMotion
-from symscrew.display.view.page_data import functions_of, scene
+from symscrew.display.view.page_data import functions_of, page_scene
 from symscrew.export import print_script
 from symscrew.model import Model
 from symscrew.whole_files import replaced
@@ -29,7 +29,7 @@ def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
     Raises:
         DescriptionError: the motion does not belong to this model.
     """
-    data = json.dumps(scene(model, motion), ensure_ascii=False, allow_nan=False)
+    data = json.dumps(page_scene(model, motion), ensure_ascii=False, allow_nan=False)
     parts = {
         "title": html.escape(model.name),
         "style": _file("page", "page.css"),

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.description import Joint, Mechanism
 from symscrew.display.shape import along, body_points, numbers, plate
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.functions import THRESHOLD, joint_freedom_labels, moving_bodies
@@ -26,8 +26,8 @@ FUNCTIONS = (
 )  # fmt: skip
 MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
 ALL_DRIVES = "all drives"
-MAX_FRAMES = 1500
-MAX_VALUES = 400_000
+MAX_FRAMES = 1500  # of a motion in the page: 25 s at 60 a second; more are thinned evenly
+MAX_VALUES = 400_000  # of a motion in the page: 2 MB of text; mechanisms with many joints have fewer frames
 
 
 def functions_of(model: Model) -> tuple[str, ...]:
@@ -35,7 +35,7 @@ def functions_of(model: Model) -> tuple[str, ...]:
     return tuple(name for name in FUNCTIONS if name in model.programs)
 
 
-def scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
+def page_scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
     """The page's data for a model, with a recorded motion if there is one.
 
     Raises:
@@ -92,7 +92,8 @@ def _body(mechanism: Mechanism, name: str, places: Array) -> dict[str, Any]:
     else:
         made["bar"] = along(places).tolist()
     # the outer part of a sliding pair is drawn thicker than the one that slides in it
-    made["outer"] = any(j.type in ("P", "C") and j.parent == name for j in mechanism.joints.values())
+    sliding = (j for j in mechanism.joints.values() if j.kind.axes == len(j.kind.sliding) == 1)
+    made["outer"] = any(j.parent == name for j in sliding)
     body = mechanism.bodies.get(name)
     if body is not None and body.mass is not None and body.com is not None and name != mechanism.ground:
         made["mass"] = float(mechanism.number(body.mass))
@@ -111,7 +112,7 @@ def _joints(model: Model, index: dict[str, int]) -> list[dict[str, Any]]:
             "child": index[joint.child],
             "point": numbers(mechanism, joint.point).tolist(),
             "axes": [_unit(numbers(mechanism, axis)) for axis in joint.axes],
-            "kinds": [_kind(joint, k) for k in range(JOINT_TYPES[joint.type].freedom)],
+            "kinds": [_kind(joint, k) for k in range(joint.kind.freedom)],
             "driven": list(joint.driven),
             "pitch": None if joint.pitch is None else float(mechanism.number(joint.pitch)),
             "screws": owners.index(joint.name) if joint.name in owners else 0,
@@ -122,12 +123,13 @@ def _joints(model: Model, index: dict[str, int]) -> list[dict[str, Any]]:
 
 def _kind(joint: Joint, freedom: int) -> str:
     """The kind of a joint's freedom: "turn", "slide" or "screw"."""
-    kind = JOINT_TYPES[joint.type].freedoms[freedom].kind
-    return {"P": "slide", "H": "screw"}.get(kind, "turn")
+    motion = joint.kind.freedoms[freedom]
+    return "screw" if motion.helical else "slide" if motion.prismatic else "turn"
 
 
 def _unit(vector: Array) -> list[float]:
-    return (vector / np.linalg.norm(vector)).tolist()
+    unit: list[float] = (vector / np.linalg.norm(vector)).tolist()
+    return unit
 
 
 def _limbs(mechanism: Mechanism) -> list[dict[str, Any]]:
@@ -157,7 +159,7 @@ def _independent(model: Model) -> list[dict[str, Any]]:
     tree = model.system.tree
     at = {c.label: k for k, c in enumerate(tree.q)}
     pose = {k.q.start: "xyz"[k.motion.axis or 0] for k in tree.links[1:]
-            if k.motion.kind == "P" and k.joint not in model.mechanism.joints}  # fmt: skip
+            if k.motion.prismatic and k.joint not in model.mechanism.joints}  # fmt: skip
     result = []
     for label in next(p for p in model.programs["velocity"].inputs if p.name == "y_dot").labels:
         entry = at[label]

@@ -7,7 +7,7 @@ stand and where several limbs share them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from symscrew.algebra import Node, Vector, add, cross, differentiate, dot, scale, subtract, transform, transpose
 from symscrew.description import JOINT_TYPES
@@ -22,7 +22,7 @@ from symscrew.dynamics.derivatives.motion_variations import (
     times,
     with_changes,
 )
-from symscrew.kinematics import GROUND, Cut, Rates, acceleration_matrix, carry, carry_before, carry_point, closure_bias
+from symscrew.kinematics import GROUND, Cut, Rates, acceleration_matrix, closure_bias
 
 Changes = Sequence[Sequence[Rates]]
 
@@ -49,7 +49,7 @@ def _sliding(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
     for name, change in zip(variation.names, changes, strict=True):
         for link in (cut.tip, cut.hub):
             seed_rates(seeds, name, moving[link], change[link])
-    rows = closure_bias(cut, system.tree, system.placed, system.twist, moving)
+    rows = closure_bias(cut, system.linkage, system.twist, moving)
     found = differentiate(system.tape, rows, seeds, variation.names, order="forward")
     return [[row[k] for row in found] for k in range(len(changes))]
 
@@ -96,10 +96,10 @@ def _axes_rows(variation: Variation, cut: Cut, moving: Sequence[Rates], changes:
     fixed = 2 * system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))  # 2 e . h
 
     def to_tip(vector: Vector) -> Vector:
-        return carry(system.tree, system.placed, cut.hub, cut.tip, vector)
+        return system.linkage.carry(cut.hub, cut.tip, vector)
 
     def to_hub(vector: Vector) -> Vector:
-        return carry(system.tree, system.placed, cut.tip, cut.hub, vector)
+        return system.linkage.carry(cut.tip, cut.hub, vector)
 
     e_hub, h_tip, spin = to_hub(e), to_tip(h), to_tip(hub.omega)
     a, b, c, d = dot(e_hub, hub.omega), dot(h, hub.omega), dot(e, tip.omega), dot(h_tip, tip.omega)
@@ -125,8 +125,8 @@ def relative_turns(variation: Variation, cut: Cut) -> list[Vector]:
     turns = variation.turn(cut.hub)
     if before:
         turns = [add(m, n) for m, n in zip(variation.outer(cut.hub), variation.own_turn(cut.hub), strict=True)]
-    carrier = carry_before if before else carry
-    seen = (carrier(system.tree, system.placed, cut.hub, cut.tip, turn) for turn in turns)
+    carrier = system.linkage.carry_before if before else system.linkage.carry
+    seen = (carrier(cut.hub, cut.tip, turn) for turn in turns)
     return [subtract(x, n) for x, n in zip(seen, variation.turn(cut.tip), strict=True)]
 
 
@@ -149,10 +149,10 @@ def _seen(variation: Variation, cut: Cut, varied: Varied, known: Vector | None =
     """A vector of the hub in tip axes; its changes are those of the equal vector `known`, if one is given."""
     system = variation.system
     before = _before(variation, cut)
-    carrier: Callable[..., Vector] = carry_before if before else carry
+    carrier = system.linkage.carry_before if before else system.linkage.carry
 
     def see(vector: Vector) -> Vector:
-        return carrier(system.tree, system.placed, cut.hub, cut.tip, vector)
+        return carrier(cut.hub, cut.tip, vector)
 
     value = see(varied[0])
     turned = value if known is None else known
@@ -194,11 +194,11 @@ def _spun(variation: Variation, cut: Cut) -> list[Vector]:
     components where few are needed. r is the way through the limb: in the tip's axes most of it is constant.
     """
     system, hub, here = variation.system, variation.system.tree.links[cut.hub], variation.system.placed[cut.hub]
-    centre = carry_point(system.tree, system.placed, GROUND, cut.tip, here.offset)
+    centre = system.linkage.carry_point(GROUND, cut.tip, here.offset)
     seen_arm = subtract(cut.tip_point, centre)
 
     def seen(vector: Vector) -> Vector:
-        return carry_before(system.tree, system.placed, cut.hub, cut.tip, vector)
+        return system.linkage.carry_before(cut.hub, cut.tip, vector)
 
     omega, arm, result = three(variation.w, hub), here.before(cut.contact), []
     for change in (three(direction.rate, hub) for direction in variation.directions):

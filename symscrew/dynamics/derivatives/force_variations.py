@@ -16,7 +16,7 @@ from symscrew.dynamics.derivatives.closure_variations import relative_turns, sli
 from symscrew.dynamics.derivatives.motion_variations import Variation, link_rotations
 from symscrew.dynamics.tree_dynamics import projected
 from symscrew.effects import Acting
-from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, carry, own_screws, twists, universal_axes
+from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, own_screws, twists, universal_axes
 
 Wrench = tuple[Vector, Vector]  # (force, moment)
 VariedWrench = list[Wrench]
@@ -154,18 +154,18 @@ class _Powers:
         `first`: the cut joint's first row.
         """
         system = self.variation.system
-        axes = universal_axes(cut, system.tree, system.placed)
+        axes = universal_axes(cut, system.linkage)
         (e, h), sign = (axes, 1) if cut.tip_is_parent else (axes[::-1], -1)
         (amount,) = (self.multipliers.get(k, 0) for k, row in enumerate(cut.rows, start=first) if row.unit != "N")
         fixed = system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))
-        e_hub = carry(system.tree, system.placed, cut.tip, cut.hub, e)
+        e_hub = system.linkage.carry(cut.tip, cut.hub, e)
         on_tip, on_hub = [], []
         for turn in relative_turns(self.variation, cut):
             at_tip, at_hub = (scale(-sign * amount * dot(turn, axis), other) for axis, other in ((e, h), (h, e_hub)))
             if fixed is not system.tape.zero:
                 both = scale(sign * amount * fixed, turn)
                 at_tip = add(at_tip, both)
-                at_hub = add(at_hub, carry(system.tree, system.placed, cut.tip, cut.hub, both))
+                at_hub = add(at_hub, system.linkage.carry(cut.tip, cut.hub, both))
             on_tip.append(at_tip)
             on_hub.append(at_hub)
         return on_tip, on_hub
@@ -173,7 +173,7 @@ class _Powers:
     def _on_hub(self, cut: Cut, wrench: Wrench, first: int) -> VariedWrench:
         """What a cut joint takes from its hub, hub axes: only the couple of a universal joint turns there."""
         system = self.variation.system
-        force, couple = (carry(system.tree, system.placed, cut.tip, cut.hub, x) for x in wrench)
+        force, couple = (system.linkage.carry(cut.tip, cut.hub, x) for x in wrench)
         couples: list[Vector] = [ZERO] * len(self.variation.directions)
         if universal(cut):
             couples = self._universal(cut, first)[1]
@@ -182,7 +182,7 @@ class _Powers:
     def _on_sliding_hub(self, cut: Cut, wrench: Wrench) -> VariedWrench:
         """What a cut joint takes from its hub, in the axes before the hub's motion: as if its tip did not turn."""
         system = self.variation.system
-        force, couple = (carry(system.tree, system.placed, cut.tip, cut.hub, x, before=True) for x in wrench)
+        force, couple = (system.linkage.carry(cut.tip, cut.hub, x, before=True) for x in wrench)
         arm, *arms = self.variation.differentiated(system.placed[cut.hub].before(cut.contact))
         result = [(force, add(couple, cross(arm, force)))]
         for m, by in zip(self.variation.outer(cut.hub), arms, strict=True):
@@ -198,10 +198,10 @@ class _Powers:
         forces = [add(cross(n, force), f) for n, (f, _) in zip(turns, changes, strict=True)]
         couples = [add(cross(n, couple), m) for n, (_, m) in zip(turns, changes, strict=True)]
         for i, column in enumerate(in_v):
-            hub = twists(system.tree, system.frames, system.placed, column)[cut.hub]
-            velocity = carry(system.tree, system.placed, cut.hub, cut.tip, hub.velocity_at(cut.contact))
+            hub = twists(system.linkage, column)[cut.hub]
+            velocity = system.linkage.carry(cut.hub, cut.tip, hub.velocity_at(cut.contact))
             spin = link_rotations(system, column)[cut.hub]
-            seen = carry(system.tree, system.placed, cut.hub, cut.tip, spin)
+            seen = system.linkage.carry(cut.hub, cut.tip, spin)
             for k, (f, m) in enumerate(zip(forces, couples, strict=True)):
                 total[i][k] = total[i][k] + (dot(velocity, f) + dot(seen, m))
 

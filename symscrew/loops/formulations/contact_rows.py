@@ -52,10 +52,9 @@ def contact_rows(system: System, cut: Cut) -> CutRows | None:
         components = turned(turned(components, transpose(placed[link].rotation)), transpose(placed[link].turn))
     rows = []
     for wrench in cut.rows:
-        limb: dict[int, Node] = {}
-        system.limb_wrenches(cut, wrench, limb)
+        limb, _ = system.closure.limb_wrenches(cut, wrench)
         hub = _combined(tape, components, wrench.force)
-        couple = system.powers(cut.hub, *on_hub(cut, system.tree, placed, ZERO, wrench.couple), GROUND)
+        couple = system.powers(cut.hub, *on_hub(cut, system.linkage, ZERO, wrench.couple), GROUND)
         total: Affine = dict(limb)
         for part in (hub, couple):
             for k, entry in part.items():

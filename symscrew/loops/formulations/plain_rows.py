@@ -8,4 +8,4 @@ from symscrew.loops.formulations.cut_rows import CutRows, unit_scales
 
 def plain_rows(system: System, cut: Cut) -> CutRows:
     """The rows of the closure Jacobian in joint rates; every cut joint has them."""
-    return CutRows(cut=cut, rows=tuple(system.cut_rows(cut)), scales=unit_scales(system, cut))
+    return CutRows(cut=cut, rows=tuple(system.closure.cut_rows(cut)), scales=unit_scales(system, cut))

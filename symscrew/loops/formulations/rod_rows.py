@@ -16,16 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from symscrew.algebra import Affine, Node, Vector, add, cross, dot, scale, subtract, transform, transpose
-from symscrew.kinematics import (
-    GROUND,
-    Cut,
-    Rates,
-    System,
-    acceleration_across,
-    carry_across,
-    seen_before,
-    velocity_across,
-)
+from symscrew.kinematics import GROUND, Cut, Rates, System
 from symscrew.loops.formulations.cut_rows import CutRows
 from symscrew.loops.limbs import RodLimb, rod_limb
 
@@ -57,7 +48,7 @@ class RodRows(CutRows):
         """(dJ/dt) v per row, by the acceleration of the rod's tip seen from its carrier."""
         tape, placed, limb = moving.tape, moving.placed, self.limb
         at, hub, point = placed[self.carrier], limb.cut.hub, limb.cut.hub_point
-        gain = acceleration_across(moving.tree, placed, still[hub], hub, self.carrier, point)
+        gain = moving.linkage.acceleration_across(still[hub], hub, self.carrier, point)
         gain = seen = subtract(gain, at.before(still[self.carrier].at(limb.centre)))
         turning, tilting = (moving.inputs.v[link.v.start] for link in (limb.first, limb.second))
         along = dot(self.axis, self.n)
@@ -68,7 +59,7 @@ class RodRows(CutRows):
             inwards = turning * turning * (self.aside * self.aside) + tilting * tilting * square
         else:
             own = moving.twist[self.carrier]
-            far = velocity_across(moving.tree, placed, moving.twist[hub], hub, self.carrier, point)
+            far = moving.linkage.velocity_across(moving.twist[hub], hub, self.carrier, point)
             drift = subtract(far, at.before(own.velocity_at(limb.centre)))
             omega, alpha = at.before(own.angular), at.before(still[self.carrier].alpha)
             swept = cross(omega, self.n)
@@ -100,12 +91,12 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
     limb = _rod(system, cut)
     if limb is None:
         return None
-    tree, placed, frames = system.tree, system.placed, system.frames
+    placed, frames = system.placed, system.frames
     carrier = limb.first.parent
     at = placed[carrier]
     arm = at.before(limb.centre)
     axis = at.before(transform(frames[limb.first.index].rotation, (0, 0, 1)))
-    far = seen_before(tree, placed, cut.hub, carrier, cut.hub_point)
+    far = system.linkage.seen_before(cut.hub, carrier, cut.hub_point)
     n = subtract(far, arm)
     aside = _aside(system, limb)
     across = scale(1 / aside, cross(axis, n))
@@ -156,7 +147,7 @@ def _difference(system: System, cut: Cut, carrier: int, at: Vector, direction: V
     if carrier != common:
         row |= system.powers(carrier, direction, cross(at, direction), common)
     if cut.hub != common:
-        force = carry_across(tree, placed, carrier, cut.hub, direction)
+        force = system.linkage.carry_across(carrier, cut.hub, direction)
         moment = cross(placed[cut.hub].before(cut.hub_point), force)
         for k, entry in system.powers(cut.hub, force, moment, common).items():
             row[k] = row[k] - entry if k in row else -entry

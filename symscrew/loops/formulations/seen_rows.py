@@ -28,7 +28,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.kinematics import GROUND, Cut, Rates, System, Wrench, carry_before, carry_point
+from symscrew.kinematics import GROUND, Cut, Rates, System, Wrench
 from symscrew.loops.formulations.cut_rows import CutRows, Definition, unit_scales, used_definitions
 
 
@@ -83,14 +83,13 @@ def seen_rows(system: System, cut: Cut) -> SeenRows | None:
     tree, placed = system.tree, system.placed
     if cut.arm is None or tree.links[cut.hub].parent != GROUND:
         return None
-    limb: list[Affine] = [{} for _ in cut.rows]
-    wrenches = [system.limb_wrenches(cut, row, powers) for row, powers in zip(cut.rows, limb, strict=True)]
-    limb = [{k: e for k, e in powers.items() if e is not system.tape.zero} for powers in limb]
+    pushed = [system.closure.limb_wrenches(cut, row) for row in cut.rows]
+    limb = [{k: e for k, e in powers.items() if e is not system.tape.zero} for powers, _ in pushed]
     views = []
     for link in (GROUND, *reversed(tree.path(cut.tip))):
-        centre = carry_point(tree, placed, GROUND, link, placed[cut.hub].offset)
-        moments = [_about(centre, wrench[link]) for wrench in wrenches]
-        columns = [carry_before(tree, placed, cut.hub, link, axis) for axis in IDENTITY]
+        centre = system.linkage.carry_point(GROUND, link, placed[cut.hub].offset)
+        moments = [_about(centre, wrenches[link]) for _, wrenches in pushed]
+        columns = [system.linkage.carry_before(cut.hub, link, axis) for axis in IDENTITY]
         turn = transpose((columns[0], columns[1], columns[2]))
         views.append(_from_link(system, cut, link, moments, limb, turn))
     best = min(views, key=lambda view: view.products)

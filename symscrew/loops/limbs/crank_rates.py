@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Node, Vector, dot, subtract
-from symscrew.kinematics import Rates, System, acceleration_across, seen_before, velocity_across
+from symscrew.kinematics import Rates, System
 from symscrew.loops.limbs.crank_limbs import CrankLimb
 
 
@@ -58,7 +58,7 @@ def length_rows(system: System, cranks: Sequence[CrankLimb], guess: Sequence[Nod
     rows = []
     for limb in cranks:
         cut, link = limb.cut, limb.crank.index
-        far = seen_before(system.tree, system.placed, cut.hub, link, cut.hub_point)
+        far = system.linkage.seen_before(cut.hub, link, cut.hub_point)
         arm = system.placed[link].before(limb.rod.centre)
         n = subtract(far, arm)
         index = first[cut.joint.name] + limb.rod.left_open[0]
@@ -70,10 +70,10 @@ def _tip_velocity(system: System, limb: CrankLimb) -> Vector:
     """Velocity of the hub's point at the rod's tip, axes before the crank's motion."""
     cut = limb.cut
     twist = system.twist[cut.hub]
-    return velocity_across(system.tree, system.placed, twist, cut.hub, limb.crank.index, cut.hub_point)
+    return system.linkage.velocity_across(twist, cut.hub, limb.crank.index, cut.hub_point)
 
 
 def _tip_acceleration(system: System, limb: CrankLimb, hub: Rates) -> Vector:
     """Acceleration of the hub's point at the rod's tip, axes before the crank's motion."""
     cut = limb.cut
-    return acceleration_across(system.tree, system.placed, hub, cut.hub, limb.crank.index, cut.hub_point)
+    return system.linkage.acceleration_across(hub, cut.hub, limb.crank.index, cut.hub_point)

@@ -19,14 +19,17 @@ from symscrew.program.straight_line import Instruction
 
 PACKED = frozenset(("add", "mul", "div", "reciprocal", "sqrt"))  # what a vector unit does on all lanes at once
 SLOW = {"div": 4.0, "reciprocal": 4.0, "sqrt": 6.0}  # what they cost beside 1 for a sum or a product
-MOST_LANES = 8
-MOST_INSTRUCTIONS = 5000  # the search takes seconds beyond
-MOST_CLASSES = 16
+MOST_LANES = 8  # two vectors of four: classes of more are joints of a chain rather than limbs
+# Limits of the search, which takes seconds beyond. What they leave out is done one by one: longer, with equal results.
+MOST_INSTRUCTIONS = 5000  # of a program: none is split beyond
+MOST_CLASSES = 16  # of alike instructions that are tried as roots of limbs, the largest first
 MOST_SPLITS = 12  # into lanes, those that share most
-MOST_CANDIDATES = 64  # pairs of instructions that look the same and are compared
-LEAST = 0.3  # the part of the operations that packs must be able to save for a split to be followed up
-ROUNDS = 5  # how many operations far instructions are compared
-NEIGHBOUR = 4  # what a paired neighbour counts beside a round that agrees
+MOST_CANDIDATES = 64  # pairs of instructions that look the same and are compared; of more, neighbours must decide
+# The part of the operations that packs must be able to save for a split to be followed up: with less, gathering
+# operands and taking results out costs more than that (see `pack_plan`).
+LEAST = 0.3
+ROUNDS = 5  # how many operations far instructions are compared: fewer mix legs up, more find no others alike at leaves
+NEIGHBOUR = 4  # what a paired neighbour counts beside a round that agrees: less than all rounds together
 
 Operand = tuple[int | float, int]  # slot or constant, and its sign
 Row = tuple[int | None, ...]  # corresponding slots, one per lane
@@ -80,7 +83,7 @@ def corresponding(
             if shared >= LEAST * len(operations):
                 splits[tuple(lane.items())] = shared, len(group)
     for split, (_, count) in sorted(splits.items(), key=lambda x: -x[1][0])[:MOST_SPLITS]:
-        rows = _rows(_Pairing(operations, users, dict(split), count, arrays or {}))
+        rows = _rows(_Pairing(operations, users, lane=dict(split), count=count, arrays=arrays or {}))
         if _saved(rows) >= LEAST * len(operations):
             found[rows] = None
     return list(found)
@@ -127,7 +130,7 @@ def _classes(operations: Mapping[int, Operation]) -> list[list[int]]:
     """Two to eight instructions alike in all that they are made of, but for signs and leaves; large ones first."""
     colour: dict[int, int] = {}
     depth: dict[int, int] = {}
-    known: dict[tuple, int] = {}
+    known: dict[tuple[str | int, ...], int] = {}
     members: dict[int, list[int]] = defaultdict(list)
     for slot, operation in operations.items():
         inner = sorted(
@@ -145,7 +148,7 @@ def _classes(operations: Mapping[int, Operation]) -> list[list[int]]:
 def _slow(operations: Mapping[int, Operation]) -> list[list[int]]:
     """Two to eight divisions or roots that are made of equally many other ones, whatever else they are made of."""
     below: dict[int, set[int]] = {}
-    members: dict[tuple, list[int]] = defaultdict(list)
+    members: dict[tuple[str, ...], list[int]] = defaultdict(list)
     for slot, operation in operations.items():
         inner = set().union(*(below.get(a, ()) for a, _ in operation.args if isinstance(a, int)))
         if operation.op in SLOW:
@@ -203,12 +206,13 @@ def _shared(operations: Mapping[int, Operation], lane: Mapping[int, int], count:
 
 
 class _Pairing:
-    """Pairs instructions of two lanes."""
+    """Pairs instructions of two lanes: greedily, the most alike first, so that each pair helps its neighbours."""
 
     def __init__(
         self,
         operations: Mapping[int, Operation],
         users: Mapping[int, Sequence[int]],
+        *,
         lane: Mapping[int, int],
         count: int,
         arrays: Mapping[int, str],
@@ -222,7 +226,7 @@ class _Pairing:
 
     def _views(self) -> dict[int, list[int]]:
         """What each slot looks like from 0, 1, ... operations away, below and above it."""
-        known: dict[tuple, int] = {}
+        known: dict[tuple[str | int, ...], int] = {}
         ops = {slot: known.setdefault((self.operations[slot].op,), len(known)) for slot in self.lane}
         down, up = ({slot: [colour] for slot, colour in ops.items()} for _ in range(2))
         named = {name: -3 - k for k, name in enumerate(dict.fromkeys(self.arrays.values()))}

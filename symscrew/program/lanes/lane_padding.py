@@ -13,8 +13,10 @@ from dataclasses import dataclass
 
 from symscrew.program.lanes.correspondence import Operand, Operation, Row
 
-NEUTRAL = {"mul": 1.0, "add": 0.0}
-ROW, SAME, CONSTANTS, SCALED, LIKELY, INPUTS = 6, 5, 4, 3, 2, 1  # how well operands of two lanes fit each other
+NEUTRAL = {"mul": 1.0, "add": 0.0}  # the operand with which an operation is a copy
+# How well operands of two lanes fit each other, best first: in one row, the same slot, both constants, one slot times
+# constants, may have its place in the row, both from outside. Only their order counts, and their sum over operands.
+ROW, SAME, CONSTANTS, SCALED, LIKELY, INPUTS = 6, 5, 4, 3, 2, 1
 
 Args = tuple[Operand, ...]
 Place = tuple[int, int]  # row and lane

@@ -4,6 +4,9 @@ A pack may hold the negative of an instruction in some lanes. Its signs are thos
 products; in a sum of two that differ in the signs of some lanes, but not of all, one of them must be flipped: a
 product with 1 and -1 more. Equal limbs that mirror each other differ much in signs, and whether the second or the first
 one is flipped decides what comes after. A product with a constant has any signs for nothing.
+
+Flipping the second one always makes packed programs of the catalogue up to 5 % longer (2 % in the mean), and single
+calls up to 8 % slower (6-UPS: drives in y; drives of the 3RRR 4 %), in others the same.
 """
 
 from __future__ import annotations
@@ -11,7 +14,9 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 from dataclasses import dataclass
 
-ROUNDS = 2  # over all packs that can be had in two ways
+# Over all packs that can be had in two ways, or fewer if one changes nothing. More would only find fewer flips: the
+# signs of all lanes are right with any.
+ROUNDS = 2
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,7 @@
 """Which rows of corresponding instructions are done at once: a cost model in operations of a vector unit.
 
+    cost = packs + single operations + GATHERED * entries put into vectors + TAKEN_OUT * entries taken out
+
 It says what packs save, and what it costs to gather their operands and to take results out. Packs that do not pay are
 undone.
 """
@@ -13,10 +15,12 @@ from dataclasses import dataclass, field, replace
 from symscrew.program.lanes.correspondence import SLOW, Operand, Operation, Row
 
 WIDTHS = (2, 4)  # of vectors; more lanes than that take several
-GATHERED = 1.5  # an entry that is put into a vector
+GATHERED = 1.5  # an entry that is put into a vector: a load with insertion, on the one port that shuffles
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
-PASSES = 2
+ROUNDS_OF_UNDOING = 2  # over all packs, or fewer if one undoes nothing; a pack that would pay undone later stays
 
+Item = tuple[bool, int]  # (True, row) of a pack, (False, slot) of a single instruction
+Need = tuple[str, int | tuple[int | float, ...]]  # ("out", slot) to have on its own, ("in", entries) to gather
 Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane
 
 
@@ -69,9 +73,9 @@ class Plan:
                 for read in (arg, self.copies.get(arg) if isinstance(arg, int) else None):
                     if isinstance(read, int):
                         self.users.setdefault(read, []).append(slot)
-        self.needs: Counter[tuple] = Counter()
+        self.needs: Counter[Need] = Counter()
         self.cost = 0.0
-        self._wanted: dict[tuple[bool, int], tuple[tuple, ...]] = {}
+        self._wanted: dict[Item, tuple[Need, ...]] = {}
         self.order()
         for key in (key for slot in code.wanted for key in self._read(slot)):
             self._need(key, 1)
@@ -130,7 +134,7 @@ class Plan:
 
     # -- cost -----------------------------------------------------------------------------------------
 
-    def _items(self) -> Iterator[tuple[bool, int]]:
+    def _items(self) -> Iterator[Item]:
         """(True, row) of packs and (False, slot) of single instructions."""
         seen = set()
         for slot in self.operations:
@@ -140,21 +144,22 @@ class Plan:
                 seen.add(item)
                 yield item
 
-    def _price(self, key: tuple) -> float:
-        if key[0] == "out":
-            if key[1] in self.shared:
-                return SLOW.get(self.operations[key[1]].op, 1.0)
-            return TAKEN_OUT if self.at(key[1]) is not None else 0.0
-        different = len(set(key[1]))
+    def _price(self, key: Need) -> float:
+        _, what = key
+        if isinstance(what, int):
+            if what in self.shared:
+                return SLOW.get(self.operations[what].op, 1.0)
+            return TAKEN_OUT if self.at(what) is not None else 0.0
+        different = len(set(what))
         return GATHERED if different == 1 else GATHERED * different
 
-    def _wants(self, item: tuple[bool, int]) -> tuple[tuple, ...]:
+    def _wants(self, item: Item) -> tuple[Need, ...]:
         """What an item needs beside vectors that are there: slots taken out, vectors gathered; remembered."""
         if item not in self._wanted:
             self._wanted[item] = tuple(self._looked_up(item))
         return self._wanted[item]
 
-    def _looked_up(self, item: tuple[bool, int]) -> Iterator[tuple]:
+    def _looked_up(self, item: Item) -> Iterator[Need]:
         packs, number = item
         if not packs:
             if number not in self.copies and number not in self.shared:
@@ -168,14 +173,14 @@ class Plan:
                 for a in dict.fromkeys(entries):
                     yield from self._read(a)
 
-    def _read(self, operand: int | float) -> Iterator[tuple]:
+    def _read(self, operand: int | float) -> Iterator[Need]:
         """What is needed to have an operand on its own."""
         if isinstance(operand, int):
             yield ("out", operand)
             if operand in self.shared:
                 yield from (("out", a) for a, _ in self.operations[operand].args if isinstance(a, int))
 
-    def _own(self, item: tuple[bool, int]) -> float:
+    def _own(self, item: Item) -> float:
         packs, number = item
         if not packs:
             free = number in self.copies or number in self.shared
@@ -183,18 +188,18 @@ class Plan:
         op = next(self.operations[slot].op for slot in self.rows[number] if slot is not None)
         return SLOW[op] * self.width / 2 if op in SLOW else 1.0
 
-    def _account(self, item: tuple[bool, int], sign: int) -> None:
+    def _account(self, item: Item, sign: int) -> None:
         self.cost += sign * self._own(item)
         for key in self._wants(item):
             self._need(key, sign)
 
-    def _need(self, key: tuple, sign: int) -> None:
+    def _need(self, key: Need, sign: int) -> None:
         before = self.needs[key]
         self.needs[key] += sign
         if min(before, before + sign) == 0:
             self.cost += sign * self._price(key)
 
-    def _toggle(self, row: int, known: Mapping[tuple[bool, int], tuple[tuple, ...]] | None = None) -> Mapping:
+    def _toggle(self, row: int, known: Mapping[Item, tuple[Need, ...]] | None = None) -> dict[Item, tuple[Need, ...]]:
         """Pack a row, or undo it, and account for it and for all that reads it; `known` takes a toggle back.
 
         What all of these wanted before is returned.
@@ -215,13 +220,13 @@ class Plan:
             self._account(item, 1)
         return before
 
-    def _item(self, slot: int) -> tuple[bool, int]:
+    def _item(self, slot: int) -> Item:
         found = self.at(slot)
         return (False, slot) if found is None else (True, found[0])
 
     def improve(self) -> None:
         """Undo packs as long as that costs less."""
-        for _ in range(PASSES):
+        for _ in range(ROUNDS_OF_UNDOING):
             changed = False
             for row in range(len(self.rows)):
                 if self.on[row]:
@@ -236,7 +241,7 @@ class Plan:
 
     # -- order ----------------------------------------------------------------------------------------
 
-    def _before(self, item: tuple[bool, int]) -> Iterator[tuple[bool, int]]:
+    def _before(self, item: Item) -> Iterator[Item]:
         packs, number = item
         for slot in self.rows[number] if packs else (number,):
             if slot is not None:
@@ -245,10 +250,10 @@ class Plan:
                     if isinstance(arg, int) and arg in self.operations:
                         yield self._item(arg)
 
-    def order(self) -> list[tuple[bool, int]]:
+    def order(self) -> list[Item]:
         """Items in an order of evaluation; rows that wait for each other are packed no longer, one in each cycle."""
-        order: list[tuple[bool, int]] = []
-        done: dict[tuple[bool, int], bool] = {}
+        order: list[Item] = []
+        done: dict[Item, bool] = {}
         for slot in self.operations:
             while not done.get(start := self._item(slot)):
                 stack = [(start, self._before(start))]
@@ -266,7 +271,7 @@ class Plan:
                         stack.append((following, self._before(following)))
         return order
 
-    def _undo(self, stack: list[tuple[tuple[bool, int], Iterator]], done: dict[tuple[bool, int], bool]) -> None:
+    def _undo(self, stack: list[tuple[Item, Iterator[Item]]], done: dict[Item, bool]) -> None:
         """Pack the last row on the way no longer, and go back to what asked for it."""
         packs = False
         while not packs:

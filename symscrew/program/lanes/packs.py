@@ -1,5 +1,7 @@
 """Packed programs: rows of corresponding instructions done at once, where this costs less than one by one.
 
+    x1 = a b | x2 = c d | x3 = -(e f) | x4 = g h  -->  pack: (1, 1, -1, 1) (x1 x2 x3 x4) = (a c e g) * (b d f h)
+
 A pack computes `sign * value` in every lane, so that sums and differences go together; signs are exact, and
 results are those of the instructions one by one, bit for bit but for the signs of zeros. A program that does not gain
 enough by the best plan (see `symscrew.program.lanes.pack_plan`) stays as it is.
@@ -16,10 +18,12 @@ from symscrew.program.lanes.lane_signs import Part, fewest_flips
 from symscrew.program.lanes.pack_plan import Code, Column, Plan
 from symscrew.program.straight_line import Instruction
 
-ENOUGH = 0.9  # the part of the cost that is worth packing at most
-HOPELESS = 1.1  # and of what is tried to be improved
+# A plan is taken if it costs at most this part of the instructions one by one: the model is not better than a tenth.
+# Above, the program stays as it is, and has no packed form in C.
+ENOUGH = 0.9
+HOPELESS = 1.1  # plans that cost more than this part as found are not improved: a fifth would have to come off
 TRIED = 12  # ways that are tried to be improved, the best ones first
-MOST_JOINED = 6  # lanes of ways that are joined
+MOST_JOINED = 6  # lanes of ways that are joined: all 720 orders of them are tried
 OTHERS = 5  # ways that are joined with the best one
 
 

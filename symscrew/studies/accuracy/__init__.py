@@ -10,25 +10,23 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.studies.accuracy.every_study import OF_A_MECHANISM, study_of
-    from symscrew.studies.accuracy.measuring import Point, Setup, Study, measured
+    from symscrew.studies.accuracy.every_study import STUDIES, problem_study, studies_of_a_mechanism, study_of
+    from symscrew.studies.accuracy.measuring import Study
     from symscrew.studies.accuracy.states import Subject
     from symscrew.studies.accuracy.study_plots import save_study_plots
-    from symscrew.studies.accuracy.study_tables import study_json, study_markdown, study_summary, table
+    from symscrew.studies.accuracy.study_tables import study_json, study_markdown, study_summary
 
 __all__ = [
-    "OF_A_MECHANISM",
-    "Point",
-    "Setup",
+    "STUDIES",
     "Study",
     "Subject",
-    "measured",
+    "problem_study",
     "save_study_plots",
+    "studies_of_a_mechanism",
     "study_json",
     "study_markdown",
     "study_of",
     "study_summary",
-    "table",
 ]
 
 __getattr__ = doors(__name__)

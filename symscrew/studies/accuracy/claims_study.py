@@ -8,7 +8,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 
@@ -42,8 +43,8 @@ from symscrew.studies.accuracy.typed_code import only
 from symscrew.studies.demo import SECTION_5
 
 Array = np.ndarray
-COUNT, CALLS = 21, 20
-STEPS = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
+COUNT, CALLS = 21, 20  # instants of the motion, and passes over them per measurement: some milliseconds
+STEPS = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4)  # h [s], two a decade: an order shows as a slope
 AMPLITUDE = 0.1  # of the independent coordinates, in their units
 INSTANT, OVER_STEP = "rates at an instant", "mean drives over a step"
 
@@ -65,7 +66,7 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "newton_euler": watch("derive", newton_euler_program, model.system),
     }
     timed = _timed(model, programs, states, watch)
-    setups = _at_an_instant(model, states, programs, timed, (to_drives, exact))
+    setups = _at_an_instant(model, states, programs, timed, to_drives=to_drives, exact=exact)
     setups += _over_a_step(model, states, programs, timed)
     points = measured(setups, repeats=repeats, seconds=seconds, progress=progress, text="claims")
     tables = {"Operations to the wrenches on all bodies": _operations(model, programs)}
@@ -85,21 +86,21 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "claims",
         f"Claims of the source paper on {model.name}",
         points,
-        "largest error of the drives [N]",
-        "time for all bodies of a state or step",
-        "ns",
-        "momentum screws differentiated in 60 digits; its difference to Newton-Euler in maximal coordinates. Mean "
-        "drives over a step: Gauss' rule of 8 points on the analytic drives",
-        own,
-        watch.seconds,
-        left_out,
-        (
+        error_label="largest error of the drives [N]",
+        cost_label="time for all bodies of a state or step",
+        cost_unit="ns",
+        reference="momentum screws differentiated in 60 digits; its difference to Newton-Euler in maximal coordinates. "
+        "Mean drives over a step: Gauss' rule of 8 points on the analytic drives",
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=left_out,
+        notes=(
             f"Motion: independent coordinates {AMPLITUDE:g} sin t, {AMPLITUDE:g} (1 - cos t), ... about the reference, "
             f"closed exactly; {COUNT} instants. States are given to all methods and not timed.",
             "Differences and the impulse form need one evaluation of the momentum screws a step: that at its start is "
             "known from the step before.",
         ),
-        tables,
+        tables=tables,
     )
 
 
@@ -159,8 +160,16 @@ def _timed(model: Model, programs: dict[str, Program], states: States, watch: St
     return found
 
 
-def _at_an_instant(model: Model, states: States, programs, timed: Timed, truth) -> list[Setup]:  # type: ignore[no-untyped-def]
-    to_drives, exact = truth
+def _at_an_instant(
+    model: Model,
+    states: States,
+    programs: Mapping[str, Program],
+    timed: Timed,
+    *,
+    to_drives: Array,
+    exact: Array,
+) -> list[Setup]:
+    """Rates of the momentum screws three ways; their drives against those of the `exact` rates."""
     count = len(states.q)
 
     def error_of(rates: Array) -> float:
@@ -171,9 +180,7 @@ def _at_an_instant(model: Model, states: States, programs, timed: Timed, truth) 
                         ("momentum screws, analytic rates", "momentum_rates")):  # fmt: skip
         run, results = timed[name]
         facts = {"operations": programs[name].operations["total"], "panel": INSTANT}
-        setups.append(
-            Setup(f"{INSTANT}, {curve}", name, run, lambda r=results: error_of(r), CALLS * count, facts)  # type: ignore[misc]
-        )
+        setups.append(Setup(f"{INSTANT}, {curve}", name, run, partial(error_of, results), CALLS * count, facts))
     run, _ = timed["momentum_screws"]
     size = programs["momentum_screws"].outputs[0].size
     facts = {"operations": programs["momentum_screws"].operations["total"] + 2 * size, "panel": INSTANT}
@@ -182,13 +189,11 @@ def _at_an_instant(model: Model, states: States, programs, timed: Timed, truth) 
         after = momenta_of(model, *neighbour(model, states, h))
         rates = (after - before) / h
         name = f"{INSTANT}, momentum screws, first-order difference (the paper's)"
-        setups.append(
-            Setup(name, f"h = {h:g} s", run, lambda r=rates: error_of(r), CALLS * count, {**facts, "h": h})  # type: ignore[misc]
-        )
+        setups.append(Setup(name, f"h = {h:g} s", run, partial(error_of, rates), CALLS * count, {**facts, "h": h}))
     return setups
 
 
-def _over_a_step(model: Model, states: States, programs, timed: Timed) -> list[Setup]:  # type: ignore[no-untyped-def]
+def _over_a_step(model: Model, states: States, programs: Mapping[str, Program], timed: Timed) -> list[Setup]:
     """Mean drives over a step by the momentum at its ends, and by the rates at its start or middle."""
     assert states.t is not None
     count, (nodes, weights) = len(states.q), np.polynomial.legendre.leggauss(8)
@@ -214,7 +219,8 @@ def _over_a_step(model: Model, states: States, programs, timed: Timed) -> list[S
             extra = 2 * programs[name].outputs[0].size if kind == "impulse form" else 0
             facts = {"operations": programs[name].operations["total"] + extra, "h": h, "panel": OVER_STEP}
             run = timed[name][0]
-            setups.append(Setup(f"{OVER_STEP}, {curve}", f"h = {h:g} s", run, lambda e=error: e, CALLS * count, facts))  # type: ignore[misc]
+            known = partial(float, error)  # the same at every run
+            setups.append(Setup(f"{OVER_STEP}, {curve}", f"h = {h:g} s", run, known, CALLS * count, facts))
     return setups
 
 

@@ -41,7 +41,7 @@ def compiled(text: str, flags: Sequence[str] = ()) -> ctypes.CDLL:
         return ctypes.CDLL(str(library))
 
 
-def loop_code(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], real: str, result: str = "int") -> str:
+def loop_code(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], real: str, *, result: str = "int") -> str:
     """`void <symbol>_loop(size_t count, in..., out...)`: the function at every state, arrays one after the other."""
     ports = [*(("const ", p) for p in inputs), *(("", p) for p in outputs)]
     declared = ", ".join(f"{const}{real} *a{k}" for k, (const, _) in enumerate(ports))

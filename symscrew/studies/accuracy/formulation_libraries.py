@@ -1,4 +1,7 @@
-"""Formulations of a closed chain's equations of motion as one compiled library per scene."""
+"""Formulations of a closed chain's equations of motion as one compiled library per scene.
+
+plant (generated functions of a scene), kernels/*.c --print, compile--> Formulated --run(formulation, March)--> q, v
+"""
 
 from __future__ import annotations
 
@@ -19,6 +22,7 @@ from symscrew.studies.accuracy.compiled_loops import compiled, one_file, pointer
 from symscrew.studies.accuracy.measuring import Stopwatch
 
 Array = np.ndarray
+Start = tuple[Array, Array, Array]  # q, v and the effects' states x at the beginning of a run
 TREE = "joint coordinates (no loops)"
 FORMULATIONS = {
     TREE: 0,
@@ -42,31 +46,51 @@ ALPHA = 1e7
 
 
 @dataclass(frozen=True)
+class March:
+    """How a run advances: RK4 in steps of h [s], or DOP853 from a first step h at a local tolerance.
+
+    `gain` is Baumgarte's [1/s], `most` the steps after which the run is given up.
+    """
+
+    method: str
+    h: float
+    tolerance: float
+    gain: float
+    most: int
+
+    @property
+    def setting(self) -> str:
+        """What tables and plots call it."""
+        return f"step {self.h:.3g} s" if self.method == "RK4" else f"tolerance {self.tolerance:g}"
+
+
+@dataclass(frozen=True)
 class Formulated:
     """A compiled library and what its calls need: the start (q, v, x) and y's places in q."""
 
     library: ctypes.CDLL
     plant: Plant
-    start: tuple[Array, Array, Array]
+    start: Start
     independent: tuple[int, ...]
     kinds: tuple[str, ...]
     alpha: float
 
-    def run(
-        self, formulation: str, method: str, times: Array, *, h: float, tolerance: float, gain: float, most: int
-    ) -> tuple[float, Array, Array]:
+    def __repr__(self) -> str:
+        return f"Formulated({self.plant.model.name}: {', '.join(self.kinds)})"
+
+    def run(self, formulation: str, times: Array, march: March) -> tuple[float, Array, Array]:
         """Seconds of the run, and q, v at all times; raises ArithmeticError where it ends early."""
         q, v, x = self.start
         state = np.concatenate([q, v, x])
         if formulation == "minimal coordinates":
             state = np.concatenate([q[list(self.independent)], self._rates(q, v), x])
         found_q, found_v = np.zeros((len(times), len(q))), np.zeros((len(times), max(len(v), 1)))
-        steps, evaluations = ctypes.c_long(most), ctypes.c_long(0)
+        steps, evaluations = ctypes.c_long(march.most), ctypes.c_long(0)
         d, begin = ctypes.c_double, time.thread_time()
         outcome = self.library.march(
-            ctypes.c_int(FORMULATIONS[formulation]), ctypes.c_int(METHODS[method]), d(gain), d(self.alpha), d(h),
-            d(tolerance), pointer(state), pointer(q), pointer(times), ctypes.c_size_t(len(times)), pointer(found_q),
-            pointer(found_v), ctypes.byref(steps), ctypes.byref(evaluations),
+            ctypes.c_int(FORMULATIONS[formulation]), ctypes.c_int(METHODS[march.method]), d(march.gain), d(self.alpha),
+            d(march.h), d(march.tolerance), pointer(state), pointer(q), pointer(times), ctypes.c_size_t(len(times)),
+            pointer(found_q), pointer(found_v), ctypes.byref(steps), ctypes.byref(evaluations),
         )  # fmt: skip
         taken = time.thread_time() - begin
         if outcome:
@@ -79,8 +103,9 @@ class Formulated:
         return coordinate_rates(self.plant.model, q, v)[list(self.independent)]
 
 
-def formulated(model: Model, plant: Plant, scene: Scene, start: tuple, watch: Stopwatch) -> Formulated:
+def formulated(plant: Plant, scene: Scene, start: Start, watch: Stopwatch) -> Formulated:
     """Print and compile the library of a scene; a formulation that cannot be had is not among `kinds`."""
+    model = plant.model
     programs: dict[str, Program | Iteration] = {"slopes": plant.slopes, "inputs": plant.inputs}
     programs["forward_dynamics"] = plant.forward
     kinds = [TREE] if plant.closure is None else ["no stabilisation"]
@@ -99,7 +124,7 @@ def formulated(model: Model, plant: Plant, scene: Scene, start: tuple, watch: St
             independent = tuple(labels.index(label) for label in assemble.inputs[0].labels)
             spheres = tuple(int(model.system.tree.q[k].kind == "quaternion") for k in independent)
             kinds.append("minimal coordinates")
-    text = watch("print", _source, model, plant, scene, programs, (independent, spheres))
+    text = watch("print", _source, plant, scene, programs, independent=independent, spheres=spheres)
     library = watch("compile", compiled, text, NATIVE_FLAGS)
     return Formulated(library, plant, start, independent, tuple(kinds), ALPHA * _largest_mass(model, plant, start[0]))
 
@@ -117,8 +142,9 @@ def penalty_terms(model: Model, plant: Plant) -> Program | None:
     """
     system = model.system
     rows = system.drive_rows()
-    programs = [model.programs.get(name) for name in ("mass_matrix", "bias", "closure_bias")]
-    if len(rows) != len(system.drives) or not all(isinstance(p, Program) for p in programs):
+    found = [model.programs.get(name) for name in ("mass_matrix", "bias", "closure_bias")]
+    programs = [program for program in found if isinstance(program, Program)]
+    if len(rows) != len(system.drives) or len(programs) < len(found):
         return None
     mass, bias, closure_bias = programs
     linker = Linker(plant.slopes.inputs)
@@ -127,22 +153,19 @@ def penalty_terms(model: Model, plant: Plant) -> Program | None:
     own = next((p.size for p in plant.forward.inputs if p.name == "x"), 0)
     known["x"] = linker.entries["x"][:own]
     try:
-        found: Mapping[str, tuple[Operand, ...]] = {
-            **linker.call(mass, known),  # type: ignore[arg-type]
-            **linker.call(bias, known),  # type: ignore[arg-type]
-        }
-        curvature = linker.call(closure_bias, known)["bias"]  # type: ignore[arg-type]
+        terms = {**linker.call(mass, known), **linker.call(bias, known)}
+        curvature = linker.call(closure_bias, known)["bias"]
     except ValueError:
         return None
-    force = [linker.apply("neg", b) for b in found["bias"]]
+    force = [linker.apply("neg", b) for b in terms["bias"]]
     for v, u in rows.items():
         force[v] = linker.apply("add", force[v], commands["u"][u])
-    ports = (mass.outputs[0], Port("force", bias.outputs[0].shape, *_of(bias.outputs[0])), closure_bias.outputs[0])  # type: ignore[union-attr]
-    values = (found["mass_matrix"], force, curvature)
+    ports = (mass.outputs[0], Port("force", bias.outputs[0].shape, *_of(bias.outputs[0])), closure_bias.outputs[0])
+    values = (terms["mass_matrix"], force, curvature)
     return linker.program("penalty_terms", "What a penalty formulation needs.", list(zip(ports, values, strict=True)))
 
 
-def _of(port: Port) -> tuple:
+def _of(port: Port) -> tuple[tuple[str, ...], tuple[str, ...], str]:
     return port.units, port.labels, "generalised forces without accelerations"
 
 
@@ -151,9 +174,16 @@ def _nothing(plant: Plant) -> Program:
     return replace(plant.slopes, name="penalty_terms", outputs=(), results=(), instructions=(), guards=())
 
 
-def _source(model: Model, plant: Plant, scene: Scene, programs: Mapping, places: tuple) -> str:
-    independent, spheres = places
-    name = model.name
+def _source(
+    plant: Plant,
+    scene: Scene,
+    programs: Mapping[str, Program | Iteration],
+    *,
+    independent: tuple[int, ...],
+    spheres: tuple[int, ...],
+) -> str:
+    """The library as one C text: generated functions, adapters with the kernels' names, the kernels."""
+    model, name = plant.model, plant.model.name
     lines = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", one_file(model, programs)]
     lines += [*_constants(plant), table_code(list(scene.tables.values())) or NO_TABLES]
     lines += [*_adapters(plant), _list("INDEPENDENT", independent), _list("OF_SPHERE", spheres)]
@@ -193,9 +223,7 @@ def _source(model: Model, plant: Plant, scene: Scene, programs: Mapping, places:
 def _constants(plant: Plant) -> list[str]:
     """Sizes and units that the kernels read."""
     tree, sizes = plant.system.tree, plant.sizes
-    links = tree.links[1:]
-    spheres = [(li.q.start, li.v.start) for li in links if li.motion.kind == "S"]
-    plain = [(li.q.start, li.v.start) for li in links if li.motion.kind not in "SF"]
+    spheres, plain = tree.spheres, tree.plain
     nq, nv, nr = sizes["q"], sizes["v"], len(plant.rows)
     numbers = {
         "NQ": nq, "NV": nv, "NX": sizes["x"], "NS": plant.tables, "NR": nr, "RANK": plant.rank, "FREE": nv - plant.rank,

@@ -8,7 +8,7 @@ in minimal coordinates.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -30,18 +30,20 @@ from symscrew.simulation import (
     run_natively,
     table_code,
 )
-from symscrew.studies.accuracy.formulation_libraries import FORMULATIONS, TREE, Formulated, formulated
+from symscrew.studies.accuracy.formulation_libraries import FORMULATIONS, TREE, Formulated, March, Start, formulated
 from symscrew.studies.accuracy.measuring import Point, Setup, Stopwatch, Study, measured
 from symscrew.studies.accuracy.run_history import Reference, read_reference
 from symscrew.studies.accuracy.states import Subject
 from symscrew.studies.accuracy.stiff import stiff_setups
 
 Array = np.ndarray
-TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
-OURS = (1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  # of the other formulations: a decade of error every half
+OURS = (1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)  # finer: the least time to reach a stated error
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 1024)  # the last for stiff scenes: explicit methods need it there
-FULL_SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096)
-MOST = 150_000  # steps of a run
+FULL_SUBSTEPS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096)  # steps between two outputs, with `--full`
+MOST = 150_000  # steps of a run, or as many as its fixed steps are; with more it stays in the table as failed
+LEAST_SECONDS = 25.0  # of measuring: there are some hundred settings, and each is to have its three repeats
+GAIN = 50.0  # Baumgarte's [1/s]; scenes shorter than 1 s have more, so that gaps fade within the scene
 LONGEST = 1.0  # seconds: after a run that takes longer, finer settings of its curve are not run
 OWN = "symscrew simulate"
 ENGINES = {"exudyn": "Exudyn", "mujoco": "MuJoCo", "generatedC": "bare generated C"}
@@ -66,14 +68,14 @@ def study(
         model, plant = watch("derive", prepare, scene)
         start = beginning(scene, model, plant)
         library = watch("compile", Library, plant, table_code(list(scene.tables.values())))
-        made = formulated(model, plant, scene, start, watch)
+        made = formulated(plant, scene, start, watch)
     if any(effect.contacts() for effect in scene.effects):
         raise DescriptionError("--study forward: contacts with events are not for these integrators")
     text, own, error_of = _judge(scene, reference, model, (library, made))
-    stiff, missing = stiff_setups(scene, plant, start, error_of, watch)
+    stiff, missing = stiff_setups(scene, plant, start, error_of, watch=watch)
     setups = [*ours(scene, library, start, error_of), *_all_formulations(scene, made, error_of, full), *stiff]
     points = measured(
-        setups, repeats=repeats, seconds=max(seconds, 25.0), progress=progress, text="forward", longest=LONGEST
+        setups, repeats=repeats, seconds=max(seconds, LEAST_SECONDS), progress=progress, text="forward", longest=LONGEST
     )
     notes, tables = (
         [f"Scene {scene.name}, {scene.duration:g} s, {len(scene.times)} outputs. {scene.description}".strip()],
@@ -91,15 +93,15 @@ def study(
         "forward",
         f"Simulation of {scene.name}",
         points,
-        reference.error_label if reference is not None else "largest error of the coordinates [rad, m/m]",
-        "time per simulated second",
-        "ms",
-        text,
-        own,
-        watch.seconds,
-        (*(f"the formulation {kind}: this mechanism or scene does not have it" for kind in _missing(made)), *missing),
-        tuple(notes),
-        tables,
+        error_label=reference.error_label if reference is not None else "largest error of the coordinates [rad, m/m]",
+        cost_label="time per simulated second",
+        cost_unit="ms",
+        reference=text,
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=(*_missing(made), *missing),
+        notes=tuple(notes),
+        tables=tables,
     )  # fmt: skip
 
 
@@ -115,7 +117,7 @@ def falling(model: Model) -> Scene:
                  "reference configuration, with rates of order 0.2 of the independent coordinates.")  # fmt: skip
 
 
-def beginning(scene: Scene, model: Model, plant: Plant) -> tuple[Array, Array, Array]:
+def beginning(scene: Scene, model: Model, plant: Plant) -> Start:
     """q, v, x at the start."""
     q, v = initial_state(scene, model, plant.parameters)
     x = initial_states(scene, model)
@@ -123,11 +125,13 @@ def beginning(scene: Scene, model: Model, plant: Plant) -> tuple[Array, Array, A
 
 
 def _missing(made: Formulated) -> list[str]:
-    return [kind for kind in FORMULATIONS if kind not in made.kinds and kind != TREE and TREE not in made.kinds]
+    """Why curves of a closed chain are not there."""
+    kinds = [kind for kind in FORMULATIONS if kind not in made.kinds and kind != TREE and TREE not in made.kinds]
+    return [f"the formulation {kind}: this mechanism or scene does not have it" for kind in kinds]
 
 
 def _judge(
-    scene: Scene, reference: Reference | None, model: Model, made: tuple
+    scene: Scene, reference: Reference | None, model: Model, made: tuple[Library, Formulated]
 ) -> tuple[str, float | None, Callable[[Array], float]]:
     """The reference in words, its own error, and the error of q (n, nq)."""
     if reference is not None:
@@ -136,9 +140,7 @@ def _judge(
     units = _units(model)
     for kind in reversed(other.kinds):
         try:
-            _, q, _ = other.run(
-                kind, "DOP853", scene.times, h=1e-4 * scene.duration, tolerance=1e-14, gain=0.0, most=MOST
-            )
+            _, q, _ = other.run(kind, scene.times, March("DOP853", 1e-4 * scene.duration, 1e-14, 0.0, MOST))
             break
         except ArithmeticError as error:
             reason = str(error)
@@ -157,7 +159,7 @@ def _units(model: Model) -> Array:
     return np.array([model.system.length if c.unit == "m" else 1.0 for c in model.system.tree.q])
 
 
-def ours(scene: Scene, library: Library, start: tuple, error_of: Callable[[Array], float]) -> list[Setup]:
+def ours(scene: Scene, library: Library, start: Start, error_of: Callable[[Array], float]) -> list[Setup]:
     """`symscrew simulate` itself: DOP853 with dense output, projection and care near singular configurations."""
     setups = []
     for tolerance in OURS:
@@ -168,9 +170,9 @@ def ours(scene: Scene, library: Library, start: tuple, error_of: Callable[[Array
                 library,
                 start,
                 error_of,
-                f"{OWN}: DOP853, projection",
-                f"tolerance {tolerance:g}",
-                {"panel": "DOP853"},
+                curve=f"{OWN}: DOP853, projection",
+                setting=f"tolerance {tolerance:g}",
+                facts={"panel": "DOP853"},
             )
         )
     return setups
@@ -179,11 +181,12 @@ def ours(scene: Scene, library: Library, start: tuple, error_of: Callable[[Array
 def whole_run(
     scene: Scene,
     library: Library,
-    start: tuple,
+    start: Start,
     error_of: Callable[[Array], float],
+    *,
     curve: str,
     setting: str,
-    facts: dict[str, Any],
+    facts: Mapping[str, Any],
 ) -> Setup:
     """One call of `symscrew simulate`, in processor time; `error_of` takes the coordinates at all outputs."""
     found: list[Array] = []
@@ -201,32 +204,28 @@ def whole_run(
 
 
 def _all_formulations(scene: Scene, made: Formulated, error_of: Callable[[Array], float], full: bool) -> list[Setup]:
-    setups = []
+    """Every formulation by RK4 at all numbers of steps between two outputs, and by DOP853 at all tolerances."""
     times = np.ascontiguousarray(scene.times)
-    interval = float(times[1])
-    gain = 50.0 / min(1.0, scene.duration)
-    kinds = made.kinds
-    for kind in kinds:
-        for count in FULL_SUBSTEPS if full else SUBSTEPS:
-            most = max(MOST, len(times) * count + 10)
-            setups.append(_formulation(made, kind, "RK4", times, interval / count, 0.0, gain, most, error_of, scene))
-        for tolerance in TOLERANCES:
-            setups.append(
-                _formulation(made, kind, "DOP853", times, 0.1 * interval, tolerance, gain, MOST, error_of, scene)
-            )
-    return setups
+    interval, gain = float(times[1]), GAIN / min(1.0, scene.duration)
+    counts = FULL_SUBSTEPS if full else SUBSTEPS
+    marches = [
+        *(March("RK4", interval / n, 0.0, gain, max(MOST, len(times) * n + 10)) for n in counts),
+        *(March("DOP853", 0.1 * interval, tolerance, gain, MOST) for tolerance in TOLERANCES),
+    ]
 
+    def setup(kind: str, march: March) -> Setup:
+        found: list[Array] = []
 
-def _formulation(made, kind, method, times, h, tolerance, gain, most, error_of, scene) -> Setup:  # type: ignore[no-untyped-def]
-    found: list = []
+        def run() -> float:
+            taken, q, _ = made.run(kind, times, march)
+            found[:] = [q]
+            return taken
 
-    def run() -> float:
-        taken, q, _ = made.run(kind, method, times, h=h, tolerance=tolerance, gain=gain, most=most)
-        found[:] = [q]
-        return taken
+        facts = {"panel": march.method}
+        curve = f"{march.method}, {kind}"
+        return Setup(curve, march.setting, run, lambda: error_of(found[0]), scene.duration, facts)
 
-    setting = f"step {h:.3g} s" if method == "RK4" else f"tolerance {tolerance:g}"
-    return Setup(f"{method}, {kind}", setting, run, lambda: error_of(found[0]), scene.duration, {"panel": method})
+    return [setup(kind, march) for kind in made.kinds for march in marches]
 
 
 def beside(

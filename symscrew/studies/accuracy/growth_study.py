@@ -31,12 +31,12 @@ from symscrew.studies.accuracy.run_history import read_reference
 from symscrew.studies.accuracy.states import Subject
 
 Array = np.ndarray
-SIZES = (1, 2, 5, 10, 20, 40)
-DURATION, OUTPUTS, STEP = 10.0, 50, 0.005
-GRAVITY = 9.81
+SIZES = (1, 2, 5, 10, 20, 40)  # numbers of loops; exponents are slopes over the larger half
+DURATION, OUTPUTS, STEP = 10.0, 50, 0.005  # the benchmark's run [s] and outputs; the step of RK4 [s]
+GRAVITY = 9.81  # [m/s^2], the benchmark's
 FUNCTIONS = ("forward_dynamics", "close_position", "close_velocity")
 FLAGS = ("-O1",)  # the longest of these functions take minutes at -O2
-TOLERANCE = 1e-7
+TOLERANCE = 1e-7  # of `symscrew simulate`, absolute and relative
 FIXED, SIMULATED = "generated functions in fixed steps", "symscrew simulate"
 
 
@@ -88,20 +88,20 @@ def study(
         "growth",
         "Cost over the number of loops: N four-bars in a row",
         points,
-        "largest error of the cranks' angle [rad]",
-        "time per simulated second",
-        "ms",
-        "the pendulum of the same motion by DOP853 at 1e-13; its difference to a run at 1e-12",
-        max(float(s.facts["reference error"]) for s in setups if "reference error" in s.facts),
-        watch.seconds,
-        (),
-        (
+        error_label="largest error of the cranks' angle [rad]",
+        cost_label="time per simulated second",
+        cost_unit="ms",
+        reference="the pendulum of the same motion by DOP853 at 1e-13; its difference to a run at 1e-12",
+        reference_error=max(float(s.facts["reference error"]) for s in setups if "reference error" in s.facts),
+        preparation=watch.seconds,
+        left_out=(),
+        notes=(
             f"{DURATION:g} s through the singular positions. {FIXED}: RK4 with steps of {STEP:g} s, closed after every "
             f"step. {SIMULATED}: DOP853, tolerance {TOLERANCE:g}, its whole call. Compiled with {' '.join(FLAGS)}.",
             *_peers(path),
             "Exponents: slopes of log cost over log N over the larger half of the sizes; 1 is linear.",
         ),
-        {"Growth with N": _table(rows, points)},
+        tables={"Growth with N": _table(rows, points)},
     )
 
 
@@ -141,7 +141,7 @@ def _simulated(scene: Scene, plant: Plant, fixed: Setup, watch: Stopwatch) -> Se
 
     facts = {"N": fixed.facts["N"], "operations": fixed.facts["operations"], "series": SIMULATED}
     curve = fixed.curve.replace(FIXED, SIMULATED)
-    return whole_run(scene, library, start, error, curve, fixed.setting, facts)
+    return whole_run(scene, library, start, error, curve=curve, setting=fixed.setting, facts=facts)
 
 
 def _peers(path: Path | None) -> list[str]:

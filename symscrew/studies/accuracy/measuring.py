@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,8 @@ import numpy as np
 from symscrew.display import Progress
 from symscrew.studies.timing import Times, quartiles
 
-LEAST_ROUNDS = 3
+CACHES_DO_NOT_MATTER = 0.2  # s: a first run that takes longer counts, caches and pages are a small part of it
+LEAST_ROUNDS = 3  # of every setup, however long it takes: below, there are no quartiles
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Point:
 class Study:
     """The result of a study: points, what their axes are, the reference with its own error, what was left out.
 
-    `across` names the abscissa and `cost_unit` its unit in tables and plots ("ns": costs are multiplied by 1e9;
+    `cost_label` names the abscissa and `cost_unit` its unit in tables and plots ("ns": costs are multiplied by 1e9;
     "operations": the abscissa is the fact of that name). `preparation`: seconds by step (derive, print, compile), apart
     from all costs.
     """
@@ -57,6 +58,7 @@ class Study:
     name: str
     title: str
     points: tuple[Point, ...]
+    _: KW_ONLY
     error_label: str
     cost_label: str
     cost_unit: str
@@ -66,6 +68,10 @@ class Study:
     left_out: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     tables: Mapping[str, tuple[Sequence[str], Sequence[Sequence[str]]]] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        failed = sum(point.error is None for point in self.points)
+        return f"Study({self.name}: {len(self.points)} points on {len(self.curves)} curves, {failed} failed)"
 
     @property
     def curves(self) -> dict[str, list[Point]]:
@@ -108,7 +114,7 @@ def measured(
             errors[k] = float(setups[k].error())
             if not math.isfinite(errors[k] or 0.0):
                 errors[k], failures[k] = None, "the result is not finite"
-            if first > 0.2:  # so long that caches do not matter
+            if first > CACHES_DO_NOT_MATTER:
                 laps[k].append(first)
         except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
             failures[k] = str(error) or type(error).__name__

@@ -15,13 +15,14 @@ from __future__ import annotations
 import ctypes
 import time
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from symscrew.display import Progress
 from symscrew.errors import DescriptionError
 from symscrew.model import Model
-from symscrew.program import Program
+from symscrew.program import Program, evaluate
 from symscrew.reference import newton_euler
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code, one_file, pointer
@@ -31,14 +32,14 @@ from symscrew.studies.accuracy.typed_code import COMPLEX, as_floats, in_digits, 
 from symscrew.studies.platform_motion import coordinate_rates
 
 Array = np.ndarray
-STEPS = 10.0 ** -np.arange(0.5, 12.01, 0.5)
+STEPS = 10.0 ** -np.arange(0.5, 12.01, 0.5)  # h [s]: from too coarse to nothing but rounding, two a decade
 FORMULAS = {
     "first-order difference": ((0.0, -1.0), (1.0, 1.0)),
     "central difference": ((-1.0, -0.5), (1.0, 0.5)),
     "Richardson": ((-1.0, 1 / 6), (-0.5, -8 / 6), (0.5, 8 / 6), (1.0, -1 / 6)),
 }
-CALLS = 20  # states per measurement are these many times those of the study
-CHOSEN = 21  # states
+CALLS = 20  # passes over all states per measurement: some milliseconds, which the clock sees
+CHOSEN = 21  # of the subject's states: the reference in 60 digits is slow
 DIFFERENCE = """
 int difference(size_t count, size_t evaluations, const double *weights, const double *q, const double *v, double *rates)
 {
@@ -108,15 +109,18 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "momentum",
         f"Rates of the momentum screws of {model.name}",
         points,
-        "largest error of the drive forces [N]" if _forces(model) else "largest error of the drives [N or N m]",
-        "time for the rates of all momentum screws of a state",
-        "ns",
-        "central differences of the same momentum screws in 60 digits, h = 1e-20 (truncation below 1e-35); the stated "
-        "difference is that of the resulting drives to Newton-Euler with accelerations in maximal coordinates",
-        _check(model, states, exact, to_drives),
-        watch.seconds,
-        left_out,
-        (
+        error_label="largest error of the drive forces [N]"
+        if _forces(model)
+        else "largest error of the drives [N or N m]",
+        cost_label="time for the rates of all momentum screws of a state",
+        cost_unit="ns",
+        reference="central differences of the same momentum screws in 60 digits, h = 1e-20 (truncation below 1e-35); "
+        "the stated difference is that of the resulting drives to Newton-Euler with accelerations in maximal "
+        "coordinates",
+        reference_error=_check(model, states, exact, to_drives),
+        preparation=watch.seconds,
+        left_out=left_out,
+        notes=(
             f"States: {len(states.q)} of {subject.states.text}; largest drive {largest:.4g}.",
             "Neighbouring states are given to the differences, and not timed. Steps h in seconds.",
         ),
@@ -140,12 +144,15 @@ def _screws(model: Model) -> Program:
 
 def momenta_of(model: Model, q: Array, v: Array) -> Array:
     """Momentum screws of all bodies (n, 6 bodies)."""
-    return _screws(model)(q, v)[0]
+    found: Array = evaluate(_screws(model), [q, v])[0][0]
+    return found
 
 
 def _second(model: Model, q: Array, v: Array, a: Array) -> Array:
     """Second time derivative of q: that of q_dot = B(q) v, which is bilinear in q and v."""
-    return coordinate_rates(model, q, a) + coordinate_rates(model, coordinate_rates(model, q, v), v) * _turning(model)
+    turning = coordinate_rates(model, coordinate_rates(model, q, v), v) * _turning(model)
+    second: Array = coordinate_rates(model, q, a) + turning
+    return second
 
 
 def _turning(model: Model) -> Array:
@@ -226,12 +233,14 @@ def drives_of(model: Model, states: States) -> Array:
     arrays = [
         known[p.name] if p.name in known else np.repeat(t[:1], n, 0) for p, t in zip(program.inputs, tests, strict=True)
     ]
-    return model("inverse_dynamics", *arrays)[0][0]
+    found: Array = model("inverse_dynamics", *arrays)[0][0]
+    return found
 
 
 def _gravity_part(model: Model, states: States, exact: Array, to_drives: Array) -> Array:
     """What forces other than inertia add to the drives."""
-    return drives_of(model, states) - np.einsum("nij,nj->ni", to_drives, exact)
+    part: Array = drives_of(model, states) - np.einsum("nij,nj->ni", to_drives, exact)
+    return part
 
 
 def _check(model: Model, states: States, exact: Array, to_drives: Array) -> float:
@@ -265,7 +274,7 @@ def _compiled_setups(model: Model, states: States, error_of: Callable[[Array], f
     results = np.zeros((count, size))
     setups: list[Setup] = []
 
-    def timed(function, *arguments) -> float:  # type: ignore[no-untyped-def]
+    def timed(function: Callable[..., int], *arguments: Any) -> float:
         start = time.thread_time()
         worst = function(*arguments)
         taken = time.thread_time() - start
@@ -279,10 +288,9 @@ def _compiled_setups(model: Model, states: States, error_of: Callable[[Array], f
             weights = np.array(factors) / h
             q, v = (tiled(x) for x in _neighbours(model, states, h, places))
 
-            def run(weights=weights, q=q, v=v) -> float:  # type: ignore[no-untyped-def]
+            def run(given: tuple[Array, ...] = (weights, q, v, results)) -> float:  # this round's, not the last's
                 return timed(
-                    library.difference, ctypes.c_size_t(count), ctypes.c_size_t(len(weights)),
-                    *map(pointer, (weights, q, v, results)),
+                    library.difference, ctypes.c_size_t(count), ctypes.c_size_t(len(given[0])), *map(pointer, given)
                 )  # fmt: skip
 
             facts = {"h": float(h), "operations": len(places) * (screws.operations["total"] + 2 * size)}
@@ -306,20 +314,25 @@ def _compiled_setups(model: Model, states: States, error_of: Callable[[Array], f
 def _numpy_setups(model: Model, states: States, error_of: Callable[[Array], float]) -> list[Setup]:
     """One state at a time on NumPy, as a script has it."""
     one = States(states.q[:1], states.v[:1], states.a[:1], states.text)
-    setups, screws = [], _screws(model)
-    for h in (1e-1, 1e-3, 1e-5, 1e-7, 1e-9):
-        (q0, v0), (q1, v1) = neighbour(model, states, 0.0), neighbour(model, states, h)
-        b, c = neighbour(model, one, 0.0), neighbour(model, one, h)
+    program = _screws(model)
 
-        def run(b=b, c=c, h=h) -> float:  # type: ignore[no-untyped-def]
+    def screws(q: Array, v: Array) -> Array:
+        found: Array = evaluate(program, [q, v])[0][0]
+        return found
+
+    def difference(h: float) -> Setup:
+        before, after = neighbour(model, states, 0.0), neighbour(model, states, h)
+        one_before, one_after = neighbour(model, one, 0.0), neighbour(model, one, h)
+
+        def run() -> float:
             start = time.thread_time()
-            _ = (screws(*c)[0] - screws(*b)[0]) / h
+            _ = (screws(*one_after) - screws(*one_before)) / h
             return time.thread_time() - start
 
-        def error(q0=q0, v0=v0, q1=q1, v1=v1, h=h) -> float:  # type: ignore[no-untyped-def]
-            return error_of((screws(q1, v1)[0] - screws(q0, v0)[0]) / h)
+        def error() -> float:
+            return error_of((screws(*after) - screws(*before)) / h)
 
-        setups.append(Setup("first-order difference, NumPy", f"h = {h:.1e} s", run, error, 1.0, {"h": h}))
+        return Setup("first-order difference, NumPy", f"h = {h:.1e} s", run, error, 1.0, {"h": h})
 
     def run_analytic() -> float:
         start = time.thread_time()
@@ -329,5 +342,5 @@ def _numpy_setups(model: Model, states: States, error_of: Callable[[Array], floa
     def error_analytic() -> float:
         return error_of(model("momentum_rates", states.q, states.v, states.a)[0][0])
 
-    setups.append(Setup("analytic, NumPy", "momentum_rates", run_analytic, error_analytic))
-    return setups
+    analytic = Setup("analytic, NumPy", "momentum_rates", run_analytic, error_analytic)
+    return [*map(difference, (1e-1, 1e-3, 1e-5, 1e-7, 1e-9)), analytic]

@@ -23,7 +23,7 @@ from symscrew.errors import DescriptionError
 from symscrew.functions import TWIST_LABELS, TWIST_UNITS, Motion, function, kinematic_functions, q_port
 from symscrew.kinematics import Link, System
 from symscrew.model import Model
-from symscrew.program import Port, Program, lower
+from symscrew.program import Port, Program, evaluate, lower
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.compiled_loops import caller, compiled, loop_code, one_file, pointer
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch, Study, measured
@@ -35,7 +35,8 @@ Array = np.ndarray
 DURATION = SECTION_5.duration
 OUTPUTS = 101  # instants at which displacements are compared, one every 0.1 s
 DEGREE = 60  # of the polynomial of omega_z over the whole motion
-LONGEST = 0.1  # step of the reference [s]
+LONGEST = 0.1  # step of the reference [s]; its method is of order 8
+LEAST_SECONDS = 20.0  # of measuring: the finest steps take a second a run, and have three repeats
 
 
 def study(
@@ -58,20 +59,22 @@ def study(
         setups += _closed_form(model, motion, watch)
     else:
         left_out = ("all curves of generated C: there is no C compiler",)
-    points = measured(setups, repeats=repeats, seconds=max(seconds, 20.0), progress=progress, text="kinematics")
+    points = measured(
+        setups, repeats=repeats, seconds=max(seconds, LEAST_SECONDS), progress=progress, text="kinematics"
+    )
     return Study(
         "kinematics",
         f"Joint positions of {model.name} from the motion of its platform",
         points,
-        "largest joint position error [rad, m]",
-        "time per simulated second",
-        "ms",
-        f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z solved with "
-        "the rates; its difference to closed-form inverse kinematics of its platform's poses",
-        own,
-        watch.seconds,
-        left_out,
-        (
+        error_label="largest joint position error [rad, m]",
+        cost_label="time per simulated second",
+        cost_unit="ms",
+        reference=f"Runge-Kutta of order 8 with steps of {LONGEST} s at most on the limbs' serial chains, omega_z "
+        "solved with the rates; its difference to closed-form inverse kinematics of its platform's poses",
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=left_out,
+        notes=(
             f"Motion of section 5 of the source paper, {DURATION:g} s; all {motion.exact.shape[1]} displacements at "
             f"{OUTPUTS} instants. S = blockdiag, {6 * len(model.mechanism.limbs)} x {motion.exact.shape[1]}.",
             "Twists and poses of the platform are given to all methods beforehand and not timed.",
@@ -158,38 +161,31 @@ def _steps(h: float) -> tuple[int, int]:
 
 
 def _numpy_setups(motion: PlatformMotion) -> list[Setup]:
-    setups = []
-    chains = motion.chains
-    for h in (1e-1, 1e-2, 1e-3):
-        steps, every = _steps(h)
-        twists = motion.twist(_times(steps), spin=False)
-        found: list[Array] = []
+    """The paper's method as the paper runs it: limbs as serial chains in NumPy, a least squares problem a step."""
+    return [_numpy_setup(motion, h) for h in (1e-1, 1e-2, 1e-3)]
 
-        def run(steps=steps, every=every, twists=twists, h=h, found=found) -> float:  # type: ignore[no-untyped-def]
-            found.clear()
-            start = time.thread_time()
-            state = chains.start()
-            for n in range(steps + 1):
-                if n % every == 0:
-                    found.append(chains.displacements(state))
-                if n < steps:
-                    state = chains.moved(state, least_squares(chains.matrix(state), twists[n]), h)
-            return time.thread_time() - start
 
-        def error(found=found) -> float:  # type: ignore[no-untyped-def]
-            return float(np.abs(np.array(found) - motion.exact).max())
+def _numpy_setup(motion: PlatformMotion, h: float) -> Setup:
+    chains, (steps, every) = motion.chains, _steps(h)
+    twists = motion.twist(_times(steps), spin=False)
+    found: list[Array] = []
 
-        setups.append(
-            Setup(
-                "forward Euler, least squares, omega_z = 0: NumPy (the paper's)",
-                f"dt = {h:g} s",
-                run,
-                error,
-                DURATION,
-                {"dt": h},
-            )
-        )
-    return setups
+    def run() -> float:
+        found.clear()
+        start = time.thread_time()
+        state = chains.start()
+        for n in range(steps + 1):
+            if n % every == 0:
+                found.append(chains.displacements(state))
+            if n < steps:
+                state = chains.moved(state, least_squares(chains.matrix(state), twists[n]), h)
+        return time.thread_time() - start
+
+    def error() -> float:
+        return float(np.abs(np.array(found) - motion.exact).max())
+
+    curve = "forward Euler, least squares, omega_z = 0: NumPy (the paper's)"
+    return Setup(curve, f"dt = {h:g} s", run, error, DURATION, {"dt": h})
 
 
 @dataclass(frozen=True)
@@ -220,28 +216,26 @@ def _compiled_setups(model: Model, motion: PlatformMotion, watch: Stopwatch, ful
     libraries = {
         closed: _library(model, model.system if closed else chain_system, closed, watch) for closed in (False, True)
     }
-    setups = []
-    for method in _methods(full):
-        library, system, displacements = libraries[method.closed]
-        start = np.ascontiguousarray(system.reference)
-        for h in method.steps:
-            steps, every = _steps(h)
-            if method.order == 4 and every * h < 0.99 * DURATION / (OUTPUTS - 1):
-                continue
-            times = _times(steps if method.order == 1 else 2 * steps)
-            twists = np.ascontiguousarray(motion.twist(times, spin=method.spin))
-            setups.append(_compiled_setup(method, h, library, displacements, start, twists, motion, (steps, every)))
-    return setups
+    return [
+        _compiled_setup(method, h, libraries[method.closed], motion)
+        for method in _methods(full)
+        for h in method.steps
+        # steps that are longer than an output's interval are shortened to it: that curve has the point already
+        if method.order == 1 or _steps(h)[1] * h >= 0.99 * DURATION / (OUTPUTS - 1)
+    ]
 
 
-def _compiled_setup(method, h, library, displacements, start, twists, motion, counts) -> Setup:  # type: ignore[no-untyped-def]
-    steps, every = counts
+def _compiled_setup(method: _Method, h: float, loop: _Loop, motion: PlatformMotion) -> Setup:
+    steps, every = _steps(h)
+    times = _times(steps if method.order == 1 else 2 * steps)  # order 4 also asks in the middle of a step
+    twists = np.ascontiguousarray(motion.twist(times, spin=method.spin))
+    start = np.ascontiguousarray(loop.system.reference)
     outputs = np.zeros((OUTPUTS, len(start)))
     length = DURATION / steps
 
     def run() -> float:
         begin = time.thread_time()
-        failed = library.integrate(
+        failed = loop.library.integrate(
             ctypes.c_long(steps), ctypes.c_double(length), ctypes.c_int(method.order), pointer(start), pointer(twists),
             ctypes.c_long(every), pointer(outputs),
         )  # fmt: skip
@@ -251,13 +245,22 @@ def _compiled_setup(method, h, library, displacements, start, twists, motion, co
         return taken
 
     def error() -> float:
-        return float(np.abs(displacements(outputs) - motion.exact).max())
+        return float(np.abs(evaluate(loop.displacements, [outputs])[0][0] - motion.exact).max())
 
     return Setup(method.curve, f"dt = {h:g} s", run, error, DURATION, {"dt": h})
 
 
-def _library(model: Model, system: System, closed: bool, watch: Stopwatch):  # type: ignore[no-untyped-def]
-    """The compiled loop on a system's tree, the system, and what makes displacements of its q."""
+@dataclass(frozen=True)
+class _Loop:
+    """The compiled loop on a system's tree, the system, and the function that makes displacements of its q."""
+
+    library: ctypes.CDLL
+    system: System
+    displacements: Program
+
+
+def _library(model: Model, system: System, closed: bool, watch: Stopwatch) -> _Loop:
+    """The compiled loop on a system's tree."""
     functions = {f.name: f for f in kinematic_functions(system, Motion(system))}
     labels = functions["joint_rates"].outputs[0].labels
     limbs = [
@@ -283,8 +286,7 @@ def _library(model: Model, system: System, closed: bool, watch: Stopwatch):  # t
     head = ["#include <math.h>", "#include <string.h>", *_layout(system, labels), f"#define PROJECTED {int(closed)}"]
     whole = "\n".join([*head, text, *(adapters if closed else adapters[:1]), kernel])
     library = watch("compile", compiled, whole)
-    displacements = lower(functions["joint_displacements"])
-    return library, system, lambda q: displacements(q)[0]
+    return _Loop(library, system, lower(functions["joint_displacements"]))
 
 
 def _layout(system: System, labels: tuple[str, ...]) -> list[str]:
@@ -295,8 +297,8 @@ def _layout(system: System, labels: tuple[str, ...]) -> list[str]:
         return labels.index(label if label in labels else label.replace(".w", "."))
 
     links = system.tree.links[1:]
-    spheres = [(li.q.start, first(li)) for li in links if li.motion.kind == "S"]
-    plain = [(li.q.start, first(li)) for li in links if li.motion.kind not in "SF"]
+    spheres = [(li.q.start, first(li)) for li in links if li.motion.spherical]
+    plain = [(li.q.start, first(li)) for li in links if li.motion.single]
     rows = [("PLAIN", plain), ("SPHERES", spheres)]
     lines = [f"#define NQ {len(system.tree.q)}", f"#define NW {len(labels)}"]
     lines += [f"#define PLAIN_COUNT {len(plain)}", f"#define SPHERE_COUNT {len(spheres)}"]

@@ -5,7 +5,8 @@ Reference: the same program in long double at the same inputs; its own error by 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -23,8 +24,8 @@ FUNCTIONS = ("inverse_dynamics", "forward_dynamics")
 # What -ffast-math permits but for NaN and infinity. Not by that name: a library linked with it makes all of the process
 # flush denormals, the other curves too.
 FAST = ("-fno-signed-zeros", "-fno-trapping-math", "-fassociative-math", "-freciprocal-math")
-CHECKED = 5  # states in 60 digits
-PASSES = 40  # of all states per measurement
+CHECKED = 5  # states in 60 digits, which are slow
+PASSES = 40  # over all states per measurement: some milliseconds, which the clock sees
 
 
 def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float) -> Study:
@@ -50,19 +51,21 @@ def study(subject: Subject, progress: Progress, *, repeats: int, seconds: float)
         "precision",
         f"Precision of the generated functions of {model.name}",
         points,
-        "largest error / largest output",
-        "time per evaluation",
-        "ns",
-        "the same program in long double (64-bit mantissa) at the same inputs, without guards; its own error against "
-        f"arithmetic of 60 digits at {CHECKED} states",
-        own,
-        watch.seconds,
-        tuple(left_out),
-        tuple(notes),
+        error_label="largest error / largest output",
+        cost_label="time per evaluation",
+        cost_unit="ns",
+        reference="the same program in long double (64-bit mantissa) at the same inputs, without guards; its own error "
+        f"against arithmetic of 60 digits at {CHECKED} states",
+        reference_error=own,
+        preparation=watch.seconds,
+        left_out=tuple(left_out),
+        notes=tuple(notes),
     )
 
 
-def _function(model: Model, program: Program, inputs: list, watch: Stopwatch) -> tuple[list[Setup], float]:
+def _function(
+    model: Model, program: Program, inputs: Sequence[np.ndarray], watch: Stopwatch
+) -> tuple[list[Setup], float]:
     name, count = program.name, len(inputs[0])
     plain = Program(
         name, program.description, program.inputs, program.outputs, program.instructions, program.results, (), (),
@@ -73,7 +76,7 @@ def _function(model: Model, program: Program, inputs: list, watch: Stopwatch) ->
     text = watch("print", one_file, model, {name: program})
     single = watch("print", one_file, model, {name: program}, SINGLE)
     long_text = "#include <math.h>\n#include <stddef.h>\n" + typed_function(plain, symbol, LONG_DOUBLE)
-    long_text += loop_code(symbol, *ports, "long double", "void")
+    long_text += loop_code(symbol, *ports, "long double", result="void")
     setups: list[Setup] = []
     reference: list[np.ndarray] = []
     sources = {
@@ -97,7 +100,7 @@ def _function(model: Model, program: Program, inputs: list, watch: Stopwatch) ->
     return setups, _own_error(plain, inputs, reference)
 
 
-def _error(results: list, reference: list, count: int) -> Callable[[], float]:
+def _error(results: Sequence[np.ndarray], reference: Sequence[np.ndarray], count: int) -> Callable[[], float]:
     size = max(float(np.abs(r).max()) for r in reference)
 
     def error() -> float:
@@ -106,7 +109,7 @@ def _error(results: list, reference: list, count: int) -> Callable[[], float]:
     return error
 
 
-def _own_error(program: Program, inputs: list, reference: list) -> float:
+def _own_error(program: Program, inputs: Sequence[np.ndarray], reference: Sequence[np.ndarray]) -> float:
     """Largest difference of long double to many digits, relative to the largest output (not below half an ulp of double
     of the values compared, which is how far this comparison sees)."""
     worst, size = 0.0, max(float(np.abs(r).max()) for r in reference)
@@ -118,7 +121,7 @@ def _own_error(program: Program, inputs: list, reference: list) -> float:
     return worst / size
 
 
-def _exact(number: np.longdouble):  # type: ignore[no-untyped-def]
+def _exact(number: np.longdouble) -> Any:  # an mpf of mpmath, which has no types
     """A long double as the sum of two doubles in many digits."""
     import mpmath
 

@@ -57,18 +57,18 @@ def study(
         "problems",
         f"Benchmark problems of {path}",
         points,
-        "error as the problem measures it [rad, m]",
-        "time of the whole run",
-        "ms",
-        "the problems' own, each with a second formulation beside it; the largest of their errors",
-        max((r.own_error or 0.0) for _, r in found.values()),
-        {step: sum(w.seconds.get(step, 0.0) for w in watches.values()) for step in steps},
-        (),
-        (
+        error_label="error as the problem measures it [rad, m]",
+        cost_label="time of the whole run",
+        cost_unit="ms",
+        reference="the problems' own, each with a second formulation beside it; the largest of their errors",
+        reference_error=max((r.own_error or 0.0) for _, r in found.values()),
+        preparation={step: sum(w.seconds.get(step, 0.0) for w in watches.values()) for step in steps},
+        left_out=(),
+        notes=(
             "Peers: solver call only, on another machine than this; see the problems' own studies for all of them.",
             *(f"{name}: {r.problem}; stated: {_stated(r)}" for name, (_, r) in found.items()),
         ),
-        {"Benchmark problems at their stated accuracy": (HEADER, rows)},
+        tables={"Benchmark problems at their stated accuracy": (HEADER, rows)},
     )
 
 

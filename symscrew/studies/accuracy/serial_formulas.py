@@ -16,6 +16,7 @@ from symscrew.errors import DescriptionError
 from symscrew.reference import numeric
 
 Array = np.ndarray
+SMALL_ANGLE = 1e-9  # its sine: below, angle and sine are the same number; above, their quotient is well defined
 
 
 def opened(mechanism: Mechanism) -> Mechanism:
@@ -41,7 +42,7 @@ class Chains:
     def __init__(self, mechanism: Mechanism) -> None:
         numbers = numeric(mechanism)
         self.limbs: list[list[int]] = []
-        self.spherical = [mechanism.joints[name].type == "S" for name in numbers.joints]
+        self.spherical = [mechanism.joints[name].kind.ball for name in numbers.joints]
         for limb in mechanism.limbs.values():
             self.limbs.append([numbers.joints.index(name) for name in limb.joints])
         self.freedoms, self.points = numbers.freedoms, numbers.points
@@ -136,12 +137,14 @@ def _skew(a: Array) -> Array:
 
 
 def _cross_all(point: Array, axes: Array) -> Array:
-    return _skew(point) @ axes
+    moments: Array = _skew(point) @ axes
+    return moments
 
 
 def _rotation(axis: Array, angle: float) -> Array:
     k = _skew(axis)
-    return np.eye(3) + np.sin(angle) * k + (1 - np.cos(angle)) * (k @ k)
+    turned: Array = np.eye(3) + np.sin(angle) * k + (1 - np.cos(angle)) * (k @ k)
+    return turned
 
 
 def _matrix(q: Array) -> Array:
@@ -162,7 +165,8 @@ def _quaternion_rate(q: Array, omega: Array) -> Array:
 
 
 def _vector(q: Array) -> Array:
-    sine = np.sqrt(q[1:] @ q[1:])
-    if sine < 1e-9:
-        return 2.0 * np.sign(q[0] or 1.0) * q[1:]
-    return 2.0 * np.arctan2(sine, abs(q[0])) / sine * np.sign(q[0] or 1.0) * q[1:]
+    """The rotation vector of a unit quaternion, the shorter of both."""
+    sine = float(np.sqrt(q[1:] @ q[1:]))
+    factor = 2.0 if sine < SMALL_ANGLE else 2.0 * float(np.arctan2(sine, abs(q[0]))) / sine
+    vector: Array = factor * np.sign(q[0] or 1.0) * q[1:]
+    return vector

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -18,8 +18,8 @@ from symscrew.studies.demo import SECTION_5
 from symscrew.studies.platform_motion import integrate, moving_bodies
 
 Array = np.ndarray
-INSTANTS = 201
-MOTION_STEPS = 2000
+INSTANTS = 201  # states of the paper's motion of 10 s that are studied, every 0.05 s
+MOTION_STEPS = 2000  # of the integration that they are taken from, which is projected on the closure afterwards
 REACH = 0.15  # of random configurations: rad, or of the characteristic length
 
 
@@ -45,7 +45,7 @@ class _Evaluated:
         self.model = model
         self.functions = model.programs
 
-    def __getattr__(self, name: str):  # type: ignore[no-untyped-def]
+    def __getattr__(self, name: str) -> Callable[..., Array]:
         program = self.model.programs[name]
 
         def call(*arguments: Array) -> Array:

@@ -14,20 +14,20 @@ from collections.abc import Callable
 import numpy as np
 
 from symscrew.scene import Scene
-from symscrew.simulation import Functions, Plant, RunError
-from symscrew.studies.accuracy.formulation_libraries import TREE
+from symscrew.simulation import Plant, PlantFunctions, RunError
+from symscrew.studies.accuracy.formulation_libraries import TREE, Start
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch
 
 Array = np.ndarray
-TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
+TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)  # absolute and relative, from coarse to near rounding
 SCIPY = ("Radau", "BDF")
 PANEL = "stiff libraries"
-LONGEST = 5.0  # seconds after which a run is given up
-MOST = 5_000  # steps of CVODES between two outputs
+LONGEST = 5.0  # seconds after which a run is given up: SciPy steps in Python, and a study has many settings
+MOST = 5_000  # steps of CVODES between two outputs; what needs more is not stiff but does not converge
 
 
 def stiff_setups(
-    scene: Scene, plant: Plant, start: tuple[Array, Array, Array], error_of: Callable[[Array], float], watch: Stopwatch
+    scene: Scene, plant: Plant, start: Start, error_of: Callable[[Array], float], *, watch: Stopwatch
 ) -> tuple[list[Setup], list[str]]:
     """Runs by the libraries that are installed, and what is left out."""
     setups: list[Setup] = []
@@ -36,7 +36,7 @@ def stiff_setups(
     if importlib.util.find_spec("scipy") is None:
         missing.append("Radau and BDF of SciPy: SciPy is not installed")
     else:
-        functions = watch("compile", Functions, plant, list(scene.tables.values()), compiled=True)
+        functions = watch("compile", PlantFunctions, plant, list(scene.tables.values()), compiled=True)
         for method in SCIPY:
             curve = f"{method} of SciPy, {without}"
             setups += _setups(scene, curve, _by_scipy(scene, functions, start, method), error_of)
@@ -51,22 +51,23 @@ def stiff_setups(
 def _setups(
     scene: Scene, curve: str, run_at: Callable[[float], tuple[float, Array]], error_of: Callable[[Array], float]
 ) -> list[Setup]:
-    return [_setup(scene, curve, tolerance, run_at, error_of) for tolerance in TOLERANCES]
+    def at(tolerance: float) -> Setup:
+        found: list[Array] = []
+
+        def run() -> float:
+            taken, q = run_at(tolerance)
+            found[:] = [q]
+            return taken
+
+        setting = f"tolerance {tolerance:g}"
+        return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, {"panel": PANEL})
+
+    return [at(tolerance) for tolerance in TOLERANCES]
 
 
-def _setup(scene, curve, tolerance, run_at, error_of) -> Setup:  # type: ignore[no-untyped-def]
-    found: list[Array] = []
-
-    def run() -> float:
-        taken, q = run_at(tolerance)
-        found[:] = [q]
-        return taken
-
-    setting = f"tolerance {tolerance:g}"
-    return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, {"panel": PANEL})
-
-
-def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> Callable[[float], tuple[float, Array]]:
+def _by_scipy(
+    scene: Scene, functions: PlantFunctions, start: Start, method: str
+) -> Callable[[float], tuple[float, Array]]:
     from scipy import integrate
 
     nq, nv = functions.nq, functions.nv
@@ -80,7 +81,7 @@ def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> 
                 raise ArithmeticError(f"given up after {LONGEST:g} s")
             q, v = y[:nq], y[nq : nq + nv]
             try:
-                a, x_dot = functions.slopes(t, q, v, y[nq + nv :], nothing, nothing)
+                a, x_dot = functions.slopes(t, q, v, y[nq + nv :], u=nothing, outside=nothing)
             except RunError:  # the integrator then takes a smaller step
                 return np.full_like(y, np.nan)
             return np.concatenate([functions.coordinate_rates(q, v), a, x_dot])
@@ -96,11 +97,11 @@ def _by_scipy(scene: Scene, functions: Functions, start: tuple, method: str) -> 
     return run
 
 
-def _by_cvodes(scene: Scene, plant: Plant, start: tuple, watch: Stopwatch) -> Callable[[float], tuple[float, Array]]:
+def _by_cvodes(scene: Scene, plant: Plant, start: Start, watch: Stopwatch) -> Callable[[float], tuple[float, Array]]:
     from symscrew.simulation import whole_run
 
-    functions = Functions(plant, list(scene.tables.values()), compiled=False)
-    made: dict[float, Callable[[tuple], Array]] = {}
+    functions = PlantFunctions(plant, list(scene.tables.values()), compiled=False)
+    made: dict[float, Callable[[Start], Array]] = {}
 
     def run(tolerance: float) -> tuple[float, Array]:
         if tolerance not in made:
@@ -112,5 +113,5 @@ def _by_cvodes(scene: Scene, plant: Plant, start: tuple, watch: Stopwatch) -> Ca
     return run
 
 
-def _normalised(functions: Functions, states: Array) -> Array:
+def _normalised(functions: PlantFunctions, states: Array) -> Array:
     return np.array([functions.normalised(y[: functions.nq]) for y in states])

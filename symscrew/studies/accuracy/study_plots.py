@@ -22,7 +22,7 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 MARKERS = "osD^vP*X<>dhp"
 FLOOR = 1e-17  # errors that are zero are drawn here
 NONE = 1e-12  # errors below come from rounding: the same model
-MOST_CURVES = 8
+MOST_CURVES = 8  # of a panel, one colour each; of more, each engine's best of all settings is one curve, named so
 PEERS = {"generatedC": "bare generated C", "exudyn": "Exudyn", "mujoco": "MuJoCo"}
 PUBLISHED = "published"  # single points of several authors: no line
 SVG = {"svg.hashsalt": "symscrew", "svg.fonttype": "path"}
@@ -101,7 +101,7 @@ def _growth_figure(study: Study) -> Figure:
     for point in study.points:
         if point.cost is not None:
             series.setdefault(str(point.facts["series"]), []).append(point)
-    dashes = {"color": "#808080", "linewidth": 0.8, "linestyle": (0, (5, 2))}
+    dashes: dict[str, Any] = {"color": "#808080", "linewidth": 0.8, "linestyle": (0, (5, 2))}
     with curve_style():
         made = Figure(figsize=(6.4, 2.8), layout="constrained")
         FigureCanvasAgg(made)
@@ -111,7 +111,7 @@ def _growth_figure(study: Study) -> Figure:
             times = np.array([UNITS[study.cost_unit] * p.cost.median for p in found if p.cost is not None])
             operations = np.array([float(p.facts["operations"]) for p in found])
             for axis, values, text in ((axes[0], times, name), (axes[1], operations, "counted"))[: 2 - k]:
-                axis.plot(n, values[-1] * n / n[-1], label=None if k else "linear", **dashes)  # type: ignore[arg-type]
+                axis.plot(n, values[-1] * n / n[-1], label=None if k else "linear", **dashes)
                 axis.plot(n, values, label=text, **_look(k, found))
         labels = (f"{study.cost_label}  [{study.cost_unit}]", "operations of forward dynamics")
         for axis, label in zip(axes, labels, strict=True):

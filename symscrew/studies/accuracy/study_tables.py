@@ -6,10 +6,11 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
-from symscrew.display import table
+from symscrew.display import aligned_table
 from symscrew.studies.accuracy.measuring import Point, Study
 from symscrew.studies.timing import Times
 
+SAME_TIME = 1.05  # times that differ by less are one: repeats differ as much
 UNITS = {"ns": 1e9, "ms": 1e3, "s": 1.0}
 
 
@@ -23,6 +24,7 @@ def study_markdown(
     name: str,
     studies: Sequence[Study],
     machine: Mapping[str, str],
+    *,
     pictures: Sequence[str],
     left_out: Sequence[str] = (),
 ) -> str:
@@ -31,12 +33,12 @@ def study_markdown(
     for study in studies:
         lines += [f"## {study.title}", "", *about(study), "", points_table(study.points, study), ""]
         for title, (header, rows) in study.tables.items():
-            lines += [f"**{title}**", "", table(header, rows), ""]
+            lines += [f"**{title}**", "", aligned_table(header, rows), ""]
         lines += [f"![{study.title}]({p})" for p in pictures if p.startswith(study.name) and p.endswith(".png")]
         lines.append("")
     if left_out:
         lines += ["## Left out", "", *(f"- {reason}" for reason in left_out), ""]
-    lines += ["## Machine", "", table(("part", "found"), list(machine.items())), ""]
+    lines += ["## Machine", "", aligned_table(("part", "found"), list(machine.items())), ""]
     return "\n".join(lines)
 
 
@@ -60,7 +62,7 @@ def points_table(points: Sequence[Point], study: Study) -> str:
     counted = any("operations" in p.facts for p in points)
     header = ["curve", "setting", "error", f"cost [{unit}] (quartiles)", "repeats"]
     header += ["operations"] if counted else []
-    return table(header, [_row(p, unit, counted) for p in points])
+    return aligned_table(header, [_row(p, unit, counted) for p in points])
 
 
 def _row(point: Point, unit: str, counted: bool) -> list[str]:
@@ -106,7 +108,7 @@ def study_summary(studies: Sequence[Study]) -> str:
             failed = [p for p in points if p.failure]
             if failed and len(failed) == len(points):
                 rows.append([study.name, curve, f"{len(failed)} settings", _failed(failed[0]), "-"])
-    return table(("study", "curve", "setting", "error", "cost"), rows)
+    return aligned_table(("study", "curve", "setting", "error", "cost"), rows)
 
 
 def front(points: Sequence[Point], most: int = 4) -> list[Point]:
@@ -114,18 +116,19 @@ def front(points: Sequence[Point], most: int = 4) -> list[Point]:
 
     Of one alone: the cheapest of those whose error is at most twice the least.
     """
-    good = [p for p in points if p.error is not None and p.cost is not None]
+    good = [(p.error, p.cost.median, p) for p in points if p.error is not None and p.cost is not None]
     best = [
-        p for p in good
-        if not any(o.error < p.error and o.cost.median <= 1.05 * p.cost.median for o in good if o is not p)  # type: ignore[operator, union-attr]
-    ]  # fmt: skip
-    best.sort(key=lambda p: -(p.error or 0.0))
+        (error, point)
+        for error, cost, point in good
+        if not any(e < error and c <= SAME_TIME * cost for e, c, other in good if other is not point)
+    ]
+    best.sort(key=lambda found: -found[0])
     if len(best) <= most:
-        return best
+        return [point for _, point in best]
     if most == 1:
-        return [next(p for p in sorted(best, key=_median) if (p.error or 0.0) <= 2 * (best[-1].error or 0.0))]
+        return [next(p for p in sorted((p for _, p in best), key=_median) if (p.error or 0.0) <= 2 * best[-1][0])]
     picked = [round(k * (len(best) - 1) / (most - 1)) for k in range(most)]
-    return [best[k] for k in picked]
+    return [best[k][1] for k in picked]
 
 
 def _median(point: Point) -> float:

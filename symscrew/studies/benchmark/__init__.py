@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.studies.benchmark.function_times import USUAL, Row, run, throughput
+    from symscrew.studies.benchmark.function_times import USUAL_FUNCTIONS, Row, throughput, time_functions
+    from symscrew.studies.benchmark.time_plot import draw_times
 
-__all__ = ["USUAL", "Row", "run", "throughput"]
+__all__ = ["USUAL_FUNCTIONS", "Row", "draw_times", "throughput", "time_functions"]
 
 __getattr__ = doors(__name__)

@@ -22,7 +22,7 @@ from symscrew.studies.benchmark.peers import PEERS
 from symscrew.studies.benchmark.timed_code import MOST_ARRAYS, Compiled, Measure, difference, pointer, pointers, states
 from symscrew.studies.timing import Times, interleaved
 
-USUAL = (
+USUAL_FUNCTIONS = (
     "inverse_dynamics",
     "inverse_dynamics_platform",
     "joint_reactions",
@@ -30,9 +30,9 @@ USUAL = (
     "forward_dynamics",
     "forward_dynamics_independent",
 )
-STATES = 256
-COUNTS = (1, 8, 1000, 1_000_000)
-AGREEMENT = 1e-9
+STATES = 256  # that a loop goes through: caches hold them, and no branch predictor learns them by heart
+COUNTS = (1, 8, 1000, 1_000_000)  # of a batch: one call's overhead, one pack of lanes, in the cache, out of it
+AGREEMENT = 1e-9  # largest relative difference from the reference evaluator at which a time means something
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,10 @@ def single(compiled: Compiled, name: str, count: int = STATES, *, rounds: int = 
     places, function = pointers(arrays), compiled.function(name)
 
     def measure(kept: Sequence[np.ndarray] = arrays) -> float:
-        return compiled.loops.time_single(function, ctypes.c_size_t(rounds), ctypes.c_size_t(count), sizes, places)
+        nanoseconds: float = compiled.loops.time_single(
+            function, ctypes.c_size_t(rounds), ctypes.c_size_t(count), sizes, places
+        )
+        return nanoseconds
 
     measure()
     return measure, results
@@ -92,7 +95,7 @@ def batch(compiled: Compiled, name: str, count: int, *, columns: bool) -> tuple[
     return measure, [r.T for r in results] if columns else results
 
 
-def run(
+def time_functions(
     model: Model, functions: Sequence[str], peers: Sequence[str] = (), *, repeats: int = 25, run_time: bool = False
 ) -> tuple[list[Row], list[str]]:
     """Rows of all variants of all functions, and what could not be compared.

@@ -11,7 +11,8 @@ import numpy as np
 from symscrew.reference import BodyState
 
 Array = np.ndarray
-RANK = 1e-9
+CONSISTENT = 1e-9  # relative gap above which the bodies are not where the joints can have them: an error
+RANK = 1e-9  # relative: below, a direction that the joints do not move; above, one that they do
 
 
 class PlacedModel:
@@ -110,8 +111,8 @@ def _rotation_vector(rotation: Array) -> Array:
 
 def _exact(matrix: Array, right: Array, what: str) -> Array:
     """Solution of a consistent overdetermined system; ValueError when it is not consistent."""
-    solution = np.linalg.lstsq(matrix, right, rcond=RANK)[0]
+    solution: Array = np.linalg.lstsq(matrix, right, rcond=RANK)[0]
     gap = np.abs(matrix @ solution - right).max(initial=0.0)
-    if gap > 1e-9 * max(1.0, np.abs(right).max(initial=0.0)):
+    if gap > CONSISTENT * max(1.0, np.abs(right).max(initial=0.0)):
         raise ValueError(f"the {what} of the bodies are {gap:.1e} off what the joints of the tree allow")
     return solution

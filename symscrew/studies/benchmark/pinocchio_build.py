@@ -62,7 +62,7 @@ def open_case(library: ctypes.CDLL, tree: PinocchioTree, folder: Path) -> int | 
 
 
 def timed(
-    library: ctypes.CDLL, opened: int, structured: int, states: tuple[np.ndarray, ...], shape: tuple[int, ...]
+    library: ctypes.CDLL, opened: int, states: tuple[np.ndarray, ...], shape: tuple[int, ...], *, structured: int
 ) -> tuple[Callable[[], float], np.ndarray]:
     """A measurement of ns per call of the C++, and its results."""
     u = np.full(shape, np.nan)
@@ -70,9 +70,10 @@ def timed(
     def measure(rounds: int = 8) -> float:
         pointers = [ctypes.c_void_p(x.ctypes.data) for x in (*states, u)]
         count = ctypes.c_size_t(len(u))
-        return library.pinocchio_time(
+        nanoseconds: float = library.pinocchio_time(
             ctypes.c_void_p(opened), ctypes.c_int(structured), ctypes.c_size_t(rounds), count, *pointers
         )
+        return nanoseconds
 
     measure(1)
     return measure, u

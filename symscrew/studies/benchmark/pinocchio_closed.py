@@ -18,11 +18,13 @@ from symscrew.studies.benchmark.pinocchio_build import python_model
 from symscrew.studies.benchmark.pinocchio_tree import PinocchioTree, triad
 
 Array = np.ndarray
-SMALL = 1e-9
-PROXIMAL = 2e-4
+SMALL = 1e-9  # kg m^2, of joints that stand in for a universal one: not felt, and not 0, which would be singular
+PROXIMAL = 2e-4  # relative: its proximal solver leaves 1e-4; what is farther off is another mechanism
 
 
-def less_overhead(call: Callable[..., Any], rows: Sequence[tuple], least: Callable[[], Any]) -> Callable[[], float]:
+def less_overhead(
+    call: Callable[..., Any], rows: Sequence[tuple[Any, ...]], least: Callable[[], Any]
+) -> Callable[[], float]:
     """ns per call of all rows less the time of the smallest call; both the least of three, or noise would be left."""
 
     def once() -> tuple[float, float]:
@@ -35,7 +37,8 @@ def less_overhead(call: Callable[..., Any], rows: Sequence[tuple], least: Callab
         return middle - start, time.perf_counter() - middle
 
     def measure() -> float:
-        whole, overhead = (min(times) for times in zip(*(once() for _ in range(3)), strict=True))
+        laps = [once() for _ in range(3)]
+        whole, overhead = min(lap[0] for lap in laps), min(lap[1] for lap in laps)
         return (whole - overhead) * 1e9 / len(rows)
 
     return measure
@@ -65,7 +68,7 @@ def closed(
     q, v, tau = np.zeros((len(u), made.nq)), np.zeros((len(u), made.nv)), np.zeros((len(u), made.nv))
     q[:, [*range(sphere), *(k + sphere for k in chain.tree)]] = q_tree
     v[:, chain.tree], tau[:, chain.drives] = v_tree, u
-    _follow(pinocchio, chain, q, v, sphere)
+    _follow(pinocchio, chain, q, v)
     infos = pinocchio.StdVec_RigidConstraintData()
     for constraint in chain.constraints:
         infos.append(constraint.createData())
@@ -73,7 +76,8 @@ def closed(
     settings = pinocchio.ProximalSettings(1e-10, 1e-8, 20)
 
     def dynamics(*row: Array) -> Array:
-        return pinocchio.constraintDynamics(made, data, *row, chain.constraints, infos, settings)
+        found: Array = pinocchio.constraintDynamics(made, data, *row, chain.constraints, infos, settings)
+        return found
 
     rows = list(zip(q, v, tau, strict=True))
     result = np.array([np.array(dynamics(*row)) for row in rows])[:, chain.tree]
@@ -149,9 +153,10 @@ def _closed_model(pinocchio: Any, found: Model, tree: PinocchioTree) -> Chain:
     return Chain(made, constraints, kept, further, [kept[k] for k in indices])
 
 
-def _follow(pinocchio: Any, chain: Chain, q: Array, v: Array, sphere: int) -> None:
-    """Angles and rates of the further joints from the poses that they must bridge."""
+def _follow(pinocchio: Any, chain: Chain, q: Array, v: Array) -> None:
+    """Angles and rates of the further joints from the poses that they must bridge; changes q and v in place."""
     made, data = chain.model, chain.model.createData()
+    sphere = made.nq - made.nv
     for which, at in chain.further.items():
         closing = chain.constraints[which]
         for row, rates in zip(q, v, strict=True):

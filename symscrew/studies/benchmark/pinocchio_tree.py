@@ -7,11 +7,13 @@ has. Coordinates are ordered platform first, then limb by limb.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import sympy
 
-from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.description import Joint, Mechanism
 from symscrew.kinematics import GROUND, Link, Tree, spanning_tree
 
 Array = np.ndarray
@@ -90,16 +92,17 @@ class PinocchioTree:
 
     def _local(self, joint: int, point: Array) -> Array:
         axes, origin = self.frame(joint)
-        return axes.T @ (point - origin)
+        local: Array = axes.T @ (point - origin)
+        return local
 
     def states(self, q: Array, v: Array, a: Array) -> tuple[Array, Array, Array]:
         """Pinocchio's q, v, a of consistent states (states, n) of the tree."""
         qs, vs, accelerations = [], [], []
         for element in self.elements:
             place, rate, change = q[:, element.q] - element.reference, v[:, element.v], a[:, element.v]
-            if element.kind in ("S", "free"):
+            if len(element.q) > len(element.v):  # a quaternion
                 place = np.concatenate([place[:, :-4], place[:, -3:], place[:, -4:-3]], axis=1)  # (x, y, z, w)
-            if element.kind == "free":
+            if len(element.v) == 6:
                 turn = _rotations(q[:, element.q[-4:]])
                 omega = rate[:, 3:]
                 linear = np.einsum("sji,sj->si", turn, rate[:, :3])
@@ -109,8 +112,8 @@ class PinocchioTree:
             qs.append(place)
             vs.append(rate)
             accelerations.append(change)
-        joined = (np.concatenate(parts, axis=1) for parts in (qs, vs, accelerations))
-        return tuple(np.ascontiguousarray(part) for part in joined)  # type: ignore[return-value]
+        joined = [np.ascontiguousarray(np.concatenate(parts, axis=1)) for parts in (qs, vs, accelerations)]
+        return joined[0], joined[1], joined[2]
 
 
 def pinocchio_tree(mechanism: Mechanism) -> PinocchioTree:
@@ -128,7 +131,7 @@ def pinocchio_tree(mechanism: Mechanism) -> PinocchioTree:
     for joint in _limb_order(tree, number):
         ends = [number[tree.link_of_body[body]] for body in (joint.parent, joint.child)]
         axes = tuple(_numbers(mechanism, axis) for axis in joint.axes)
-        if joint.type not in ("S", "U"):
+        if not (joint.kind.ball or joint.kind.universal):
             raise ValueError(f"joint {joint.name}: expected cut joints of type S or U, got {joint.type}")
         tip_first = ends[0] > ends[1]
         cuts.append(CutJoint(max(ends), min(ends), _numbers(mechanism, joint.point), axes if tip_first else axes[::-1]))
@@ -174,12 +177,12 @@ def _element(mechanism: Mechanism, tree: Tree, links: list[Link], parent: int) -
     if len(links) == 4:
         reference = np.concatenate([_numbers(mechanism, joint.reference), np.zeros(4)])
         return Element("free", parent, np.eye(3), origin, q, v, reference, link.index)
-    if link.motion.kind == "S":
+    if link.motion.spherical:
         return Element("S", parent, np.eye(3), origin, q, v, np.zeros(4), link.index)
-    if len(links) > 1 or link.motion.kind not in "RP":
+    if len(links) > 1 or not (link.motion.revolute or link.motion.prismatic):
         raise ValueError(f"joint {joint.name}: expected R, P, U, S or a virtual free joint, got {joint.type}")
     axis = _numbers(mechanism, joint.axes[link.motion.axis or 0]) * (-1 if link.inverted else 1)
-    place = JOINT_TYPES[joint.type].motions.index(link.motion)
+    place = link.position
     values = _numbers(mechanism, joint.reference) if joint.reference else np.zeros(2)
     return Element(link.motion.kind, parent, triad(axis), origin, q, v, values[place : place + 1], link.index)
 
@@ -187,12 +190,12 @@ def _element(mechanism: Mechanism, tree: Tree, links: list[Link], parent: int) -
 def _inertia(mechanism: Mechanism, links: list[Link]) -> tuple[float, Array, Array]:
     """Mass, centre and inertia about it of the bodies of a group, absolute axes."""
     bodies = [mechanism.bodies[name] for link in links for name in link.bodies]
-    heavy = [body for body in bodies if body.mass is not None]
+    heavy = [(body, body.mass, body.com) for body in bodies if body.mass is not None and body.com is not None]
     if not heavy:
         return 0.0, np.zeros(3), np.zeros((3, 3))
-    (body,) = heavy
+    ((body, mass, com),) = heavy
     inertia = np.zeros((3, 3)) if body.inertia is None else np.array([_numbers(mechanism, r) for r in body.inertia])
-    return float(mechanism.number(body.mass)), _numbers(mechanism, body.com), inertia  # type: ignore[arg-type]
+    return float(mechanism.number(mass)), _numbers(mechanism, com), inertia
 
 
 def triad(axis: Array) -> Array:
@@ -206,8 +209,9 @@ def _rotations(quaternions: Array) -> Array:
     w, r = quaternions[:, 0], quaternions[:, 1:]
     cross = np.cross(np.eye(3)[None], r[:, None, :])
     outer = 2 * r[:, :, None] * r[:, None, :]
-    return outer + 2 * w[:, None, None] * cross + (w**2 - (r**2).sum(axis=1))[:, None, None] * np.eye(3)
+    turned: Array = outer + 2 * w[:, None, None] * cross + (w**2 - (r**2).sum(axis=1))[:, None, None] * np.eye(3)
+    return turned
 
 
-def _numbers(mechanism: Mechanism, values: tuple) -> Array:
+def _numbers(mechanism: Mechanism, values: Sequence[sympy.Expr]) -> Array:
     return np.array([float(mechanism.number(value)) for value in values])

@@ -16,7 +16,7 @@ from symscrew.export import print_c
 from symscrew.model import Model
 from symscrew.runtime import CompileError, compile_c, find_compiler
 
-MOST_ARRAYS = 8  # of the loops in loops.c
+MOST_ARRAYS = 8  # that the loops in loops.c can pass; a function with more is refused with its name
 Measure = Callable[[], float]
 
 

@@ -9,8 +9,8 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.studies.demo.paper_figures import demo_facts, demo_summary, demo_values, write_figures
     from symscrew.studies.demo.paper_motion import SECTION_5
-    from symscrew.studies.demo.paper_study import run
+    from symscrew.studies.demo.paper_study import study_paper
 
-__all__ = ["SECTION_5", "demo_facts", "demo_summary", "demo_values", "run", "write_figures"]
+__all__ = ["SECTION_5", "demo_facts", "demo_summary", "demo_values", "study_paper", "write_figures"]
 
 __getattr__ = doors(__name__)

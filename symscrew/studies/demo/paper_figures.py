@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symscrew.description import Joint, Mechanism
-from symscrew.display import Progress, table
+from symscrew.display import Progress, aligned_table
 from symscrew.studies.demo.paper_study import LIMIT, TIMED_STATES, Case, Demo
 from symscrew.whole_files import write_text
 
@@ -91,7 +91,7 @@ def demo_summary(demo: Demo) -> str:
     body = [[text, *(value(case) for case in demo.cases)] for text, value in rows]
     return "\n".join(
         [
-            table(["quantity", *(case.mechanism.name for case in demo.cases)], body),
+            aligned_table(["quantity", *(case.mechanism.name for case in demo.cases)], body),
             "",
             f"Times: {code}, median per state of calls with {TIMED_STATES} states, so without Python's share; "
             "one thread.",
@@ -252,14 +252,15 @@ def _joint_point(case: Case, joint: Joint) -> Array:
     reference = np.array([float(case.mechanism.number(c)) for c in joint.point])
     bodies = [name for name in case.mechanism.bodies if name != case.mechanism.ground]
     pose = np.asarray(case.functions.body_poses(case.motion.q))[:, :, bodies.index(joint.child)]
-    return pose[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) @ reference + pose[:, 9:]
+    place: Array = pose[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) @ reference + pose[:, 9:]
+    return place
 
 
 def _place(mechanism: Mechanism, joint: Joint) -> str:
     """The named point at the joint with the limb and the type of the joint."""
-    from symscrew.display import symbol
+    from symscrew.display import indexed_symbol
 
     limbs = [k for k, limb in enumerate(mechanism.limbs.values(), 1) if joint.name in limb.joints]
     name = f"limb {limbs[0]}, {joint.type}" if limbs else joint.name.replace("_", " ")
     here = [p.name for p in mechanism.points.values() if p.at == joint.point]
-    return f"{symbol(here[0])} ({name})" if here else name
+    return f"{indexed_symbol(here[0])} ({name})" if here else name

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
         watched_margins,
     )
     from symscrew.studies.workspace.engine import run_locally, run_on_dask
-    from symscrew.studies.workspace.evaluation import prepare
-    from symscrew.studies.workspace.map_summary import summary, summary_text
+    from symscrew.studies.workspace.evaluation import prepare_sweep
+    from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
     from symscrew.studies.workspace.maps import draw_maps
     from symscrew.studies.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
     from symscrew.studies.workspace.store import Results, Store, save_csv, save_npz
@@ -35,7 +35,7 @@ __all__ = [
     "calls_of",
     "draw_maps",
     "independent_labels",
-    "prepare",
+    "prepare_sweep",
     "read_axis",
     "read_limit",
     "read_number",
@@ -45,8 +45,8 @@ __all__ = [
     "save_csv",
     "save_npz",
     "start_margins",
-    "summary",
-    "summary_text",
+    "sweep_summary",
+    "sweep_summary_text",
     "walk",
     "watched_margins",
 ]

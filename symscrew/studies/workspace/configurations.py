@@ -30,8 +30,8 @@ def calls_of(compiled: CompiledModel) -> Call:
     return call
 
 
-STEPS = 16
-SINGULAR = 1e-9
+STEPS = 16  # of the walk; at each the loops are closed from the last, and longer ones may end in another assembly
+SINGULAR = 1e-9  # a margin (it has no unit) below this where the walk starts is 0: nothing can be compared with it
 
 
 def independent_labels(model: Model) -> tuple[str, ...]:

@@ -14,11 +14,11 @@ from concurrent.futures.process import BrokenProcessPool
 import numpy as np
 
 from symscrew.errors import DescriptionError
-from symscrew.studies.workspace.evaluation import evaluate, prepare
+from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
 from symscrew.studies.workspace.plan import Plan
 
 Results = dict[str, np.ndarray]
-RESTARTS = 3
+RESTARTS = 3  # of the pool when a worker dies (memory); more would hide what kills it every time
 
 
 def run_locally(plan: Plan, chunks: Iterable[int], processes: int | None = None) -> Iterator[tuple[int, Results]]:
@@ -29,7 +29,7 @@ def run_locally(plan: Plan, chunks: Iterable[int], processes: int | None = None)
     """
     left = list(chunks)
     count = min(processes or os.cpu_count() or 1, len(left))
-    prepare(plan)
+    prepare_sweep(plan)
     if count <= 1:
         for chunk in left:
             yield chunk, evaluate(plan, chunk)
@@ -77,7 +77,7 @@ def run_on_dask(plan: Plan, chunks: Iterable[int], scheduler: str) -> Iterator[t
         from distributed import Client, as_completed
     except ImportError as error:
         raise DescriptionError('--dask needs Dask, which is not installed: pip install "symscrew[dask]"') from error
-    prepare(plan)
+    prepare_sweep(plan)
     try:
         client = Client(scheduler, timeout="10s", set_as_default=False)
     except (OSError, ValueError) as error:

@@ -22,6 +22,7 @@ from symscrew.studies.workspace.configurations import (
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Array = np.ndarray
+SINGULAR = 1e-9  # of R, relative: below, the platform has twists that no rates give, and the condition is infinite
 NEEDED = (
     "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
     "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics",
@@ -66,7 +67,7 @@ class PlanHolder:
         return 0
 
 
-def prepare(plan: Plan) -> Prepared:
+def prepare_sweep(plan: Plan) -> Prepared:
     """The model of a plan.
 
     Raises:
@@ -79,7 +80,7 @@ def prepare(plan: Plan) -> Prepared:
 
 def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     """All results of a piece: name -> values (cases)."""
-    made = prepare(plan)
+    made = prepare_sweep(plan)
     model, call = made.model, made.call
     values = plan.cases(chunk)
     y, p = _wanted(plan, made, values, plan.deviations(chunk))
@@ -93,7 +94,7 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
         results["status"] = status.astype(float)
         results |= _kinematics(model, call, q, extra)
         results |= _statics(model, call, q, extra)
-        results |= _quality(plan, model, call, q, extra)
+        results |= _quality(model, call, q, extra, stiffness=plan.stiffness)
         results |= _margins(model, call, q, extra)
         passed = [np.where(value > 0, 1.0, 0.0) for value in least.values()]
         results["regular"] = np.min(passed, axis=0) if passed else np.ones(len(q))
@@ -212,7 +213,7 @@ def _statics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> di
     return {f"drive {label}": u[:, k] for k, label in enumerate(program.outputs[0].labels)}
 
 
-def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
+def _quality(model: Model, call: Call, q: Array, extra: tuple[Array, ...], *, stiffness: float) -> dict[str, Array]:
     """Condition number and stiffness of the platform's motion, with lengths divided by the characteristic length.
 
     With an orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
@@ -225,13 +226,13 @@ def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array,
     if not system.drives or platform is None or "platform_jacobian" not in model.programs:
         return {}
     count, nv = len(q), len(system.tree.v)
-    null = _matrix(call, "null_space", q, extra, nv) if "null_space" in model.programs else None
+    null = _matrix(call, "null_space", (q, *extra), nv) if "null_space" in model.programs else None
     basis = np.repeat(np.eye(nv)[None], count, 0) if null is None else null
     drives = np.stack(
         [call("drive_rates", q, np.ascontiguousarray(basis[:, :, k]), *extra)[0][0] for k in range(basis.shape[2])],
         axis=2,
     )
-    twists = _matrix(call, "platform_jacobian", q, extra, 6) @ basis
+    twists = _matrix(call, "platform_jacobian", (q, *extra), 6) @ basis
     length = system.length
     twists[:, 3:] /= length
     slides = np.array([unit == "m/s" for unit in model.programs["drive_rates"].outputs[0].units])
@@ -240,7 +241,7 @@ def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array,
     if good.any() and twists.shape[2] <= 6:
         _, R = np.linalg.qr(twists[good])
         diagonal = np.abs(np.diagonal(R, axis1=1, axis2=2))
-        regular = diagonal.min(axis=1) > 1e-9 * diagonal.max(axis=1)
+        regular = diagonal.min(axis=1) > SINGULAR * diagonal.max(axis=1)
         place = np.flatnonzero(good)[regular]
         condition[good] = np.inf
         M = drives[place] @ np.linalg.inv(R[regular])
@@ -248,16 +249,15 @@ def _quality(plan: Plan, model: Model, call: Call, q: Array, extra: tuple[Array,
         values = np.linalg.svd(scaled, compute_uv=False)
         if scaled.shape[1] >= scaled.shape[2]:
             condition[place] = values[:, 0] / values[:, -1]
-            stiff = np.linalg.svd(
-                M * np.sqrt(np.where(slides, 1.0, length**2) * plan.stiffness)[:, None], compute_uv=False
-            )
+            stiff = np.linalg.svd(M * np.sqrt(np.where(slides, 1.0, length**2) * stiffness)[:, None], compute_uv=False)
             least[place], largest[place] = stiff[:, -1] ** 2, stiff[:, 0] ** 2
     return {"condition": condition, "stiffness least": least, "stiffness largest": largest}
 
 
-def _matrix(call: Call, name: str, q: Array, extra: tuple[Array, ...], rows: int) -> Array:
-    flat = call(name, q, *extra)[0][0]
-    return flat.reshape(len(q), -1, rows).transpose(0, 2, 1).copy()
+def _matrix(call: Call, name: str, inputs: tuple[Array, ...], rows: int) -> Array:
+    """A function's matrix (cases, rows, columns), which it gives column by column."""
+    flat = call(name, *inputs)[0][0]
+    return flat.reshape(len(flat), -1, rows).transpose(0, 2, 1).copy()
 
 
 def _margins(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:

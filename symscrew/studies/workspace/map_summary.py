@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.display import table
+from symscrew.display import aligned_table
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Results = Mapping[str, np.ndarray]
-DEGREE = 180 / np.pi
+DEGREE = 180 / np.pi  # per radian
 
 
-def summary(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[str, Any]:
+def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[str, Any]:
     """Counts, ranges over the allowed cases, the reach of the tilt and the effect of tolerances, as JSON values."""
     allowed = results["allowed"] > 0
     found: dict[str, Any] = {
@@ -99,7 +99,7 @@ def _tolerances(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[
     return found
 
 
-def summary_text(found: Mapping[str, Any]) -> str:
+def sweep_summary_text(found: Mapping[str, Any]) -> str:
     """The summary as text and tables."""
     axes = ", ".join(f"{n} {low:.6g} to {high:.6g} ({count})" for n, (low, high, count) in found["axes"].items())
     lines = [
@@ -116,11 +116,14 @@ def summary_text(found: Mapping[str, Any]) -> str:
             [name, *(f"{r[key]:.6g}" for key in ("least", "largest")), f"{r['largest'] - r['least']:.6g}", r["unit"]]
             for name, r in found["ranges"].items()
         ]
-        lines += ["", table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
+        lines += ["", aligned_table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
     if "tolerance" in found:
         rows = [
             [name, *(f"{r[key]:.4g}" for key in ("deviation", "5", "95")), r["unit"]]
             for name, r in found["tolerance"].items()
         ]
-        lines += ["", table(("about the mean of the samples", "standard deviation", "5 %", "95 %", "unit"), rows)]
+        lines += [
+            "",
+            aligned_table(("about the mean of the samples", "standard deviation", "5 %", "95 %", "unit"), rows),
+        ]
     return "\n".join(lines)

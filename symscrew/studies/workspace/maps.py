@@ -12,15 +12,17 @@ from symscrew.display import COLOURS, DASHES, curve_style, save_figure
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Axis, Plan
 
 Results = Mapping[str, np.ndarray]
-MOST, VANISHING = 12, 1e-9
+MOST = 12  # results in a picture, four rows of three; what it leaves out is named below it
+VANISHING = 1e-9  # relative: what varies less over the sweep is constant, and has no frame
 
 
 def draw_maps(plan: Plan, results: Results, units: Mapping[str, str], path: Path) -> Path | None:
     """The picture of a sweep over one or two axes that vary; None where there is nothing to draw."""
     varied = [axis for axis in plan.axes if axis.count > 1]
-    names = _names(plan, results)
-    if not names:
+    found = _names(plan, results)
+    if not found:
         return None
+    names, rest = found[:MOST], found[MOST:]
     shape = (*(axis.count for axis in plan.axes if axis.count > 1), plan.samples)
     if plan.samples > 1:
         made = _spread(results, names, units, plan.samples)
@@ -32,6 +34,8 @@ def draw_maps(plan: Plan, results: Results, units: Mapping[str, str], path: Path
         made = _maps(varied, shaped, names, units, polar=polar)
     else:
         return None
+    if rest:
+        made.suptitle(f"not drawn, but in the files: {', '.join(rest)}", fontsize=7, wrap=True)
     return save_figure(made, path)
 
 
@@ -44,7 +48,7 @@ def _names(plan: Plan, results: Results) -> list[str]:
     names += [n for n in results if n in driven or (n.rpartition(".")[0] in driven and " " not in n)]
     names += [n for n in results if n.startswith("drive ")]
     axes = {axis.name for axis in plan.axes}
-    return [n for n in dict.fromkeys(names) if n in results and n not in axes and _varies(results[n])][:MOST]
+    return [n for n in dict.fromkeys(names) if n in results and n not in axes and _varies(results[n])]
 
 
 def _varies(values: np.ndarray) -> bool:

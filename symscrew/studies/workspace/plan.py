@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import re
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from symscrew.errors import DescriptionError, shorten
 
 UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "rad": 1.0, "deg": math.pi / 180}
 TILT, AZIMUTH = "tilt", "azimuth"
-MOST_CASES = 50_000_000
+MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
 _NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
 
 
@@ -58,6 +58,10 @@ class Plan:
     chunk: int = 1024
     parameters: tuple[str, ...] = field(default=())
 
+    def __repr__(self) -> str:
+        over = ", ".join(axis.name for axis in self.axes) or "samples alone"
+        return f"Plan({self.mechanism.name}: {self.count} cases over {over})"
+
     @property
     def count(self) -> int:
         """Number of cases."""
@@ -71,7 +75,7 @@ class Plan:
     @property
     def hash(self) -> str:
         """SHA-256 of all that determines the results, 16 hex digits."""
-        effects = [(type_name(e), repr(e)) for e in self.effects]
+        effects = [(type_name(e), {field.name: getattr(e, field.name) for field in fields(e)}) for e in self.effects]
         rest = asdict(replace(self, mechanism=None, effects=()))  # type: ignore[arg-type]
         text = json.dumps([to_toml(self.mechanism), effects, rest], sort_keys=True, default=repr)
         return hashlib.sha256(text.encode()).hexdigest()[:16]

@@ -49,10 +49,11 @@ FLAGS = (
 )
 WARNINGS = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wvla", "-Werror")
 SHIFT = 6  # 2^6 ns of emulated time per instruction
-TICK = 40  # ns of the boards' timer
-BOARD = "board"
-STATES = 2
-TIMEOUT = 120
+TICK = 40  # ns of the boards' timer, less than an instruction takes: every single one is seen
+BOARD = "board"  # the folder with start-up code, linker script and measuring, as it is included
+STATES = 2  # test states per function: the reference configuration, and one near it
+TIMEOUT = 120  # [s]: the program of a mechanism ends after seconds; beyond it something does not end at all
+SMALLEST = 1e-3  # what an output's error is divided by at least: of entries that ought to be 0, rounding is left
 
 
 @dataclass(frozen=True)
@@ -109,17 +110,7 @@ def measure(
         raise EmbeddedError(f"not found: {'; '.join(missing)}")
     model = replace(model, programs={name: model.programs[name] for name in chosen})
     real, target = PRECISIONS[precision], CORES[core]
-    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
-        folder = Path(temporary)
-        files = {**print_c(model, precision=real, batches=False), "main.c": print_main(model, chosen, real)}
-        for name, text in files.items():
-            (folder / name).write_text(text, encoding="utf-8")
-        (folder / BOARD).mkdir()  # a mechanism may be called like one of its files
-        for file in resources.files(__package__).joinpath(BOARD).iterdir():
-            (folder / BOARD / file.name).write_bytes(file.read_bytes())
-        _compile(model, target, folder)
-        lines = _run(target, folder)
-        flash, frames = _flash(folder, model.name), deepest_frames((folder / "model.ci").read_text())
+    flash, frames, lines = _built_and_run(model, target, real)
     measured = _read(lines, chosen, model, real)
     found = {}
     for name in chosen:
@@ -138,6 +129,22 @@ def measure(
         "counted_by": f"{EMULATOR} -M {target.board} -icount shift={SHIFT}, by the system timer",
         "functions": found,
     }
+
+
+def _built_and_run(model: Model, core: Core, real: Precision) -> tuple[dict[str, int], dict[str, int], list[str]]:
+    """Bytes of flash per symbol, bytes of the frames per function, and what the program has printed."""
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        folder = Path(temporary)
+        main = print_main(model, list(model.programs), real)
+        files = {**print_c(model, precision=real, batches=False), "main.c": main}
+        for name, text in files.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        (folder / BOARD).mkdir()  # a mechanism may be called like one of its files
+        for file in resources.files(__package__).joinpath(BOARD).iterdir():
+            (folder / BOARD / file.name).write_bytes(file.read_bytes())
+        _compile(model, core, folder)
+        lines = _run(core, folder)
+        return _flash(folder, model.name), deepest_frames((folder / "model.ci").read_text()), lines
 
 
 def _belongs(symbol: str, function: str, model: Model) -> bool:
@@ -293,7 +300,7 @@ def _read(lines: Sequence[str], functions: Sequence[str], model: Model, real: Pr
             for array in expected:
                 part = got[start : start + array.shape[-1]]
                 start += array.shape[-1]
-                largest = max(float(np.abs(array).max(initial=0.0)), 1e-3)
+                largest = max(float(np.abs(array).max(initial=0.0)), SMALLEST)
                 error = max(error, float(np.abs(array[k] - part).max(initial=0.0)) / largest)
         found[name] = {
             "stack": max(int(row[3], 16) for row in own),

@@ -1,0 +1,120 @@
+"""What stands behind nodes: their operations in order, inputs, counts; the same expressions over other nodes.
+
+outputs --walk over arguments--> operations, inputs     outputs, {node: other} --substitute--> outputs over others
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from symscrew.algebra.nodes import Node, Tape
+
+WAITS = frozenset(("reciprocal", "sqrt"))
+# Operations that a machine does while a division waits for another one: a division or root takes 13 to 20 cycles, and
+# about every second one finds something else to do. With 0, `cost` would prefer few operations in one long chain.
+WAIT = 8
+# Operations that a sine and a cosine of one angle take in a vector of four. With 0, `cost` would prefer ways that read
+# angles which others do not need at all, as rods by their ends do not.
+ANGLE = 10
+
+
+def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
+    """Nodes behind the outputs, constants apart, down to the given ones (by index); arguments come first."""
+    found: dict[int, Node] = {}
+    stack = list(outputs)
+    while stack:
+        node = stack.pop()
+        if node.index not in found and node.value is None:
+            found[node.index] = node
+            if node.index not in given and node.op != "symbol":
+                stack.extend(node.args)
+    return [found[index] for index in sorted(found)]
+
+
+def needed(results: Sequence[Node]) -> set[Node]:
+    """Operations that the results need, themselves included."""
+    return {node for node in _reached(results) if node.value is None and node.op != "symbol"}
+
+
+def inputs_of(results: Sequence[Node]) -> set[Node]:
+    """Inputs on which the results depend."""
+    return {node for node in _reached(results) if node.op == "symbol"}
+
+
+def _reached(results: Sequence[Node]) -> set[Node]:
+    found: set[Node] = set()
+    stack = list(results)
+    while stack:
+        node = stack.pop()
+        if node not in found:
+            found.add(node)
+            if node.value is None and node.op != "symbol":
+                stack.extend(node.args)
+    return found
+
+
+def count_operations(results: Sequence[Node]) -> int:
+    """How many operations the results take."""
+    return len(needed(results))
+
+
+def cost(results: Sequence[Node]) -> int:
+    """What results take, in operations: the one measure by which equal ways to the same numbers are compared.
+
+    Operations, `WAIT` for each division or root in the longest chain of them, and `ANGLE` for each angle.
+    """
+    chain: dict[Node, int] = {}
+    for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
+        chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
+    angles = {node.args[0] for node in chain if node.op in ("sin", "cos")}
+    return len(chain) + WAIT * max(chain.values(), default=0) + ANGLE * len(angles)
+
+
+def uses(roots: Sequence[Node]) -> dict[int, int]:
+    """How often each node that the roots need, by index, is an operand or a root."""
+    found: dict[int, int] = {}
+    stack: list[Node] = []
+    read: Sequence[Node] = roots
+    while True:
+        for node in read:
+            index = node.index
+            if index in found:
+                found[index] += 1
+            else:
+                found[index] = 1
+                if node.op not in ("symbol", "const"):
+                    stack.append(node)
+        if not stack:
+            return found
+        read = stack.pop().args
+
+
+def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:
+    """The nodes with some nodes behind them replaced by others, all that reads these folded anew."""
+    done = {node.index: other for node, other in replaced.items()}
+    stack = list(nodes)
+    while stack:
+        node = stack[-1]
+        if node.index in done:
+            stack.pop()
+            continue
+        args = () if node.value is not None or node.op == "symbol" else node.args
+        missing = [a for a in args if a.index not in done]
+        if missing:
+            stack.extend(missing)
+        else:
+            new = [done[a.index] for a in args]
+            done[node.index] = (
+                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
+            )
+    return [done[node.index] for node in nodes]
+
+
+def remade(tape: Tape, op: str, args: Sequence[Node]) -> Node:
+    """An operation on other arguments, folded anew."""
+    if op == "sub":
+        return args[0] - args[1]
+    if op in ("add", "mul", "neg", "reciprocal"):
+        made: Node = getattr(tape, op)(*args)
+        return made
+    return tape.function(op, *args)

@@ -1,0 +1,32 @@
+"""`symscrew check`: whether folders of generated code are what the tool would write today, and agree by number."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+from symscrew.cli.help import DONE, FAILED
+
+EXAMPLES = ("symscrew check seed", "symscrew check generated/")
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew check`."""
+    command.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")
+    command.add_argument("--json", action="store_true", help="as JSON")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Check, print; 1 where a check failed."""
+    from symscrew.display import Progress
+    from symscrew.verification import check
+
+    progress = Progress()
+    with progress.step(f"check {options.directory}"):
+        result = check(options.directory)
+    if options.json:
+        print(json.dumps({"ok": result.ok, "lines": result.lines}, indent=1, ensure_ascii=False))
+    else:
+        print("\n".join(result.lines))
+        print("all checks passed" if result.ok else "FAILED")
+    return DONE if result.ok else FAILED

@@ -1,0 +1,54 @@
+"""`symscrew cost`: the bill of a scene's effects, as a table, as JSON, as a picture."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+
+from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.shared_options import need_matplotlib
+from symscrew.errors import shorten
+
+EXAMPLES = ("symscrew cost examples/scenes/falling_platform.toml", "symscrew cost scene.toml --plot bill.png")
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew cost`."""
+    command.add_argument("scene", metavar="SCENE", help="a scene file")
+    command.add_argument("--json", action="store_true", help="as JSON")
+    command.add_argument("--plot", metavar="FILE.png", help="the bill as a picture")
+    command.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, derive with and without every effect, print, draw."""
+    from symscrew.display import Progress
+    from symscrew.scene import load_scene
+    from symscrew.studies import bill_text, scene_bill
+
+    path = _picture(options.plot) if options.plot else None
+    found = scene_bill(load_scene(options.scene), timed=not options.no_timing, progress=Progress())
+    if options.json:
+        print(json.dumps(found.values(), indent=1, ensure_ascii=False))
+    else:
+        print(f"{found.name}: {found.mechanism}, {found.motion}")
+        print(bill_text(found))
+        print("operations, states and ns: with the effect less without it; drives, accelerations: change without it")
+    if path is not None:
+        from symscrew.display import save_figure
+        from symscrew.studies import bill_figure
+
+        save_figure(bill_figure(found), path)
+    return DONE
+
+
+def _picture(name: str) -> Path:
+    """Where `--plot` goes."""
+    need_matplotlib()
+    path = Path(name)
+    if path.suffix != ".png":
+        raise UsageError(f"--plot: expected a file name that ends in .png, got {shorten(name)}")
+    if not path.parent.is_dir():
+        raise UsageError(f"--plot: no folder {shorten(str(path.parent))} to write into")
+    return path

@@ -1,0 +1,118 @@
+"""`symscrew generate`: a folder of code of a mechanism and its effects.
+
+mechanism, effects --derive--> model --only the chosen functions--> generate --> folder
+"""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.generation import TARGETS, USUAL, printable, with_brought
+
+if TYPE_CHECKING:
+    from symscrew.display import Progress
+    from symscrew.model import Model
+
+EXAMPLES = (
+    "symscrew generate three_ups_upu_s --out seed",
+    "symscrew generate wrist.toml --out wrist --target c --derivatives",
+    "symscrew generate ur5 --out ur5_single --precision single",
+)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew generate`."""
+    add_mechanism(command)
+    command.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
+    text = "default: c casadi numpy; external: C for casadi.external, with derivatives; fmu: FMI 3.0, sources only"
+    command.add_argument("--target", nargs="+", choices=TARGETS, help=text)
+    command.add_argument(
+        "--precision", choices=("double", "single"), default="double", help="single: C of type float, no other target"
+    )
+    command.add_argument(
+        "--embedded", nargs="+", choices=("m4f", "m7"), default=[], metavar="CORE",
+        help="measure the C on m4f or m7 in QEMU: flash, stack and instructions go into the header and ops.json",
+    )  # fmt: skip
+    add_effects(command)
+    add_independent(command)
+    command.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
+    command.add_argument("--derivatives", action="store_true", help="also derivatives and the linearisation")
+    command.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
+    text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
+    command.add_argument("--one-mode", action="store_true", help=text)
+    text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
+    command.add_argument("--hashes-only", action="store_true", help=text)
+    text = "these functions only; default: all, which README.md of the output describes"
+    command.add_argument("--functions", nargs="+", metavar="NAME", help=text)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, derive, measure, write, print."""
+    from symscrew.display import Progress, print_table
+    from symscrew.generation import generate
+
+    targets = chosen_targets(options)
+    progress = Progress()
+    model = _chosen_functions(options, _derived(options, progress))
+    measured = []
+    for core in dict.fromkeys(options.embedded):
+        from symscrew.verification import measure
+
+        with progress.step(f"measure on {core}"):
+            measured.append(measure(model, core, options.precision))
+    with progress.step(f"write {', '.join(targets)} to {options.out}"):
+        files = generate(
+            model, options.out, targets, precision=options.precision, measured=measured, hashes_only=options.hashes_only
+        )
+    print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
+    rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
+    print_table(("function", "operations"), rows)
+    for note in model.notes:
+        print(f"note: {note}")
+    return DONE
+
+
+def chosen_targets(options: argparse.Namespace) -> list[str]:
+    """The targets to write, in the order of the table; those that the other options exclude are an error."""
+    single = options.precision == "single"
+    targets = [t for t in TARGETS if t in (options.target or (["c"] if single else USUAL))]
+    if options.embedded and "c" not in with_brought(targets):
+        raise UsageError("--embedded measures C; add it to --target")
+    possible = printable(options.precision)
+    doubles = [t for t in targets if t not in possible]
+    if single and doubles:
+        raise UsageError(f"--precision single: {doubles[0]} is double only; expected {' or '.join(possible)}")
+    return targets
+
+
+def _derived(options: argparse.Namespace, progress: Progress) -> Model:
+    """The model of the mechanism and effects that the options name; all bad input ends here."""
+    from symscrew import catalogue
+    from symscrew.model import derive
+
+    with progress.step(f"read {options.mechanism}"):
+        mechanism = catalogue.find(options.mechanism)
+        effects = chosen_effects(options, mechanism)
+    with progress.step(f"derive {mechanism.name}"):
+        return derive(
+            mechanism,
+            effects,
+            independent=options.independent,
+            length=options.length,
+            derivatives=options.derivatives,
+            regressor=options.regressor,
+            one_mode=options.one_mode,
+        )
+
+
+def _chosen_functions(options: argparse.Namespace, model: Model) -> Model:
+    """The model with the functions that the options name, or all."""
+    from symscrew.errors import did_you_mean
+
+    for name in options.functions or ():
+        if name not in model.programs:
+            raise UsageError(f"--functions: no {name!r} in {model.name}; {did_you_mean(name, model.programs)}")
+    return model.only(options.functions) if options.functions else model

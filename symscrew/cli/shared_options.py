@@ -1,0 +1,93 @@
+"""Options that several commands share: the mechanism, what acts on it, independent coordinates, places to write to.
+
+Each comes as a pair: `add_...` gives a command the options, and a function beside it reads them; all bad input ends
+there, in a `UsageError` of one line.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from symscrew.cli.help import UsageError
+
+if TYPE_CHECKING:
+    from symscrew.description import Mechanism
+    from symscrew.effects import Effect
+
+
+def add_mechanism(command: argparse.ArgumentParser) -> None:
+    """The mechanism that a command is about; `catalogue.find` reads it."""
+    text = "a name of `symscrew list`, or a .toml, .urdf or .xml (MJCF) file"
+    command.add_argument("mechanism", metavar="NAME|FILE", help=text)
+
+
+def add_described_mechanism(command: argparse.ArgumentParser) -> None:
+    """As `add_mechanism`, in fewer words."""
+    command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
+
+
+def add_independent(command: argparse.ArgumentParser) -> None:
+    """Coordinates to take as independent, instead of those of the model's own choice."""
+    command.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")
+
+
+def add_gravity(command: argparse.ArgumentParser) -> None:
+    """Gravity alone; `chosen_effects` reads it."""
+    gravity = command.add_mutually_exclusive_group()
+    gravity.add_argument("--no-gravity", action="store_true", help="no gravity (default: 9.81 m/s^2 along -z)")
+    gravity.add_argument("--gravity", nargs=3, metavar=("GX", "GY", "GZ"), help="acceleration of free fall [m/s^2]")
+    command.set_defaults(load=[], effects=None)
+
+
+def add_effects(command: argparse.ArgumentParser) -> None:
+    """Gravity, loads and effects of a file; `chosen_effects` reads them."""
+    add_gravity(command)
+    command.add_argument(
+        "--load", action="append", default=[], metavar="POINT", help="force and moment at a named point as an input"
+    )
+    command.add_argument("--effects", metavar="FILE", help="the effects of a TOML file ([[effects]]), and no others")
+
+
+def chosen_effects(options: argparse.Namespace, mechanism: Mechanism) -> list[Effect]:
+    """The effects on a mechanism that the options of `add_effects` or `add_gravity` name."""
+    from symscrew.effects import ExternalWrench, Gravity, load_effects
+    from symscrew.errors import did_you_mean
+
+    if options.effects:
+        if options.load or options.gravity or options.no_gravity:
+            raise UsageError("--effects: the file says all that acts; leave --gravity, --no-gravity and --load out")
+        return list(load_effects(options.effects))
+    effects: list[Effect] = []
+    if not options.no_gravity:
+        gravity = Gravity(tuple(options.gravity)) if options.gravity else Gravity()
+        try:
+            _ = gravity.exact
+        except ValueError as error:
+            raise UsageError(str(error)) from error
+        effects.append(gravity)
+    for point in dict.fromkeys(options.load):
+        if point not in mechanism.points:
+            raise UsageError(f"--load: no point {point!r} in {mechanism.name}; {did_you_mean(point, mechanism.points)}")
+        effects.append(ExternalWrench(point))
+    return effects
+
+
+def writable_folder(directory: str) -> Path:
+    """The directory, made if it is not there, in which a file can be created."""
+    path = Path(directory)
+    if "\0" in directory:
+        raise UsageError("--out: a path must not contain a null character")
+    path.mkdir(parents=True, exist_ok=True)
+    if not os.access(path, os.W_OK | os.X_OK):
+        raise UsageError(f"{directory}: no permission to write here")
+    return path
+
+
+def need_matplotlib(what: str = "figures need") -> None:
+    """Say how to get matplotlib, where it is not installed."""
+    if importlib.util.find_spec("matplotlib") is None:
+        raise UsageError(f'{what} matplotlib, which is not installed: pip install "symscrew[plot]"')

@@ -1,0 +1,45 @@
+"""Names, arguments and declarations in C.
+
+Port("count", ...) --> const double *restrict count_     (what the code itself calls `count` keeps its name)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.export.c_precision import Precision
+from symscrew.export.listing import wrapped
+from symscrew.program import Iteration, Port, Program
+
+# what an argument must not be called: names of math.h and the like, and of local variables of the printed functions
+NAMES_OF_MATH = "sin cos tan sqrt exp atan2 fabs isfinite NAN NULL INFINITY HUGE_VAL size_t M_PI M_E I errno assert"
+NAMES_OF_MATH += " sinf cosf tanf sqrtf expf atan2f fabsf"
+NAMES_OF_LOCALS = "count status k worst outcome total next residual change orientation start substeps most"
+NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
+NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
+NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
+NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
+TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
+
+
+def argument_names(ports: Sequence[Port]) -> list[str]:
+    """The ports' names as C arguments: those that the code needs itself get an underscore."""
+    return [port.name + "_" if port.name in TAKEN else port.name for port in ports]
+
+
+def arguments(program: Program | Iteration, precision: Precision, restrict: str = "restrict") -> list[str]:
+    """The declared arguments of a function: its inputs and outputs."""
+    names = argument_names((*program.inputs, *program.outputs))
+    read = len(program.inputs)
+    real = precision.real
+    return [f"{'const ' if i < read else ''}{real} *{restrict} {name}" for i, name in enumerate(names)]
+
+
+def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
+    """A declaration with an argument per line."""
+    return f"{prefix}{symbol}(\n    " + ",\n    ".join(given or ["void"]) + ")"
+
+
+def wrapped_code(statement: str, indent: str = "    ") -> list[str]:
+    """A long statement over several lines, broken at blanks."""
+    return wrapped(statement, first=indent, later=indent + "    ", width=110)

@@ -1,0 +1,162 @@
+"""A straight-line program on its way into C: its arguments, angles, order, results, and how operands are written.
+
+Program --Printed--> angles first | the rest in an order that suits registers | what is stored where
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+
+from symscrew.export.c_angles import Angles, gather
+from symscrew.export.c_names import argument_names
+from symscrew.export.c_order import short_lived
+from symscrew.export.c_precision import Precision
+from symscrew.export.listing import checked_slots, input_entries, live_instructions
+from symscrew.program import Instruction, Packing, Port, Program, packed
+
+# Instructions of functions that are tried in lanes: of fewer, gathering costs what is saved; of more, the search takes
+# seconds and finds little (beyond: forward dynamics of the delta and of the 6-UPS). Others are printed limb after limb.
+PACKED = range(100, 2000)
+PER_OUTPUT = 6  # and how many there must be for every output: else the time goes into taking results out
+RUN = 8  # so many zeros in a row are written by a loop before the lane; fewer with the other results
+
+
+@dataclass(frozen=True)
+class Form:
+    """How the statements of a function are written: for one state, or for several in vectors.
+
+    Entry k of an argument lies at k * `stride`, of our own arrays at k * `pitch`; `read` and `written` are formats of
+    a place that is read or written, `constant` of a number that is written; `table` is of operations.
+    """
+
+    real: str
+    table: Mapping[str, str]
+    stride: str = "1"
+    pitch: str = "1"
+    read: str = "{}"
+    written: str = "{}"
+    constant: str = "{}"
+
+
+def place(array: str, entry: int, step: str = "1") -> str:
+    """Entry k of an array whose entries are `step` apart."""
+    if entry < 2:
+        return f"{array}[{('0', step)[entry]}]"
+    return f"{array}[{entry}]" if step == "1" else f"{array}[{entry} * {step}]"
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A straight-line program on its way into C: the names of its arguments, its angles, its pivots."""
+
+    model: str
+    symbol: str
+    program: Program
+    precision: Precision
+    lanes: bool = False
+
+    @cached_property
+    def packing(self) -> Packing | None:
+        """Its form with equal limbs side by side, if `lanes` are wanted and pay."""
+        kept = [s for slots in self.program.results for s in slots if isinstance(s, int)]
+        count = len(self.program.instructions)
+        if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
+            return None
+        guards = [slot for slot, _ in self.program.guards]
+        arrays = {slot: array for slot, (array, _) in self.entries.items()}
+        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)], arrays)
+
+    @cached_property
+    def names(self) -> dict[str, str]:
+        """Port name to argument name."""
+        ports = (*self.program.inputs, *self.program.outputs)
+        return dict(zip((p.name for p in ports), argument_names(ports), strict=True))
+
+    @cached_property
+    def angles(self) -> Angles:
+        """What is computed before everything else."""
+        live, _ = live_instructions(self.program)
+        kept = {s for slots in self.program.results for s in slots if isinstance(s, int)}
+        return gather(live, kept | {slot for slot, _ in self.program.guards})
+
+    @cached_property
+    def order(self) -> list[Instruction]:
+        """Everything else, in an order that suits registers."""
+        return short_lived(self.angles.rest)
+
+    @cached_property
+    def prefix(self) -> str:
+        """A prefix of local variables that no argument can be mistaken for."""
+        used = " ".join(self.names.values())
+        return next(p for p in ("x", "t", "w", "local_", "symscrew_local_") if not re.search(rf"\b{p}\d", used))
+
+    def operand(self, value: int | float) -> str:
+        """A slot or constant."""
+        return f"{self.prefix}{value}" if isinstance(value, int) else self.precision.number(value)
+
+    def handed(self, *, outputs: bool = True) -> list[str]:
+        """The names of the arguments, to hand them on."""
+        ports = (*self.program.inputs, *self.program.outputs) if outputs else self.program.inputs
+        return [self.names[p.name] for p in ports]
+
+    @cached_property
+    def alone(self) -> Form:
+        """How one state is written."""
+        return Form(self.precision.real, self.precision.table)
+
+    @cached_property
+    def inputs(self) -> dict[int, tuple[str, int]]:
+        """The array and entry of slots that are entries of inputs."""
+        return {slot: (self.names[port.name], k) for slot, (port, k) in enumerate(input_entries(self.program))}
+
+    @cached_property
+    def entries(self) -> dict[int, tuple[str, int]]:
+        """The array and entry of slots that are there from the start: entries of inputs, sines and cosines."""
+        found = dict(self.inputs)
+        for k, (_, *pair) in enumerate(self.angles.gathered):
+            pairs = zip(("sine", "cosine"), pair, strict=True)
+            found |= {slot: (array, k) for array, slot in pairs if slot is not None}
+        return found
+
+    def entered(self, form: Form) -> dict[int, str]:
+        """What reads slots that are there from the start."""
+        own = ("sine", "cosine")
+        return {
+            slot: form.read.format(place(array, k, form.pitch if array in own else form.stride))
+            for slot, (array, k) in self.entries.items()
+        }
+
+    def loads(self, slots: Iterable[int], form: Form) -> list[str]:
+        """Statements that read slots that are there from the start."""
+        entered = self.entered(form)
+        return [f"    const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
+
+    @cached_property
+    def cleared(self) -> list[tuple[str, range]]:
+        """Runs of zeros in outputs, which are written before the lane, by loops."""
+        found = []
+        for port, slots in zip(self.program.outputs, self.program.results, strict=True):
+            first = 0
+            for zero, some in groupby(repr(slot) == "0.0" for slot in slots):
+                run = range(first, first := first + len(list(some)))
+                if zero and len(run) >= RUN:
+                    found.append((self.names[port.name], run))
+        return found
+
+    @cached_property
+    def stored(self) -> list[tuple[str, int, int | float]]:
+        """The entries of outputs, and what goes there, but for zeros that are there already."""
+        outputs = zip(self.program.outputs, self.program.results, strict=True)
+        cleared = {(name, k) for name, run in self.cleared for k in run}
+        named = [(self.names[port.name], slots) for port, slots in outputs]
+        return [(name, k, s) for name, slots in named for k, s in enumerate(slots) if (name, k) not in cleared]
+
+    def unused(self, ports: Iterable[Port], read: set[int]) -> list[str]:
+        """Nothing is said of ports of which nothing is read."""
+        entries = input_entries(self.program)
+        used = {entries[slot][0].name for slot in read if slot < len(entries)}
+        return [f"    (void){self.names[port.name]};" for port in ports if port.name not in used]

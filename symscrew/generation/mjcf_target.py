@@ -1,0 +1,18 @@
+"""Target "mjcf": the mechanism as MJCF, for MuJoCo, loops as equality constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from symscrew.generation.format_files import described, read_back
+from symscrew.generation.target_file import Case, Finding, Order
+
+
+def files(order: Order) -> Mapping[str, str]:
+    """<name>.xml."""
+    return described(order, ".xml")
+
+
+def compare(case: Case) -> Iterator[Finding]:
+    """Read back, it is the mechanism."""
+    yield read_back(case, ".xml", "MJCF")

@@ -1,0 +1,59 @@
+"""Do the numbers of a target agree with those of the reference evaluator, at the model's test states?
+
+for every output array:   max |evaluator - target| / max(max |evaluator|, 1e-3)  <=  1e-12
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from symscrew.model import Model
+from symscrew.runtime import Evaluator
+
+TOLERANCE = 1e-12  # rounding of up to some thousand operations; a term left out or a wrong sign is far above
+FLOOR = 1e-3  # below it an array's errors count in absolute terms: of entries that ought to be 0, only rounding is left
+Results = tuple[tuple[np.ndarray, ...], np.ndarray]  # outputs (states, size), and the status of every state
+Evaluate = Callable[[str, Sequence[np.ndarray]], Results]  # (function, inputs (states, size)) -> its results
+
+
+def compare_values(
+    what: str,
+    model: Model,
+    expected: Mapping[str, Results],
+    evaluate: Evaluate,
+) -> tuple[bool, str]:
+    """Largest difference per output array, relative to its largest entry (or to 1e-3 if all are smaller)."""
+    worst, where = 0.0, ""
+    for name, (arrays, status) in expected.items():
+        got, got_status = evaluate(name, model.test_inputs[name])
+        if not np.array_equal(np.ravel(status), np.ravel(got_status)):
+            return False, f"{what}: status of {name} is {np.ravel(got_status)}, expected {np.ravel(status)}"
+        for port, a, b in zip(model.programs[name].outputs, arrays, got, strict=True):
+            error = relative_difference(a, b)
+            if not error <= worst:
+                worst, where = error, f"{name}, {port.name}"
+    passed = worst <= TOLERANCE
+    place = f" ({where})" if where else ""
+    return passed, f"{what} agrees with the evaluator to {worst:.1e} relative{place}, limit {TOLERANCE:.0e}"
+
+
+def relative_difference(expected: np.ndarray, got: np.ndarray) -> float:
+    """max |expected - got| over max |expected|, at least 1e-3; infinite if NaN does not meet NaN, infinity infinity."""
+    if expected.shape != got.shape or not np.array_equal(np.isnan(expected), np.isnan(got)):
+        return float("inf")
+    # equal infinities would become NaN in their difference
+    difference = np.subtract(expected, got, out=np.zeros(expected.shape), where=expected != got)
+    largest = float(np.nanmax(np.abs(difference), initial=0.0))
+    scale = max(float(np.abs(expected[np.isfinite(expected)]).max(initial=0.0)), FLOOR)
+    return largest / scale
+
+
+def evaluated(evaluator: Evaluator, sizes: Sequence[int], inputs: Sequence[np.ndarray]) -> Results:
+    """Outputs of these sizes and statuses that an evaluator of `symscrew.runtime` writes for inputs (states, size)."""
+    states = len(inputs[0]) if inputs else 1
+    outputs = tuple(np.empty((states, size)) for size in sizes)
+    status = np.zeros(states, dtype=np.intc)
+    evaluator([np.ascontiguousarray(x, dtype=float) for x in inputs], outputs, status)
+    return outputs, status

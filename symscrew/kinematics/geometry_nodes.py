@@ -1,0 +1,107 @@
+"""The numbers of a description as nodes of the tape: baked ones are constants of 60 digits, run-time ones inputs.
+
+    length * sin(pi/3)  --scalar-->  a constant, or a node of the parameter `length`
+
+Hidden identities between constants are folded (`settle`), so that what is structurally zero is the node zero.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from symscrew.algebra import (
+    CONTEXT,
+    IDENTITY,
+    Matrix,
+    Node,
+    Tape,
+    Vector,
+    cross,
+    dot,
+    expression_node,
+    high_precision,
+    scale,
+    subtract,
+)
+from symscrew.description import Joint, Mechanism
+
+UNITS: tuple[Vector, Vector, Vector] = IDENTITY
+
+
+class Geometry:
+    """The description's numbers as nodes: parameters, points and axes; run-time parameters are inputs."""
+
+    def __init__(self, mechanism: Mechanism, tape: Tape) -> None:
+        self.mechanism, self.tape = mechanism, tape
+        self.parameters = {
+            p.symbol: tape.symbol(p.name, p.unit, p.description or f"parameter {p.name}")
+            for p in mechanism.parameters.values()
+            if p.run_time
+        }
+        self._scalars: dict[object, Node] = {}
+        trials = []
+        for k in range(3 if self.parameters else 0):
+            # Trial 0 is the nominal value; the others are off it by factors that no identity survives.
+            trial = {}
+            for i, p in enumerate(p for p in mechanism.parameters.values() if p.run_time):
+                nominal = high_precision(p.value)
+                shift = CONTEXT.mpf(k) * CONTEXT.sqrt(i + 2) / 97
+                trial[self.parameters[p.symbol]] = nominal * (1 + shift) + shift / 89
+            trials.append(trial)
+        tape.set_parameter_trials(trials)
+
+    def scalar(self, expression: object) -> Node:
+        """A number of the description as a node; 60 digits of the same expression are computed once."""
+        if expression not in self._scalars:
+            node = expression_node(self.tape, self.mechanism.baked(expression), self.parameters)  # type: ignore[arg-type]
+            self._scalars[expression] = self.tape.settle(node)
+        return self._scalars[expression]
+
+    def vector(self, values: tuple) -> Vector:
+        """A vector of the description as nodes."""
+        x, y, z = (self.scalar(v) for v in values)
+        return (x, y, z)
+
+    def settle(self, values: Vector) -> Vector:
+        """A vector of constants with hidden identities folded (see `Tape.settle`)."""
+        x, y, z = (self.tape.settle(v) for v in values)
+        return (x, y, z)
+
+    def settle_matrix(self, matrix: Matrix) -> Matrix:
+        """A matrix of constants with hidden identities folded."""
+        a, b, c = (self.settle(row) for row in matrix)
+        return (a, b, c)
+
+    def unit(self, values: Vector) -> Vector:
+        """The vector divided by its length."""
+        length = self.tape.sqrt(self.tape.settle(dot(values, values)))
+        return self.settle(scale(1 / self.tape.settle(length), values))
+
+    def size(self, node: object) -> float:
+        """Magnitude of a constant at the nominal parameters."""
+        node = self.tape.settle(node)
+        if node.value is not None:
+            return abs(float(node.value))
+        self.tape.set_samples(
+            {n: np.array([float(self.mechanism.parameters[n.args[0].name].value)]) for n in self.parameters.values()}
+        )
+        return abs(float(self.tape.sample(node)[0]))
+
+    def motion_axes(self, joint: Joint) -> tuple[Vector, ...]:
+        """Axes to which the motions of a joint refer, absolute, in the reference configuration."""
+        given = [self.vector(axis) for axis in joint.axes]
+        return joint.kind.motion_axes(given, UNITS, self._across)
+
+    def _across(self, normal: Vector) -> tuple[Vector, Vector]:
+        first = self.perpendicular(normal)
+        return first, self.settle(cross(normal, first))
+
+    def perpendicular(self, axis: Vector, towards: Vector | None = None) -> Vector:
+        """A unit vector perpendicular to `axis`: the component of `towards`, or of an absolute axis."""
+        if towards is not None:
+            rest = self.settle(subtract(towards, scale(dot(towards, axis), axis)))
+            if max(self.size(c) for c in rest) > 1e-9 * max(self.size(c) for c in towards):
+                return self.unit(rest)
+        sizes = [self.size(c) for c in axis]
+        nearest = UNITS[sizes.index(min(sizes))]
+        return self.unit(subtract(nearest, scale(dot(nearest, axis), axis)))

@@ -1,0 +1,88 @@
+"""What is known of a link: its frame, its place on its parent, its rates and its inertia.
+
+    parent --Frame.rotation--> axes before the motion --Placement.turn--> link axes
+
+Every quantity stands in the link's own axes, at the link's own origin, unless its name says otherwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symscrew.algebra import Matrix, Node, Vector, add, transform, transpose
+
+Wrench = tuple[Vector, Vector]
+"""(force [N], moment [N m] about a point that the context names)."""
+
+NO_SPREAD: Matrix = ((0, 0, 0),) * 3
+"""The second moment matrix of no mass."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Constants of a link.
+
+    `axes`: absolute_R_link in the reference configuration. `origin`: absolute, in the reference
+    configuration. `rotation`: parent_R_link before the joint's own motion. `offset`: of the origin from the
+    parent's, parent's axes, in the reference configuration. `axis`: the joint axis in the parent's axes.
+    `reference`: the joint's coordinate in the reference configuration.
+    `phase`: the motion is a rotation about z by q + phase (R, H) or a translation by q + phase along `axis`.
+    """
+
+    axes: Matrix
+    origin: Vector
+    rotation: Matrix
+    offset: Vector
+    axis: Vector
+    phase: Node
+    reference: Node | int = 0
+    start: tuple[Node, Node] | None = None  # cosine and sine of the angle at the reference configuration
+    pitch: Node | None = None
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where a link is on its parent, for given coordinates.
+
+    `turn` rotates link axes to the axes before the motion, `rotation` those to the parent's axes; `offset`
+    is the link's origin in the parent's coordinates.
+    """
+
+    rotation: Matrix
+    turn: Matrix
+    offset: Vector
+
+    def outwards(self, vector: Vector) -> Vector:
+        """A vector from parent axes to link axes."""
+        return transform(transpose(self.turn), transform(transpose(self.rotation), vector))
+
+    def before(self, vector: Vector) -> Vector:
+        """A vector from link axes to the axes before the joint's motion."""
+        return transform(self.turn, vector)
+
+    def inwards(self, vector: Vector) -> Vector:
+        """A vector from link axes to parent axes."""
+        return transform(self.rotation, transform(self.turn, vector))
+
+
+@dataclass(frozen=True)
+class Rates:
+    """Angular velocity, angular acceleration, acceleration of the origin, and U; link axes."""
+
+    omega: Vector
+    alpha: Vector
+    origin: Vector
+    matrix: Matrix
+
+    def at(self, point: Vector) -> Vector:
+        """Acceleration of the point of the link at `point` (link coordinates)."""
+        return add(self.origin, transform(self.matrix, point))
+
+
+@dataclass(frozen=True)
+class Inertia:
+    """Mass, first moment and second moment matrix about the link's origin, link axes."""
+
+    mass: Node
+    first: Vector
+    second: Matrix

@@ -1,0 +1,182 @@
+"""What of a mechanism does not depend on where it is: tape, tree, frames, inputs, inertias, drives, parameters.
+
+Mechanism --> Structure --linkage, cuts--> System
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from symscrew.algebra import IDENTITY, ZERO, Node, Tape, Vector, subtract, transform, transpose
+from symscrew.description import Mechanism
+from symscrew.kinematics.geometry_nodes import Geometry
+from symscrew.kinematics.link_frames import link_frames
+from symscrew.kinematics.link_inertias import link_inertias
+from symscrew.kinematics.link_quantities import Frame, Inertia, Placement
+from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.pairs import Turn
+from symscrew.kinematics.tree import Coordinate, Tree, spanning_tree
+from symscrew.program import Function, Port, evaluate, lower
+
+Array = np.ndarray[Any, Any]
+
+
+@dataclass(frozen=True)
+class Coordinates:
+    """Nodes of the tree: configuration q, rates v, accelerations a."""
+
+    q: tuple[Node, ...]
+    v: tuple[Node, ...]
+    a: tuple[Node, ...]
+
+
+class Structure:
+    """A mechanism on a tape of its own. Attributes are derived once and never change."""
+
+    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None) -> None:
+        """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then."""
+        self.mechanism = loaded or mechanism
+        self.tape = Tape()
+        self.geometry = Geometry(mechanism, self.tape)
+        self.tree: Tree = spanning_tree(mechanism)
+        self.frames: tuple[Frame, ...] = link_frames(mechanism, self.tree, self.geometry)
+        self.inputs = self._inputs()
+
+    def _inputs(self) -> Coordinates:
+        def make(prefix: str, coordinates: Sequence[Coordinate], unit: str, what: str) -> tuple[Node, ...]:
+            return tuple(
+                self.tape.symbol(f"{prefix}_{c.label.replace('.', '_')}", c.unit + unit, f"{what} of {c.label}")
+                for c in coordinates
+            )
+
+        return Coordinates(
+            make("q", self.tree.q, "", "coordinate"),
+            make("v", self.tree.v, "", "rate"),
+            make("a", self.tree.v, "/s", "acceleration"),
+        )
+
+    @cached_property
+    def inertia(self) -> tuple[Inertia, ...]:
+        """Inertia of every link about its origin, link axes."""
+        return link_inertias(self.mechanism, self.tree, self.frames, self.geometry)
+
+    @cached_property
+    def length(self) -> float:
+        """Characteristic length [m]; see `characteristic_length`."""
+        return characteristic_length(self.mechanism)
+
+    @cached_property
+    def scales(self) -> Array:
+        """What one rate of the tree is compared with, shape (nv,): the characteristic length for a length, else 1."""
+        return np.array([self.length if c.kind == "length" else 1.0 for c in self.tree.v])
+
+    @cached_property
+    def reference(self) -> Array:
+        """q in the reference configuration, shape (nq,)."""
+        q = np.zeros(len(self.tree.q))
+        for link in self.tree.links[1:]:
+            given = self.tree.joints[link.joint].reference
+            value = float(self.mechanism.number(given[link.position])) if link.position < len(given) else 0.0
+            q[link.q] = link.pair.reference(value)
+        return q
+
+    def advance(self, q: Array, step: Array) -> Array:
+        """q moved along joint rates w (spherical: rotation vector in the axes before the rotation); shapes (..., n)."""
+        moved = np.array(q, dtype=float)
+        for link in self.tree.links[1:]:
+            moved[..., link.q] = link.pair.moved(q[..., link.q], step[..., link.v])
+        return moved
+
+    @cached_property
+    def drives(self) -> tuple[tuple[str, int], ...]:
+        """(joint, freedom) of every drive, in the order of the description: the entries of u."""
+        return tuple((j.name, k) for j in self.mechanism.joints.values() for k in j.driven)
+
+    def drive_rows(self) -> dict[int, int]:
+        """Index into v -> index into u, for drives of tree joints."""
+        rows = {}
+        for u, (joint, freedom) in enumerate(self.drives):
+            if joint in self.tree.joints:
+                rows[self.tree.velocity_indices(joint)[freedom]] = u
+        return rows
+
+    def virtual_directions(self) -> tuple[tuple[Vector, ...], tuple[Vector, ...]]:
+        """Directions of forces and couples reciprocal to the virtual joint: it must not transmit them."""
+        joint = self.tree.joints[self.tree.virtual] if self.tree.virtual else None
+        if joint is None or joint.kind.unconstrained:
+            return (), ()
+        axes = list(enumerate(self.geometry.motion_axes(joint)))
+        forces = tuple(axis for k, axis in axes if k not in joint.kind.sliding)
+        return forces, tuple(axis for k, axis in axes if k not in joint.kind.turning)
+
+    def linkage(self, q: Sequence[Node], turns: Mapping[int, Turn] | None = None) -> Linkage:
+        """The links at coordinates q; `turns` gives cosines and sines of links whose angles are not needed."""
+        known = turns or {}
+        placed = [Placement(IDENTITY, IDENTITY, ZERO)]
+        for link, frame in zip(self.tree.links[1:], self.frames[1:], strict=True):
+            placed.append(link.pair.placement(self.tape, frame, q[link.q], known.get(link.index)))
+        return Linkage(self.tree, self.frames, tuple(placed))
+
+    def local_point(self, link: int, point: Vector) -> Vector:
+        """A point given in the reference configuration, in link coordinates."""
+        frame = self.frames[link]
+        return self.geometry.settle(transform(transpose(frame.axes), subtract(point, frame.origin)))
+
+    @cached_property
+    def parameters(self) -> tuple[Node, ...]:
+        """Input nodes of the run-time parameters, in the order of the description."""
+        return tuple(self.geometry.parameters[p.symbol] for p in self.mechanism.parameters.values() if p.run_time)
+
+    @cached_property
+    def parameter_values(self) -> Array:
+        """Default values of the run-time parameters."""
+        return np.array([float(p.value) for p in self.mechanism.parameters.values() if p.run_time])
+
+    def parameter_ports(self) -> tuple[tuple[Port, ...], tuple[tuple[Node, ...], ...]]:
+        """The input port `p` of the run-time parameters, or nothing where there are none."""
+        chosen = [p for p in self.mechanism.parameters.values() if p.run_time]
+        if not chosen:
+            return (), ()
+        port = Port(
+            "p",
+            (len(chosen),),
+            tuple(p.unit for p in chosen),
+            tuple(p.name for p in chosen),
+            "run-time parameters",
+        )
+        return (port,), (self.parameters,)
+
+    def numeric(self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array]) -> Array:
+        """Values of `nodes` for arrays (samples, n) of the given input nodes; run-time parameters default."""
+        pairs = [*inputs, (self.parameters, self.parameter_values)] if self.parameters else list(inputs)
+        ports = tuple(Port(f"x{i}", (len(n),), (), (), "") for i, (n, _) in enumerate(pairs))
+        function = Function(
+            "numeric",
+            "",
+            ports,
+            (Port("y", (len(nodes),), (), (), ""),),
+            tuple(tuple(n) for n, _ in pairs),
+            (tuple(nodes),),
+        )
+        return evaluate(lower(function), [a for _, a in pairs])[0][0]
+
+
+def characteristic_length(mechanism: Mechanism) -> float:
+    """The length [m] by which norms of mixed quantities divide lengths: the description's, if it gives one.
+
+    Else the root mean square distance of the joints' points and the named points from their centre: invariant
+    under rigid motions, proportional to the unit; 1 where all points coincide.
+    """
+    if mechanism.characteristic_length is not None:
+        return float(mechanism.number(mechanism.characteristic_length))
+    points = [[float(mechanism.number(c)) for c in joint.point] for joint in mechanism.joints.values()]
+    points += [[float(mechanism.number(c)) for c in p.at] for p in mechanism.points.values()]
+    cloud = np.array(points)
+    size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
+    # Rounded, so that the same description gives the same bytes on every machine.
+    return float(f"{size:.6g}") if size > 0 else 1.0

@@ -1,0 +1,177 @@
+"""Constraints at one time of a motion: closed loops, equations of motion, bounds, conditions.
+
+quantities at a point --> rows  lower <= value <= upper  with labels that a person understands
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.optimisation.casadi_graph import symbolic_outputs
+from symscrew.optimisation.motion_quantities import MotionQuantities
+from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.rows import INFINITY, Row
+from symscrew.optimisation.terms import expression
+
+# Range of a cosine that is 1 where a direction is met and -1 at its opposite, which has the same zero sines: wide, so
+# that it holds with slack where the sines are zero and does not disturb the solver.
+FORWARDS = (0.5, 1.5)
+
+
+def closure_rows(at: MotionQuantities, where: str = "") -> list[Row]:
+    """The loops are closed, quaternions have unit length."""
+    values = at.opening
+    suffix = f" at {where}" if where else ""
+    return [Row(f"closure of the loops, row {k + 1}{suffix}", values[k]) for k in range(values.numel())]
+
+
+def dynamic_rows(at: MotionQuantities) -> list[Row]:
+    """Equations of motion and of the effects' states."""
+    rows, x_dot = FORMULATIONS[at.model.problem.transcription.formulation](at)
+    for k, name in enumerate(at.model.states):
+        value = at.blocks["x_1"][k] - at.T * x_dot[k]
+        rows.append(Row(f"rate of the state {name}", value, scale=float(at.model.scales.x[k])))
+    return rows
+
+
+def _inverse(at: MotionQuantities) -> tuple[list[Row], Any]:
+    """N^T (M a + bias - forces) = 0 with the drives as unknowns, and x_dot."""
+    scale = at.model.scales.force
+    found = symbolic_outputs(at.model.equations.dynamics, at.known)
+    residual = found["residual"]
+    rows = [Row(f"equation of motion {k + 1}", residual[k], scale=float(scale[k])) for k in range(at.model.d)]
+    return rows, found["x_dot"]
+
+
+def _forward(at: MotionQuantities) -> tuple[list[Row], Any]:
+    """y_ddot = what forward dynamics gives for the drives, and x_dot; times T^2, so that a row has the size of y."""
+    scale = at.model.scales.y
+    found = symbolic_outputs(at.model.equations.forward, at.known)
+    error = (at.y_ddot - found["y_ddot"]) * at.T**2
+    labels = at.model.equations.labels
+    rows = [Row(f"equation of motion along {label}", error[k], scale=float(scale[k])) for k, label in enumerate(labels)]
+    return rows, found["x_dot"]
+
+
+FORMULATIONS: Mapping[str, Callable[[MotionQuantities], tuple[list[Row], Any]]] = {
+    "inverse": _inverse,
+    "forward": _forward,
+}
+
+
+def rule_rows(at: MotionQuantities) -> list[Row]:
+    """Redundant drives by least squares about the preload: u - preload lies in the range of the drives' rates."""
+    model = at.model
+    if model.problem.drive_rule != "least_squares":
+        return []
+    u = at.blocks["u"]
+    residual = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
+    matrix = ca.jacobian(residual, u)
+    about = ca.DM([model.problem.preload.get(label, 0.0) for label in model.drive_labels])
+    values = u - about - matrix.T @ at.blocks["distribution"]
+    return [
+        Row(f"least-squares rule of drive {label}", values[k], scale=float(model.scales.u[k]))
+        for k, label in enumerate(model.drive_labels)
+    ]
+
+
+def bound_rows(at: MotionQuantities) -> list[Row]:
+    """Bounds that are not those of an unknown itself."""
+    bounds, scales = at.model.problem.bounds, at.model.scales
+    length = at.model.system.length
+    rows = []
+    for label, (low, high) in bounds.joints.items():
+        rows.append(Row(f"travel of {label}", at.coordinates[label], low, high))
+    for label, (low, high) in bounds.speeds.items():
+        rows.append(Row(f"speed of {label}", at.rate(label), low, high, 1.0 / scales.duration))
+    for name, (low, high) in bounds.margins.items():
+        if name not in at.margins:
+            raise DescriptionError(f"bounds.margins: unknown margin {name!r}; {did_you_mean(name, at.margins)}")
+        rows.append(Row(f"margin {name}", at.margins[name], low, high))
+    for (name, axis), (low, high) in bounds.points.items():
+        rows.append(Row(f"{'xyz'[axis]} of point {name}", at.points[name][axis], low, high, length))
+    for d in bounds.distances:
+        apart = at.points[d.first] - at.points[d.second]
+        low, high = max(d.range[0], 0.0), d.range[1]
+        what = f"distance of {d.first} and {d.second}"
+        rows.append(Row(what, ca.dot(apart, apart), low * low, high * high, length * length))
+    for text, (low, high) in bounds.expressions.items():
+        value = expression(text, at.names, where="bounds.expressions")
+        rows.append(Row(text, value, low, high))
+    return rows + _reaction_rows(at)
+
+
+def _reaction_rows(at: MotionQuantities) -> list[Row]:
+    """Squares of reactions, which are smooth where the reaction is zero; moments about the joint's own point."""
+    bounds, names, rows = at.model.problem.bounds.reactions, list(at.model.system.mechanism.joints), []
+    if not bounds:
+        return []
+    points = at.of_tree("joint_points")["points"]
+    for joint, (force, moment) in bounds.items():
+        k = names.index(joint)
+        f, m = at.reactions[6 * k : 6 * k + 3], at.reactions[6 * k + 3 : 6 * k + 6]
+        if force is not None:
+            rows.append(Row(f"reaction force of {joint}", ca.dot(f, f), -INFINITY, force**2, force**2))
+        if moment is not None:
+            own = m - ca.cross(points[3 * k : 3 * k + 3], f)
+            rows.append(Row(f"reaction moment of {joint}", ca.dot(own, own), -INFINITY, moment**2, moment**2))
+    return rows
+
+
+def condition_rows(at: MotionQuantities, conditions: Conditions, where: str) -> list[Row]:
+    """Conditions that need the configuration."""
+    rows, length = [], at.model.system.length
+    linear = set(at.model.equations.labels)
+    for label, value in conditions.coordinates.items():
+        if label not in linear:
+            rows.append(Row(f"{label} at {where}", at.coordinates[label], value, value))
+    for label, value in conditions.rates.items():
+        if label not in linear:
+            rows.append(Row(f"rate of {label} at {where}", at.rate(label), value, value))
+    for name, target in conditions.points.items():
+        for axis, place in enumerate(target):
+            if place is not None:
+                what = f"{'xyz'[axis]} of point {name} at {where}"
+                rows.append(Row(what, at.points[name][axis], place, place, length))
+    if conditions.platform_normal is not None:
+        rows += _normal_rows(at, np.array(conditions.platform_normal, dtype=float), where)
+    if conditions.platform_position is not None:
+        for axis, shift in enumerate(conditions.platform_position):
+            what = f"{'xyz'[axis]} of the platform at {where}"
+            rows.append(Row(what, at.platform_pose[1][axis], shift, shift, length))
+    if conditions.platform_rotation is not None:
+        goal = _rotation(np.array(conditions.platform_rotation, dtype=float))
+        off = ca.DM(goal).T @ at.platform_pose[0]
+        for k, (i, j) in enumerate(((2, 1), (0, 2), (1, 0))):
+            rows.append(Row(f"rotation {'xyz'[k]} of the platform at {where}", (off[i, j] - off[j, i]) / 2))
+        rows.append(Row(f"sense of the platform's rotation at {where}", (ca.trace(off) - 1) / 2, *FORWARDS))
+    return rows
+
+
+def _normal_rows(at: MotionQuantities, normal: np.ndarray, where: str) -> list[Row]:
+    size = np.linalg.norm(normal)
+    if not size > 0:
+        raise DescriptionError(f"{where}.platform_normal: expected a direction, got {normal.tolist()}")
+    normal = normal / size
+    least = np.eye(3)[np.argmin(np.abs(normal))]
+    one = np.cross(normal, least)
+    one /= np.linalg.norm(one)
+    two = np.cross(normal, one)
+    up = at.platform_pose[0][:, 2]
+    rows = [Row(f"platform normal, part {k + 1}, at {where}", ca.dot(ca.DM(e), up)) for k, e in enumerate((one, two))]
+    return [*rows, Row(f"sense of the platform normal at {where}", ca.dot(ca.DM(normal), up), *FORWARDS)]
+
+
+def _rotation(vector: np.ndarray) -> np.ndarray:
+    """Rotation matrix of a rotation vector."""
+    angle = float(np.linalg.norm(vector))
+    if angle == 0:
+        return np.eye(3)
+    x, y, z = vector / angle
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)

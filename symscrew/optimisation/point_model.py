@@ -1,0 +1,86 @@
+"""A problem with its derived equations: which unknowns a point of the motion has, and what they are called.
+
+The unknowns of a point are blocks: y, its first and second derivative by the relative time tau in [0, 1] (so that
+everything the transcription does to them is linear also where the duration T is free), z, the drives u, and what
+objectives, rules and effects add.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.functions import joint_freedom_labels, u_port
+from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.optimisation.problem import TrajectoryProblem
+from symscrew.optimisation.rows import INFINITY, Scales
+
+
+class PointModel:
+    """A problem, its equations of motion and the sizes of its quantities: `scales` are those of the guess."""
+
+    def __init__(self, problem: TrajectoryProblem, equations: PointEquations, scales: Scales) -> None:
+        self.problem, self.equations, self.scales = problem, equations, scales
+        system = equations.system
+        self.system = system
+        self.drive_labels = u_port(system).labels if system.drives else ()
+        self.states = tuple(s.name for s in equations.acting.states)
+        self.parameter_names = tuple(p.name for p in system.mechanism.parameters.values() if p.run_time)
+        self.design = tuple(n for n in self.parameter_names if n in problem.design)
+        self._check_names()
+
+    # -- sizes and names ----------------------------------------------------------------------------------
+
+    @property
+    def d(self) -> int:
+        """Number of independent coordinates."""
+        return len(self.equations.labels)
+
+    def _check_names(self) -> None:
+        problem, bounds = self.problem, self.problem.bounds
+        groups: list[tuple[str, Sequence[str], Sequence[str]]] = [
+            ("bounds.drives", list(bounds.drives), self.drive_labels),
+            ("bounds.drive_rates", list(bounds.drive_rates), self.drive_labels),
+            ("bounds.joints", list(bounds.joints), self.coordinate_labels),
+            ("bounds.speeds", list(bounds.speeds), self.rate_labels),
+            ("bounds.reactions", list(bounds.reactions), list(self.system.mechanism.joints)),
+            ("bounds.points", [name for name, _ in bounds.points], list(self.system.mechanism.points)),
+            ("preload", list(problem.preload), self.drive_labels),
+            ("design", list(problem.design), list(self.system.mechanism.parameters)),
+            ("parameters", list(problem.parameters), list(self.system.mechanism.parameters)),
+            ("guess", list(problem.guess), self.equations.labels),
+        ]
+        for o in problem.objectives:
+            groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
+        for d in bounds.distances:
+            groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))
+        for which, c in (("start", problem.start), ("end", problem.end), *(("via", v) for v in problem.via)):
+            groups.append((f"{which}.coordinates", list(c.coordinates), self.coordinate_labels))
+            groups.append((f"{which}.rates", list(c.rates), self.rate_labels))
+            groups.append((f"{which}.points", list(c.points), list(self.system.mechanism.points)))
+        for where, names, known in groups:
+            for name in names:
+                if name not in known:
+                    raise DescriptionError(f"{where}: unknown name {name!r}; {did_you_mean(name, known)}")
+
+    @cached_property
+    def joint_labels(self) -> tuple[str, ...]:
+        """Labels of all joint freedoms, cut joints included."""
+        return tuple(label for label, _, _ in joint_freedom_labels(self.system))
+
+    @property
+    def coordinate_labels(self) -> tuple[str, ...]:
+        """What a condition or bound on coordinates may name."""
+        return tuple(
+            dict.fromkeys((*self.equations.labels, *(c.label for c in self.system.tree.q), *self.joint_labels))
+        )
+
+    @property
+    def rate_labels(self) -> tuple[str, ...]:
+        """What a condition or bound on rates may name."""
+        return tuple(dict.fromkeys((*self.equations.labels, *self.joint_labels)))
+
+    def drive_range(self, label: str) -> tuple[float, float]:
+        """Bounds of a drive."""
+        return self.problem.bounds.drives.get(label, (-INFINITY, INFINITY))

@@ -1,0 +1,166 @@
+"""Lowering: from nodes of the tape to a straight-line program.
+
+    Function (ports, nodes) --passes--> other nodes for the same values --Lowering--> Program (instructions on slots)
+
+What no result needs is never reached, so it costs nothing. Equal instructions are one; a product with a reciprocal
+that nothing else reads is a quotient, the negative of a difference is the difference the other way round.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from symscrew.algebra import Node, uses
+from symscrew.program.passes import PASSES
+from symscrew.program.straight_line import Instruction, Port, Program
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of the model before lowering: ports and the nodes behind them.
+
+    `arguments` and `results` are the nodes of each input and output, `size` of them. `guards`: (node, threshold):
+    the function fails with status 1 where |node| <= threshold.
+    """
+
+    name: str
+    description: str
+    inputs: tuple[Port, ...]
+    outputs: tuple[Port, ...]
+    arguments: tuple[tuple[Node, ...], ...]
+    results: tuple[tuple[Node, ...], ...]
+    guards: tuple[tuple[Node, float], ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def lower(function: Function) -> Program:
+    """The program of a function: all passes in their order, then instructions.
+
+    Raises:
+        ValueError: a result depends on an input of the model that is not among the function's.
+    """
+    roots = roots_of(function)
+    for rewritten in PASSES:
+        roots = rewritten(roots)
+    return _Lowering(with_roots(function, roots), uses(roots)).program()
+
+
+def roots_of(function: Function) -> list[Node]:
+    """All results, then the guarded pivots."""
+    return [n for nodes in function.results for n in nodes] + [g for g, _ in function.guards]
+
+
+def with_roots(function: Function, roots: Sequence[Node]) -> Function:
+    """The function with other results and guarded pivots, in the order of `roots_of`."""
+    left = iter(roots)
+    results = tuple(tuple(next(left) for _ in nodes) for nodes in function.results)
+    return replace(function, results=results, guards=tuple((next(left), t) for _, t in function.guards))
+
+
+class _Lowering:
+    """Gives slots to nodes and writes their instructions, each once; `uses` says how often a node is read."""
+
+    def __init__(self, function: Function, uses: Mapping[int, int]) -> None:
+        self.function, self.uses = function, uses
+        self.slot: dict[int, int | float] = {}  # of a node; for a constant, its value
+        self.instructions: list[Instruction] = []
+        self.made: dict[tuple[object, ...], int] = {}
+        self.next = itertools.count()
+        for node in itertools.chain.from_iterable(function.arguments):
+            self.slot[node.index] = next(self.next)
+
+    def program(self) -> Program:
+        """All results first, then the guards that are not among what these need."""
+        results = tuple(tuple(self.value(n) for n in nodes) for nodes in self.function.results)
+        guards: dict[int, float] = {}
+        for node, threshold in self.function.guards:
+            inner = node.args[0] if node.op == "neg" else node  # |-x| = |x|
+            slot = self.value(inner)
+            if isinstance(slot, int):  # of several thresholds for one pivot the largest says it all
+                guards[slot] = max(threshold, guards.get(slot, threshold))
+        f = self.function
+        return Program(
+            f.name,
+            f.description,
+            f.inputs,
+            f.outputs,
+            tuple(self.instructions),
+            results,
+            tuple(_strongest(guards, self.instructions).items()),
+            f.notes,
+            next(self.next),
+        )
+
+    def value(self, root: Node) -> int | float:
+        """Slot or constant of a node, emitting what it needs first (without recursion in depth)."""
+        slot = self.slot
+        stack = [root]
+        while stack:
+            node = stack[-1]
+            if node.index in slot:
+                stack.pop()
+                continue
+            if node.value is not None:
+                slot[node.index] = float(node.value)
+                stack.pop()
+                continue
+            if node.op == "symbol":
+                raise ValueError(
+                    f"function {self.function.name} uses {node.args[0].name}, which is not among its inputs "
+                    f"({', '.join(p.name for p in self.function.inputs)})"
+                )
+            op, args = self._form(node)
+            ready = True
+            for arg in args[::-1]:
+                if arg.index not in slot:
+                    stack.append(arg)
+                    ready = False
+            if ready:
+                stack.pop()
+                slot[node.index] = self._emit(op, tuple([slot[a.index] for a in args]))
+        return slot[root.index]
+
+    def _single(self, node: Node) -> bool:
+        return self.uses.get(node.index, 0) == 1 and node.index not in self.slot
+
+    def _form(self, node: Node) -> tuple[str, tuple[Node, ...]]:
+        """The cheapest way to print a node: x * (1/y) with y's reciprocal used once is a quotient."""
+        op, args = node.op, node.args
+        if op == "mul":
+            x, y = args
+            if y.op == "reciprocal" and x.op != "reciprocal" and self._single(y):
+                return "div", (x, y.args[0])
+            if x.op == "reciprocal" and y.op != "reciprocal" and self._single(x):
+                return "div", (y, x.args[0])
+        elif op == "neg":
+            inner = args[0]
+            if inner.op == "sub" and self._single(inner):
+                return "sub", (inner.args[1], inner.args[0])
+        return op, args
+
+    def _emit(self, op: str, args: tuple[int | float, ...]) -> int:
+        # slot 2 and the constant 2.0 are equal, and not the same
+        key = (op, args, tuple(map(type, args))) if float in map(type, args) else (op, args)
+        target = self.made.get(key)
+        if target is None:
+            self.made[key] = target = next(self.next)
+            self.instructions.append(Instruction(target, op, args))
+        return target
+
+
+def _strongest(guards: Mapping[int, float], instructions: Sequence[Instruction]) -> dict[int, float]:
+    """Guards without those that follow from others: |c g| > t with a cosine or sine c says that |g| > t."""
+    turns = {i.target for i in instructions if i.op in ("sin", "cos")}
+    found = dict(guards)
+    for instruction in reversed(instructions):
+        if instruction.op != "mul" or instruction.target not in found:
+            continue
+        one, other = instruction.args
+        if isinstance(one, float) or isinstance(other, float):  # the constant 2.0 is not slot 2
+            continue
+        for factor, pivot in ((one, other), (other, one)):
+            if factor in turns and pivot in found:
+                found[instruction.target] = max(found[instruction.target], found.pop(pivot))
+    return found

@@ -1,0 +1,254 @@
+"""The C of a run: generated functions, sizes and units as constants, and the kernels that march with them.
+
+Plant --print_c--> functions --constants, adapters--> one file with the kernels of `simulation/kernels`
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from symscrew.export import decimal, print_c
+from symscrew.model import Model
+from symscrew.program import Program
+from symscrew.scene import Table
+from symscrew.simulation.fronts import layouts, paths
+from symscrew.simulation.state_programs import Plant
+
+KERNELS = Path(__file__).parent / "kernels"
+# Distances from singular configurations, as parts of the smallest pivot that the closure has in regular ones.
+PIVOTS = {
+    "PIVOT": 1.0,
+    "ZONE": 0.02,  # nearer, nothing is corrected or evaluated, for it would be noise: interpolated from both sides
+    "CAREFUL": 0.25,  # nearer, steps follow the branch on charts; farther, they are projected, which is cheaper
+    "LOOK": 1e-3,  # a least pivot below it is a crossing that is reported, and rows with such pivots are its lost rows
+}
+# Without units: lengths are divided by the characteristic length.
+THRESHOLDS = {
+    "RANK_FLOOR": 1e-10,  # what is left of a row below it depends on the rows before; above, it is a row of its own
+    "CLOSED": 1e-14,  # opening of the loops at which corrections end: what rounding leaves
+    "NEARLY_CLOSED": 1e-12,  # an opening that no longer halves is good enough below it; above it the run stops
+    "STRIDE": 0.05,  # of a chart's scale: longest stride along a branch between two corrections
+    # Of a chart's scale: least distance of the places between which the zone is interpolated. Closer together they
+    # enlarge what rounding leaves at them, and a run gets stuck (seen at 0.002).
+    "SPACING": 0.015,
+    "REACH": 0.6,  # longest step in local coordinates: a chart is a good one within about half a radian
+    "CAREFUL_TOLERANCE": 4e-12,  # least local tolerance of careful steps: near the zone accelerations are noise
+    "DUST": 1e-150,  # slopes below it count as zero: their products would be denormal numbers, twelve times as slow
+}
+# Newton steps onto the loops, each of which doubles the digits; a step of the run that needs more is repeated, shorter
+# or with care.
+MOST_CORRECTIONS = 12
+# what stands for the tables of a scene that has none
+NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
+
+
+def generated(plant: Plant) -> dict[str, str]:
+    """The plant's functions as C: file name to text."""
+    programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
+    rates = plant.model.programs.get("effect_state_rates")
+    if isinstance(rates, Program):
+        programs["effect_state_rates"] = rates
+    if plant.closure is not None:
+        programs["closure_both"] = replace(plant.closure, name="closure_both")
+    reduced = Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
+    return print_c(reduced, batches=False)
+
+
+def kernel_text(name: str) -> str:
+    """A kernel's text with the files that it includes put in."""
+    lines = []
+    for line in (KERNELS / name).read_text(encoding="utf-8").splitlines():
+        if line.startswith('#include "dop853_'):
+            lines.append(kernel_text(line.split('"')[1]).rstrip("\n"))
+        else:
+            lines.append(line)
+    return "\n".join([*lines, ""])
+
+
+def _table(name: str, rows: Sequence[tuple[int, int]]) -> str:
+    body = ", ".join(f"{{{a}, {b}}}" for a, b in rows) or "{0, 0}"
+    return f"static const int {name}[{max(len(rows), 1)}][2] = {{{body}}};"
+
+
+def _vector(name: str, values: np.ndarray, storage: str = "static const") -> str:
+    body = ", ".join(decimal(float(v)) for v in values) or "1.0"
+    return f"{storage} double {name}[{max(len(values), 1)}] = {{{body}}};"
+
+
+def constants(plant: Plant) -> str:
+    """Sizes, units and thresholds that the kernels read."""
+    tree, sizes = plant.system.tree, plant.sizes
+    spheres, plain = tree.spheres, tree.plain
+    nq, nv, nx, nr = sizes["q"], sizes["v"], sizes["x"], len(plant.rows)
+    passive = int(plant.works)
+    numbers = {
+        "NQ": nq, "NV": nv, "NX": nx, "NU": sizes["u"], "NS": plant.tables, "NR": nr, "RANK": plant.rank,
+        "FREE": nv - plant.rank, "NY": 2 * nv + nx, "PASSIVE": passive, "PLAIN_COUNT": len(plain),
+        "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
+        "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "ENTRIES": len(plant.entries),
+        "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": MOST_CORRECTIONS,
+        "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
+    }  # fmt: skip
+    reals = {
+        **{name: part * plant.pivot for name, part in PIVOTS.items()},
+        **THRESHOLDS,
+    }
+    lines = [f"#define {name} {value}" for name, value in numbers.items()]
+    lines += [f"#define {name} {decimal(float(value))}" for name, value in reals.items()]
+    lines += [
+        _table("PLAIN", plain),
+        _table("SPHERES", spheres),
+        _vector("UNIT", plant.units),
+        _vector("ROW_SCALE", plant.rows),
+        *(_pattern(plant) if nr else ()),
+        "#if !defined(PARAMETERS_STORAGE)",
+        "#define PARAMETERS_STORAGE static const",
+        "#endif",
+        _vector("PARAMETERS", plant.parameters, "PARAMETERS_STORAGE"),
+    ]
+    return "\n".join([*lines, ""])
+
+
+def _integers(name: str, values: Sequence[int]) -> str:
+    return f"static const int {name}[{max(len(values), 1)}] = {{{', '.join(map(str, values)) or '0'}}};"
+
+
+def _pattern(plant: Plant) -> list[str]:
+    """Where the closure's Jacobian has entries, and the fronts of its rows."""
+    fronts = plant.fronts
+    places, through = layouts(fronts), paths(fronts, plant.entries)
+    live = [row for front in fronts for row in front.rows]
+    coordinates = [(k, column) for k, front in enumerate(fronts) for column in front.columns]
+    column_at = [-1] * sum(place.width for place in places)
+    spots = [-1] * plant.sizes["v"]
+    for k, column in coordinates:
+        spots[column] = places[k].at + fronts[k].columns.index(column)
+        column_at[spots[column]] = column
+    lower = [
+        sum(fronts[j].rank for j in through[row]) + front.rank for front in fronts for row in front.rows
+    ]  # parts of a row along the pivots below, then along those of its own front
+    starts = np.searchsorted(plant.entries[:, 0], np.arange(len(plant.rows) + 1)).tolist()
+    table = ", ".join(
+        f"{{{p.row}, {len(f.rows)}, {p.pivot}, {f.rank}, {p.at}, {p.width}, {len(f.columns)}, {f.parent}, {p.up}, "
+        f"{p.turn}}}"
+        for f, p in zip(fronts, places, strict=True)
+    )
+    sizes = {
+        "FRONTS": max(len(fronts), 1), "LIVE1": max(len(live), 1), "WIDTHS": max(len(column_at), 1),
+        "TURNS": max(sum(p.width**2 for p in places), 1), "LOWERS": max(sum(lower), 1),
+        "MOST_ROWS": max((len(f.rows) for f in fronts), default=1),
+        "MOST_WIDTH": max((p.width for p in places), default=1),
+    }  # fmt: skip
+    return [
+        *(f"#define {name} {value}" for name, value in sizes.items()),
+        f"#define FRONT_TABLE {{{table or '{0, 0, 0, 0, 0, 0, 0, -1, 0, 0}'}}}",
+        _table("ENTRY", [(row, column) for row, column in plant.entries.tolist()]),
+        _integers("ENTRY_START", starts),
+        _integers("LIVE_ROW", live),
+        _integers("LOWER_AT", _sums(lower)),
+        _integers("PATH_START", _sums([len(through[row]) for row in live])),
+        _integers("PATH", [front for row in live for front in through[row]]),
+        _integers("SPOT", spots),
+        _integers("COLUMN", column_at),
+    ]
+
+
+def _sums(counts: Sequence[int]) -> list[int]:
+    return [0, *itertools.accumulate(counts)]
+
+
+def adapters(plant: Plant) -> str:
+    """C that calls the generated functions by the names that the kernels use."""
+    name = plant.model.name
+    commanded = list(plant.inputs.outputs)
+    outside = next((port.size for port in plant.slopes.inputs if port.name == "s"), 0) - plant.tables
+    lines = [
+        "static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
+        "                     double *x_dot)",
+        "{",
+        f"    double s[NS + {outside + 1}] = {{0.0}};",
+        "    tables_at(t, s);",
+        *(f"    s[NS + {k}] = OUTSIDE_INPUTS[{k}];" for k in range(outside)),
+        f"    int outcome = {name}_slopes(&t, q, v, x, u, s, PARAMETERS, a, x_dot);",
+        "    if (outcome != 1) {",
+        "        return outcome;",
+        "    }",
+        *(f"    double {port.name}[{max(port.size, 1)}];" for port in commanded),
+    ]
+    if commanded:
+        given = ", ".join(p.name for p in commanded)
+        lines.append(f"    if ({name}_inputs(&t, q, v, x, u, s, PARAMETERS, {given}) != 0) {{")
+        lines += ["        return 2;", "    }"]
+    known = {"q": "q", "v": "v", "x": "x", "t": "&t", "p": "PARAMETERS"}
+    arguments = [known.get(p.name, f"{p.name}_command") for p in plant.forward.inputs]
+    results = ["a" if p.name == "a" else "spare" for p in plant.forward.outputs]
+    spare = max([p.size for p in plant.forward.outputs if p.name != "a"], default=0)
+    if spare:
+        lines.append(f"    double spare[{spare}];")
+    if sum(p.size for p in plant.slopes.outputs if p.name == "x_dot"):
+        lines += ["    for (int k = 0; k < NX; ++k) {", "        x_dot[k] = 0.0;", "    }"]
+    rates = plant.model.programs.get("effect_state_rates")
+    if isinstance(rates, Program):
+        given = ", ".join(known.get(p.name, f"{p.name}_command") for p in rates.inputs)
+        lines += [f"    if ({name}_effect_state_rates({given}, x_dot) > 0) {{", "        return 2;", "    }"]
+    lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
+    if plant.closure is not None:
+        p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
+        lines += [
+            "static int closure_at(const double *q, double *residual, double *jacobian)",
+            "{",
+            f"    return {name}_closure_both(q{p}, residual, jacobian);",
+            "}",
+        ]
+    return "\n".join([*lines, ""])
+
+
+def source(plant: Plant, tables: str = "") -> str:
+    """The whole C file of a run."""
+    files = generated(plant)
+    name = plant.model.name
+    code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
+    parts = ("rows.c", "manifold.c", "chart.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "simulation.c")
+    kernels = [kernel_text(file) for file in parts]
+    head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
+    head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations"]
+    return "\n".join([*head, kernel_text("dop853_error.h"), tables or NO_TABLES, adapters(plant), *kernels])
+
+
+def table_code(tables: Sequence[Table]) -> str:
+    """`tables_at(t, s)` in C: the polynomial pieces of every table as constant data; "" for none."""
+    if not tables:
+        return ""
+    lines = []
+    for k, table in enumerate(tables):
+        body = ", ".join(decimal(t) for t in table.times)
+        lines.append(f"static const double TABLE_{k}_TIMES[{len(table.times)}] = {{{body}}};")
+        rows = ", ".join("{" + ", ".join(decimal(float(c)) for c in row) + "}" for row in table.pieces())
+        lines.append(f"static const double TABLE_{k}_PIECES[{len(table.times) - 1}][4] = {{{rows}}};")
+    lines += [
+        "static double table_at(double t, int count, const double *times, const double (*pieces)[4])",
+        "{",
+        "    int low = 0, high = count - 1;",
+        "    t = t < times[0] ? times[0] : t > times[count - 1] ? times[count - 1] : t;",
+        "    while (high - low > 1) {",
+        "        const int middle = (low + high) / 2;",
+        "        if (t >= times[middle]) {",
+        "            low = middle;",
+        "        } else {",
+        "            high = middle;",
+        "        }",
+        "    }",
+        "    const double d = t - times[low], *c = pieces[low];",
+        "    return c[0] + d * (c[1] + d * (c[2] + d * c[3]));",
+        "}",
+        "static void tables_at(double t, double *s)",
+        "{",
+    ]
+    for k, table in enumerate(tables):
+        lines.append(f"    s[{k}] = table_at(t, {len(table.times)}, TABLE_{k}_TIMES, TABLE_{k}_PIECES);")
+    return "\n".join([*lines, "}", ""])

@@ -1,0 +1,72 @@
+"""What the command line shows where: colours on a terminal, Markdown in a pipe, what to do about what is missing."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from symscrew.cli.parser import main
+from symscrew.display import terminal
+
+HEADER, ROWS = ("part", "n"), [["seed", "2"], ["tool", "not found"]]
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def shown(monkeypatch: pytest.MonkeyPatch, **environment: str) -> str:
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stdout", stream)
+    for name in ("NO_COLOR", "TERM", "COLUMNS"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in {"TERM": "xterm-256color", "COLUMNS": "60", **environment}.items():
+        monkeypatch.setenv(name, value)
+    terminal.print_table(HEADER, ROWS)
+    return stream.getvalue()
+
+
+def test_terminal_has_colours(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = shown(monkeypatch)
+    assert "\x1b[31mnot found" in text
+    plain = re.sub(r"\x1b\[[\d;]*m", "", text)
+    assert [line.split() for line in plain.splitlines() if "seed" in line] == [["seed", "2"]]
+
+
+@pytest.mark.parametrize("environment", [{"NO_COLOR": "1"}, {"TERM": "dumb"}])
+def test_no_colours_where_they_are_not_wanted(environment: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> None:
+    assert shown(monkeypatch, **environment) == terminal.aligned_table(HEADER, ROWS) + "\n"
+
+
+@pytest.mark.slow
+def test_pipe_gets_markdown() -> None:
+    done = subprocess.run([sys.executable, "-m", "symscrew", "list"], capture_output=True, text=True, check=True)
+    assert "\x1b" not in done.stdout and done.stdout.startswith("| name")
+
+
+def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    real = terminal.shutil.which
+    monkeypatch.setattr(terminal.shutil, "which", lambda name: None if name == "valgrind" else real(name))
+    assert main(["doctor", "--json"]) == 0
+    rows = {row["part"]: row for row in json.loads(capsys.readouterr().out)}
+    assert rows["valgrind"]["found"] == "not found" and rows["valgrind"]["to get it"] == "apt install valgrind"
+    assert rows["casadi: ipopt"]["found"] == "yes" and rows["sympy"]["to get it"] == ""
+    for row in rows.values():
+        assert (row["found"] in terminal.MISSING) == bool(row["to get it"])
+
+
+def test_completion() -> None:
+    pytest.importorskip("argcomplete", reason='not installed: pip install "symscrew[completion]"')
+    asked = {"_ARGCOMPLETE": "1", "COMP_LINE": "symscrew gen", "COMP_POINT": "12", "_ARGCOMPLETE_IFS": "\n"}
+    code = "import sys, symscrew.cli.parser as c; sys.exit(c.main([]))"
+    # the shell's side of the protocol: candidates come on descriptor 8, messages on 9
+    line = f'{sys.executable} -c "{code}" 8>&1 9>/dev/null >/dev/null'
+    done = subprocess.run(["bash", "-c", line], env={**os.environ, **asked}, capture_output=True, text=True)
+    assert "generate" in done.stdout.split()

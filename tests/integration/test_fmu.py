@@ -1,0 +1,195 @@
+"""Functional mock-up units: valid, and the same motion as our own simulation, in both standards and both kinds."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from support.model_states import pendulum
+
+from symscrew import scene as scenes
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.fmu.unit_archive import build_unit
+from symscrew.fmu.unit_variables import structured
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Scene
+from symscrew.simulation.motion import simulate
+
+fmpy = pytest.importorskip("fmpy")
+from fmpy.validation import validate_fmu  # noqa: E402
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: units have no binary")
+
+SWINGING = """
+[scene]
+name = "swinging"
+mechanism = "four_bar"
+duration = 0.5
+rate = 20
+
+[initial.rates]
+A = 3.0
+
+[[effects]]
+type = "gravity"
+acceleration = [0, 0, "-9.81"]
+
+[integrator]
+method = "{method}"
+{rest}
+"""
+PUSHED = (
+    SWINGING
+    + """
+[[effects]]
+type = "external_wrench"
+point = "coupler_middle"
+"""
+)
+FIXED = {"method": "rk4", "rest": "step = 1e-3"}
+EXACT = {"method": "dop853", "rest": "tolerance = 1e-11"}
+
+
+@pytest.fixture(scope="module")
+def units(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    folder = tmp_path_factory.mktemp("units")
+    for version in (2, 3):
+        assert (
+            build_unit(scenes.parse_scene(SWINGING.format(**FIXED)), folder / f"{version}.fmu", version=version) == []
+        )
+    return {version: folder / f"{version}.fmu" for version in (2, 3)}
+
+
+def run(unit: Path, kind: str, **options: Any) -> np.ndarray:
+    return fmpy.simulate_fmu(
+        str(unit),
+        fmi_type=kind,
+        stop_time=0.5,
+        output_interval=0.05,
+        step_size=0.05,
+        relative_tolerance=1e-10,
+        **options,
+    )
+
+
+def own(text: str) -> tuple[Scene, Any]:
+    found = scenes.parse_scene(text)
+    return found, simulate(found)
+
+
+def coordinates(result: np.ndarray, run_of: Any) -> tuple[np.ndarray, np.ndarray]:
+    labels = [c.label for c in run_of.model.system.tree.q]
+    at = [int(np.argmin(abs(result["time"] - t))) for t in run_of.t]
+    return np.array([[result[structured("q", label)][k] for label in labels] for k in at]), run_of.q
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("version", [2, 3])
+def test_unit_is_valid(units: dict[int, Path], version: int) -> None:
+    assert validate_fmu(str(units[version])) == []
+    described = fmpy.read_model_description(str(units[version]))
+    assert described.coSimulation is not None and described.modelExchange is not None
+    units_of = {v.name: v.unit for v in described.modelVariables}
+    assert units_of["u.A"] == "N m" and units_of["q.A"] == "rad" and units_of["der(v.A)"] == "rad/s^2"
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_co_simulation_takes_the_steps_of_our_own_loop(units: dict[int, Path], version: int) -> None:
+    got, expected = coordinates(run(units[version], "CoSimulation"), own(SWINGING.format(**FIXED))[1])
+    assert np.abs(got - expected).max() < 1e-12
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_model_exchange_follows_the_same_motion(units: dict[int, Path], version: int) -> None:
+    result = run(units[version], "ModelExchange", solver="CVode")
+    got, expected = coordinates(result, own(SWINGING.format(**EXACT))[1])
+    assert np.abs(got - expected).max() < 1e-6
+
+
+@pytest.mark.slow
+def test_drives_and_loads_are_inputs(tmp_path: Path) -> None:
+    """A constant drive and a load at a point by their inputs: the same as a scene that commands them."""
+    text = PUSHED.format(**FIXED)
+    build_unit(scenes.parse_scene(text), tmp_path / "pushed.fmu")
+    commanded = text + '[drives]\nA = "2.5"\n[inputs]\nload_coupler_middle = ["4", "0", "-3", "0", "0.5", "0"]\n'
+    names = ["u.A", *(f"load_coupler_middle.{c}" for c in ("fx", "fy", "fz", "mx", "my", "mz"))]
+    values = dict(zip(names, (2.5, 4, 0, -3, 0, 0.5, 0), strict=True))
+    result = run(tmp_path / "pushed.fmu", "CoSimulation", start_values=values)
+    got, expected = coordinates(result, own(commanded)[1])
+    assert np.abs(got - expected).max() < 1e-12
+
+
+def test_a_start_that_cannot_be_closed_is_an_error(units: dict[int, Path]) -> None:
+    with pytest.raises(Exception, match="fmi3"):
+        run(units[3], "CoSimulation", start_values={"q.A": 0.0, "q.B": 2.0, "q.D": -2.5})
+
+
+def test_state_can_be_saved_and_restored(units: dict[int, Path]) -> None:
+    from fmpy.fmi2 import FMU2Slave
+
+    described = fmpy.read_model_description(str(units[2]))
+    folder = fmpy.extract(str(units[2]))
+    try:
+        unit = FMU2Slave(guid=described.guid, unzipDirectory=folder, modelIdentifier="swinging", instanceName="one")
+        unit.instantiate()
+        unit.setupExperiment(startTime=0.0)
+        unit.enterInitializationMode()
+        unit.exitInitializationMode()
+        references = [v.valueReference for v in described.modelVariables if v.name.startswith("q.")]
+        unit.doStep(0.0, 0.1)
+        saved, there = unit.getFMUState(), unit.getReal(references)
+        unit.doStep(0.1, 0.1)
+        after = unit.getReal(references)
+        unit.setFMUState(saved)
+        assert unit.getReal(references) == there
+        unit.doStep(0.1, 0.1)
+        assert unit.getReal(references) == after
+        unit.freeFMUState(saved)
+        unit.terminate()
+        unit.freeInstance()
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def test_sources_compile_without_warnings(units: dict[int, Path], tmp_path: Path) -> None:
+    for version, unit in units.items():
+        with zipfile.ZipFile(unit) as archive:
+            archive.extract("sources/swinging.c", tmp_path)
+        command = [str(find_compiler()), "-std=c99", "-Wall", "-Wextra", "-Wno-unused-function",
+                   "-Wno-unused-parameter", "-Werror", "-c", "swinging.c"]  # fmt: skip
+        result = subprocess.run(command, cwd=tmp_path / "sources", capture_output=True, text=True, check=False)
+        assert result.returncode == 0, (version, result.stderr[:2000])
+
+
+def test_equal_scenes_give_equal_bytes(units: dict[int, Path], tmp_path: Path) -> None:
+    build_unit(scenes.parse_scene(SWINGING.format(**FIXED)), tmp_path / "again.fmu")
+    with zipfile.ZipFile(units[3]) as first, zipfile.ZipFile(tmp_path / "again.fmu") as second:
+        names = [name for name in first.namelist() if not name.startswith("binaries/")]
+        assert all(first.read(name) == second.read(name) for name in names)
+
+
+def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text(toml_file.to_toml(pendulum().mechanism))
+    for given, version in (("four_bar", "2"), (str(own), "3")):
+        unit = tmp_path / f"{Path(given).stem}.fmu"
+        assert main(["fmu", given, "--out", str(unit), "--fmi", version]) == 0
+        assert validate_fmu(str(unit)) == []
+        unit.unlink()
+    own.unlink()
+    for arguments, said in (
+        (["fmu", "four_bar", "--out", str(tmp_path / "four_bar.zip")], ".fmu"),
+        (["fmu", "four_ba", "--out", str(tmp_path / "x.fmu")], "four_ba"),
+        (["fmu", "four_bar", "--out", str(tmp_path / "none" / "x.fmu")], "folder"),
+    ):
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as stopped:
+            raise SystemExit(main(arguments))
+        assert stopped.value.code == 2 and said in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,177 @@
+"""Generated output of real mechanisms, from description to checked files; and that `check` finds changes."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.model_states import body_states, model, relative
+
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.effects.external_wrench import ExternalWrench
+from symscrew.effects.gravity import Gravity
+from symscrew.errors import DescriptionError
+from symscrew.export.manifest_file import OutputError
+from symscrew.generation.folder import TARGETS, generate
+from symscrew.model import derive
+from symscrew.reference.newton_euler_method import newton_euler
+from symscrew.runtime.compiled import load
+from symscrew.verification.regeneration import check
+
+
+@pytest.fixture(scope="module")
+def four_bar():
+    return model("four_bar")
+
+
+@pytest.fixture
+def output(generated, tmp_path) -> Path:
+    shutil.copytree(generated("four_bar"), tmp_path / "four_bar")
+    return tmp_path / "four_bar"
+
+
+def failures(directory: Path) -> list[str]:
+    result = check(directory)
+    failed = [line for line in result.lines if ": FAILED: " in line]
+    assert result.ok == (not failed)
+    return failed
+
+
+@pytest.mark.slow
+def test_check_covers_every_target(four_bar, tmp_path):
+    """What `check` does for each; Node may be missing, the compiler not."""
+    generate(four_bar, tmp_path / "loop", [t for t in TARGETS if t != "urdf"])
+    generate(model("ur5"), tmp_path / "arm", ["urdf"])
+    result = check(tmp_path)
+    assert result.ok, "\n".join(result.lines)
+    said = "\n".join(result.lines)
+    for what in (
+        "operations", "same bytes", "reads it without warnings", "C agrees", "CasADi agrees", "NumPy module agrees",
+        "CasADi external agrees", "Jacobians of CasADi externals",
+        "JavaScript", "FMU: accelerations agree", "FMU: a step", "MJCF read back", "arm: ok: URDF read back",
+    ):  # fmt: skip
+        assert what in said
+
+
+@pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="needs a second file system")
+def test_a_directory_on_another_file_system(four_bar, tmp_path):
+    """A mounted folder, or a link to one: what is written is moved within it, and nothing is left beside."""
+    with tempfile.TemporaryDirectory(dir="/dev/shm") as elsewhere:
+        assert Path(elsewhere).stat().st_dev != tmp_path.stat().st_dev
+        (tmp_path / "out").symlink_to(elsewhere)
+        for _ in range(2):
+            generate(four_bar, tmp_path / "out", ["numpy"])
+        written = {"README.md", "four_bar_numpy.py", "manifest.json", "mechanism.toml", "ops.json", "test_vectors.json"}
+        assert {path.name for path in Path(elsewhere).iterdir()} == written
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+
+
+def test_a_format_that_cannot_hold_the_mechanism_leaves_nothing(four_bar, tmp_path):
+    with pytest.raises(DescriptionError, match="a URDF is a tree"):
+        generate(four_bar, tmp_path / "out", ["c", "urdf"])
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_compiler_that_fails_or_is_missing_is_named(four_bar, tmp_path, monkeypatch, capsys):
+    """Nothing half written, one line of error, and what to install."""
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    for tool in ("cc", "gcc", "clang"):
+        (tools / tool).write_text("#!/bin/sh\necho 'internal compiler error: killed' >&2\nexit 4\n")
+        (tools / tool).chmod(0o755)
+    generate(four_bar, tmp_path / "out", ["c", "javascript"])
+    monkeypatch.setenv("PATH", str(tools))
+    assert main(["fmu", "four_bar", "--out", str(tmp_path / "four_bar.fmu")]) == 1
+    said = capsys.readouterr().err
+    assert "cc refused four_bar.c: internal compiler error" in said and "Traceback" not in said
+    assert main(["check", str(tmp_path / "out")]) == 1
+    assert "internal compiler error" in "".join(capsys.readouterr())
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert main(["check", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().out
+    assert "no C compiler here (apt install gcc)" in said and "no Node here (apt install nodejs)" in said
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "tools"]
+
+
+def test_other_effects_and_coordinates_are_regenerated(tmp_path):
+    effects = (Gravity((0, 0, "-1.62")), ExternalWrench("coupler_middle"))
+    generate(derive(catalogue.load("four_bar"), effects, independent=["B"]), tmp_path / "moon", targets=("numpy",))
+    manifest = json.loads((tmp_path / "moon/manifest.json").read_text())
+    assert manifest["independent"] == ["B"]
+    assert manifest["effects"][1].items() >= {"type": "ExternalWrench", "point": "coupler_middle"}.items()
+    assert failures(tmp_path / "moon") == []
+
+
+def test_the_description_is_kept(four_bar, output):
+    assert toml_file.load_description(output / "mechanism.toml") == four_bar.mechanism
+
+
+@pytest.mark.slow
+def test_changed_bytes_and_values_are_found(output):
+    """One changed byte in each of five files, an operation less and a value off by 1e-10 in what is recorded."""
+    names = ["four_bar.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"]
+    for name in names:
+        content = bytearray((output / name).read_bytes())
+        content[len(content) // 2] ^= 1
+        (output / name).write_bytes(content)
+    operations = json.loads((output / "ops.json").read_text())
+    operations["inverse_dynamics"]["mul"] -= 1
+    operations["inverse_dynamics"]["total"] -= 1
+    before = operations["inverse_dynamics"]["total"]
+    (output / "ops.json").write_text(json.dumps(operations))
+    vectors = json.loads((output / "test_vectors.json").read_text())
+    vectors["inverse_dynamics"]["outputs"]["u"][0][0] *= 1 + 1e-10
+    (output / "test_vectors.json").write_text(json.dumps(vectors))
+    failed = failures(output)
+    for name in names:
+        assert len([f for f in failed if f"{name} differs from what is generated today, line " in f]) == 1
+    assert [f for f in failed if f"operations of inverse_dynamics rose from {before} to {before + 1}" in f]
+    value = [f for f in failed if "test_vectors.json agrees with the evaluator to" in f]
+    assert len(value) == 1 and "inverse_dynamics, u" in value[0]
+    assert len(failed) == len(names) + 3  # ops.json differs in bytes, too
+
+
+@pytest.mark.slow
+def test_casadi_files_may_be_left_out(output):
+    for path in output.glob("*.casadi"):
+        path.unlink()
+    assert failures(output) == []
+
+
+def test_a_missing_file_is_found(four_bar, tmp_path):
+    generate(four_bar, tmp_path, targets=("numpy",))
+    (tmp_path / "four_bar_numpy.py").unlink()
+    assert [f for f in failures(tmp_path) if "four_bar_numpy.py is missing" in f]
+
+
+def test_nothing_to_check_is_an_error(tmp_path):
+    with pytest.raises(OutputError, match="generate first"):
+        check(tmp_path)
+    (tmp_path / "manifest.json").write_text('{"tool": "other"}')
+    with pytest.raises(OutputError, match="written by symscrew"):
+        check(tmp_path)
+
+
+def test_the_seed_from_its_name_to_compiled_code(tmp_path):
+    """The manifest is enough to call the code, whose drives are those of Newton and Euler's equations of every body."""
+    assert main(["generate", "three_ups_upu_s", "--target", "c", "--out", str(tmp_path / "seed")]) == 0
+    manifest = json.loads((tmp_path / "seed/manifest.json").read_text())
+    entry = manifest["functions"]["inverse_dynamics"]
+    assert [port["name"] for port in entry["inputs"]] == ["q", "v", "a"]
+    assert [port["name"] for port in entry["outputs"]] == ["u"]
+    for port in (*entry["inputs"], *entry["outputs"]):
+        assert len(port["labels"]) == int(np.prod(port["shape"]))
+        assert isinstance(port["unit"], str) or len(port["unit"]) == len(port["labels"])
+    compiled, seed = load(tmp_path / "seed"), model("three_ups_upu_s")
+    states = seed.test_inputs["inverse_dynamics"]
+    u = compiled.inverse_dynamics(*states)
+    (expected,), _ = seed("inverse_dynamics", *states)
+    assert u == pytest.approx(expected, rel=1e-12)
+    gravity = (0.0, 0.0, -9.81)
+    assert relative(u, newton_euler(seed.mechanism, body_states(seed, *states), gravity=gravity).drives) < 1e-10

@@ -1,0 +1,208 @@
+"""Equal limbs side by side: found in the programs, and equal to limb after limb in C, bit for bit."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.lanes import CASES, PLATFORM, check_bits
+from support.marks import slow
+from support.model_states import model
+from support.packed_numbers import evaluated
+
+from symscrew import catalogue
+from symscrew.export.c import IN_LANES, print_source
+from symscrew.export.listing import checked_slots, live_instructions
+from symscrew.model import derive
+from symscrew.program.lanes.correspondence import corresponding, signed
+from symscrew.program.lanes.lane_padding import padded
+from symscrew.program.lanes.lane_signs import Part, fewest_flips
+from symscrew.program.lanes.pack_plan import Code, Plan
+from symscrew.program.lanes.packs import Pack, Packing, packed
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.program.straight_line import Instruction, Program
+from symscrew.runtime.compiled import find_compiler, load
+
+
+def straight(name: str, function: str) -> Program:
+    program = model(name).programs[function]
+    assert isinstance(program, Program)
+    return program
+
+
+def packing(name: str, function: str) -> tuple[Program, Packing]:
+    program = straight(name, function)
+    found = packed(live_instructions(program)[0], checked_slots(program))
+    assert found is not None, f"nothing packed in {name}.{function}"
+    return program, found
+
+
+@pytest.mark.parametrize(("name", "function"), [CASES[0], ("stewart_6ups", PLATFORM)])
+def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> None:
+    program, found = packing(name, function)
+    state = [float(x) for port in model(name).test_inputs[function] for x in np.atleast_2d(port)[0]]
+    results, _ = evaluate(program, [np.atleast_2d(x)[0] for x in model(name).test_inputs[function]])
+    outputs = np.concatenate([np.ravel(r) for r in results])
+    listed = [slot for slots in program.results for slot in slots]
+    slots = [slot for slot in listed if isinstance(slot, int)]
+    got = dict(zip(slots, evaluated(slots, found, state), strict=True))
+    assert [got[s] if isinstance(s, int) else s for s in listed] == outputs.tolist()
+    targets = [t for item in found.items for t in (item.targets if isinstance(item, Pack) else [item]) if t is not None]
+    assert sorted(targets) == sorted(found.operations)  # each once
+
+
+@pytest.mark.parametrize(("name", "limbs", "part"), [("three_ups_upu_s_physical", 4, 0.5), ("stewart_6ups", 6, 0.6)])
+def test_equal_limbs_are_found_without_being_told(name: str, limbs: int, part: float) -> None:
+    operations, _ = signed(live_instructions(straight(name, PLATFORM))[0])
+    best = max(corresponding(operations), key=lambda rows: sum(len(row) - row.count(None) - 1 for row in rows))
+    assert len(best[0]) == limbs
+    assert sum(len(row) - row.count(None) - 1 for row in best) > part * len(operations)
+
+
+def test_programs_without_equal_parts_stay_as_they_are() -> None:
+    for name in ("ur5", "panda"):
+        program = straight(name, "inverse_dynamics")
+        assert packed(live_instructions(program)[0], checked_slots(program)) is None
+    chain = [Instruction(k, "mul", (k - 1, 0)) for k in range(1, 200)]
+    assert packed(chain, [199]) is None
+
+
+def test_rows_that_wait_for_each_other_are_not_both_packed() -> None:
+    """Lane 1 does in the other order what lane 0 does: a pack of one row would need the other, and that the first."""
+    instructions = [Instruction(2, "mul", (0, 0)), Instruction(3, "mul", (2, 0)), Instruction(4, "mul", (1, 1))]
+    instructions.append(Instruction(5, "mul", (4, 1)))
+    operations, _ = signed(instructions)
+    plan = Plan(Code(operations, {3, 5}), ((2, 5), (3, 4)))
+    assert sum(plan.on) == 1
+    seen = {0, 1}
+    for packs, number in plan.order():
+        slots = [slot for slot in plan.rows[number] if slot is not None] if packs else [number]
+        assert all(a in seen for slot in slots for a, _ in operations[slot].args)
+        seen.update(slots)
+    assert seen == {0, 1, 2, 3, 4, 5}
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize(("name", "function"), CASES)
+def test_limbs_side_by_side_equal_limb_after_limb(name: str, function: str, tmp_path: Path) -> None:
+    check_bits(name, function, tmp_path, None)
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
+    """With AVX2 the packed function is compiled and called; without it, or on demand, it is not."""
+    name = "three_ups_upu_s_physical"
+    (tmp_path / "m.c").write_text(
+        print_source(replace(model(name), programs={PLATFORM: model(name).programs[PLATFORM]}))
+    )
+    (tmp_path / f"{name}.h").write_text("#include <stddef.h>\n")
+
+    def kept(*flags: str) -> bool:
+        command = [str(find_compiler()), "-E", *flags, "-I", str(tmp_path), str(tmp_path / "m.c")]
+        text = subprocess.run(command, capture_output=True, text=True, check=False).stdout
+        assert "_lane(" in text
+        return f"{name}_{PLATFORM}_packed_lane(pose," in text
+
+    assert not kept(f"-D{name.upper()}_LIMB_BY_LIMB")
+    assert not kept(f"-D{name.upper()}_SCALAR", "-D__AVX2__")
+    assert kept("-D__AVX2__")
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize(
+    ("function", "value"),
+    [
+        *((PLATFORM, value) for value in (np.nan, np.inf, -np.inf)),
+        *(slow(f, value) for f in ("joint_reactions", "platform_jacobian") for value in (np.nan, np.inf, -np.inf)),
+    ],
+)
+def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> None:
+    """Each entry of each input in turn, in a batch of states and alone; a good state beside them is not touched."""
+    found = replace(model(CASES[0][0]), programs={function: model(CASES[0][0]).programs[function]})
+    compiled = load(found, backend="c", vectorised=True, flags=("-O1",))
+    good = [np.atleast_2d(x)[0] for x in found.test_inputs[function]]
+    places = [(i, k) for i, x in enumerate(good) for k in range(x.size)]
+    arrays = [np.repeat(x[None], len(places) + 1, 0) for x in good]
+    for row, (i, k) in enumerate(places):
+        arrays[i][row, k] = value
+    *results, status = compiled[function](*arrays, check=False)
+    assert (status[:-1] > 0).all() and status[-1] == 0
+    assert all(np.isnan(r[:-1]).all() and np.isfinite(r[-1]).all() for r in results)
+    for row, place in enumerate(places):
+        *_, alone = compiled[function](*(x[row] for x in arrays), check=False)
+        assert alone > 0, place
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_every_small_pivot_is_noticed_side_by_side() -> None:
+    """A threshold above each pivot in turn, of whole packs and single ones: the status is that of limb after limb."""
+    program = straight(CASES[0][0], PLATFORM)
+    names = sorted(IN_LANES)
+    shared = sorted(range(len(program.guards)), key=lambda k: (k % 4, k))[: len(names) - 1]
+    raised = [
+        replace(program, guards=tuple((s, 1e9 if i == k else t) for i, (s, t) in enumerate(program.guards)))
+        for k in (*shared, -1)
+    ]
+    found = replace(model(CASES[0][0]), programs=dict(zip(names, raised, strict=True)))
+    assert print_source(found).count("_packed_lane(pose,") == len(names)
+    compiled = load(found, backend="c", vectorised=True, flags=("-O1",))
+    given = [np.atleast_2d(x)[0] for x in found.test_inputs[PLATFORM]]
+    for name, k in zip(names, (*shared, -1), strict=True):
+        u, status = compiled[name](*given, check=False)
+        assert status == (k >= 0) and np.isnan(u).all() == (k >= 0), k
+
+
+def test_few_operands_are_flipped() -> None:
+    """Legs of the seed mirror each other: flipping the second operand always would take more than twenty."""
+    _, found = packing(*CASES[0])
+    flips = sum(v.flips is not None for item in found.items if isinstance(item, Pack) for v in item.operands)
+    operations, _ = signed(live_instructions(straight(*CASES[0]))[0])
+    assert flips <= 20 and len(operations) > 800
+    # the first sum is flipped to the signs that the second one then agrees with
+    parts = [
+        Part(0, "add", 3, ((None, False, 0), (None, False, 1))),
+        Part(1, "mul", 3, ((0, False, 0), (None, False, 0))),
+        Part(2, "add", 3, ((1, False, 0), (None, False, 1))),
+    ]
+    assert 0 in fewest_flips(parts)
+
+
+def test_a_limb_along_an_axis_joins_the_others() -> None:
+    """Without products with one and sums with zero in one lane, and with products with constants that others share."""
+    program = [  # c x + s y of three limbs: x + 0, and 0.5 x + 0.75 y, 0.75 y - 0.5 x
+        *(Instruction(4, "mul", (0.5, 0)), Instruction(5, "mul", (0.75, 1))),
+        *(Instruction(6, "add", (4, 5)), Instruction(7, "sub", (5, 4))),
+    ]
+    limbs = [0, 6, 7]
+    for op, other in (("sqrt", None), ("mul", 3), ("mul", 0.25), ("add", 2), ("mul", 1), ("add", 3), ("mul", 0.5)):
+        first = 1 + program[-1].target
+        squared = [] if other else [Instruction(first + k, "mul", (x, x)) for k, x in enumerate(limbs)]
+        read = limbs if other else range(first, first := first + 3)
+        program += squared
+        program += [Instruction(first + k, op, (x,) if other is None else (x, other)) for k, x in enumerate(read)]
+        limbs = list(range(first, first + 3))
+    state = [2.0, 3.0, 5.0, 7.0]
+    expected = [(((abs(x) * 7 * 0.25 + 5) * 3) + 7) * 0.5 for x in (2.0, 3.25, 1.25)]
+    operations, _ = signed(program)
+    rows = next(rows for rows in corresponding(operations) if len(rows[0]) == 3)
+    more = padded(operations, rows, 1 + limbs[-1])
+    (first,) = {*next(row for row in more.rows if 6 in row)} - {6, 7}
+    assert first is not None and more.copies[first] == 0  # 1 x + 0 y
+    found = packed(program, limbs)
+    assert found is not None
+    assert not {4, 5} & set(found.operations)  # nobody reads them any more
+    assert evaluated(limbs, found, state) == expected
+
+
+@pytest.mark.slow
+def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
+    """Though its first arm lies along an axis; before, arms 2 and 3 alone did not pay."""
+    program = derive(catalogue.load("delta"), one_mode=True).programs[PLATFORM]
+    operations, _ = signed(live_instructions(program)[0])
+    found = packed(live_instructions(program)[0], checked_slots(program), [slot for slot, _ in program.guards])
+    assert found is not None and len(found.items) < 0.6 * len(operations)
+    assert {sum(t is not None for t in item.targets) for item in found.items if isinstance(item, Pack)} <= {2, 3}

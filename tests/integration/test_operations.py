@@ -1,0 +1,148 @@
+"""Operations of the generated code: none has risen, growth, the recorded counts, and the counting itself.
+
+Counts are deterministic: one that rises is a change of the derivation, and needs a reason.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+from benchmarks.mechanisms import chain, platform
+from support.marks import slow
+from support.model_states import differentiated, model
+from support.operation_counts import recorded as recorded_counts
+from support.operation_counts import rise
+
+from symscrew import catalogue
+from symscrew.export.c import print_source
+from symscrew.generation.folder import render
+from symscrew.model import Model, derive
+from symscrew.program.straight_line import Iteration
+
+GENERATED = Path(__file__).parents[2] / "generated"
+QUICK = ("three_ups_upu_s_physical", "five_bar", "four_bar", "ur5")
+
+
+def total(found: Model, function: str) -> int:
+    assert function in found.programs, f"{found.name} has no function {function}; it has {list(found.programs)}"
+    return found.programs[function].operations["total"]
+
+
+@pytest.mark.parametrize("name", catalogue.names())
+def test_no_count_has_risen(name: str) -> None:
+    assert rise("plain", name, model(name)) == {}
+
+
+@pytest.mark.parametrize("name", [name if name in QUICK else slow(name) for name in catalogue.names()])
+def test_no_count_of_derivatives_has_risen(name: str) -> None:
+    assert rise("derivatives", name, differentiated(name)) == {}
+
+
+@cache
+def sized(kind: str, size: int) -> Model:
+    return derive({"platform": platform, "chain": chain}[kind](size))
+
+
+# Doubling the limbs doubles the work at most; in a chain the first joints cost less than all later ones.
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("kind", "small", "functions", "factor"),
+    [
+        ("platform", 4, ("inverse_dynamics", "joint_reactions", "body_poses", "body_twists", "body_twist_rates"), 2.1),
+        ("platform", 4, ("mass_matrix",), 4.0),
+        ("chain", 8, ("inverse_dynamics", "joint_reactions", "body_poses"), 2.4),
+        ("chain", 8, ("body_twists", "body_twist_rates"), 2.4),
+        ("chain", 8, ("mass_matrix",), 4.4),
+    ],
+)
+def test_growth(kind: str, small: int, functions: tuple[str, ...], factor: float) -> None:
+    for function in functions:
+        before, after = (total(sized(kind, size), function) for size in (small, 2 * small))
+        assert after <= recorded_counts("sized", f"{kind} {2 * small}")[function]
+        assert after <= factor * before, f"{function}: {before} operations grow to {after}"
+
+
+@pytest.mark.slow
+def test_every_further_joint_and_limb_costs_the_same() -> None:
+    """Linear, not only nearly so: equal steps of the size cost equal operations."""
+    for kind, sizes in (("chain", (8, 12, 16)), ("platform", (4, 8, 12))):
+        for function in ("inverse_dynamics", "joint_reactions", "body_twists"):
+            a, b, c = (total(sized(kind, size), function) for size in sizes)
+            assert c - b == pytest.approx(b - a, rel=0.03), (kind, function)
+
+
+def recorded() -> list[Path]:
+    found = sorted(GENERATED.glob("*/ops.json"))
+    assert found, "no generated/*/ops.json: run symscrew generate"
+    return found
+
+
+def test_counts_are_the_committed_ones() -> None:
+    for path in recorded():
+        now = json.loads(render(model(path.parent.name), ())["ops.json"])
+        then = json.loads(path.read_text(encoding="utf-8"))
+        changed = {f: (then.get(f), now.get(f)) for f in {*then, *now} if then.get(f) != now.get(f)}
+        assert not changed, f"{path.parent.name}: generate again and commit, if this is meant: {changed}"
+
+
+# -- the counting rule, by reading the printed C ---------------------------------------------------------
+
+TOKEN = re.compile(
+    r"(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<operator>\|\||&&|[<>=!]=|[-+*/<>!?:()\[\],;=&])|\s+"
+)
+FUNCTIONS = {"sin", "cos", "tan", "atan2", "sqrt", "exp", "fabs", "isfinite"}
+
+
+def count_c(source: str, symbol: str) -> int:
+    """Operations of a printed function: + - * / and signs, comparisons and choices, calls of the library.
+
+    One for each, as executed when nothing fails: stores of the failure branch do not count. A comparison with
+    its choice is one operation; the choice of the status is not one. A negative constant is no operation.
+    Macros that add four entries are what they are without vectors.
+    """
+    source = re.sub(r"\b[A-Z]\w*_FOUR\(\w+(?: \+ \d+)?\)", "(x + x + x + x)", source)
+    source = re.sub(r"\b[A-Z]\w*_SUM\(fours\)", "fours", source)
+    parts = rf"{symbol}(?:_angles|_lane|_limb_by_limb)?"
+    bodies = re.findall(rf"^[\w ]+ {parts}\([^;{{]*\n\{{\n(.*?)^\}}", source, re.M | re.S)
+    assert bodies, f"no function {symbol}"
+    count, seen = 0, set()
+    for statement in ";".join(bodies).split(";"):
+        statement = re.sub(r"\breturn (?=[(xs])", "total = ", re.sub(r"\[[^]]*\]", "", statement))
+        if "=" not in statement or re.match(r"\s*if", statement) or "_lane(" in statement or statement in seen:
+            continue
+        seen.add(statement)
+        right = statement.split("=", 1)[1].replace("<=", "<")
+        count += right.strip() in ("sine", "cosine")  # what was gathered
+        tokens = [m for m in TOKEN.finditer(right) if not m[0].isspace()]
+        is_status = "const int outcome" in statement
+        before = "="
+        for position, token in enumerate(tokens):
+            following = tokens[position + 1][0] if position + 1 < len(tokens) else ""
+            unary = before in ("=", "(", ",", "?", ":", "*", "/", "+", "-", "<")
+            if token["name"]:
+                count += token["name"] in FUNCTIONS
+            elif token[0] in "+-" and unary:
+                count += not re.match(r"[\d.]", following)
+            elif token[0] in ("+", "-", "*", "/", "<", ">") or token[0] == "!=":
+                count += 1
+            before = token[0]
+        assert "?" not in right or is_status or re.search(r"[<!]", right), right
+    return count
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "stewart_6ups", "four_bar", "delta", "ur5"])
+def test_counted_operations_are_the_printed_ones(name: str) -> None:
+    found = model(name)
+    source = print_source(found)
+    wrong = {}
+    for function, program in found.programs.items():
+        if not isinstance(program, Iteration):
+            printed = count_c(source, f"{name}_{function}")
+            if printed != program.operations["total"]:
+                wrong[function] = (printed, program.operations["total"])
+    assert not wrong, f"printed and counted operations differ: {wrong}"

@@ -1,0 +1,87 @@
+"""The generated loop for real time, compiled as its user would: alone, with all warnings, for a million steps."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.runs import EXAMPLES, scene_of
+
+from symscrew.errors import DescriptionError
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Integrator, Scene
+from symscrew.scene.scene_file import load_scene
+from symscrew.simulation.motion import evaluated, simulate
+from symscrew.simulation.real_time_loop import loop_plant, print_loop, write_loop
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
+
+
+def rk4(scene: Scene, step: float = 1e-3) -> Scene:
+    return replace(scene, integrator=Integrator("rk4", step=step))
+
+
+def built(scene: Scene, folder: Path, flags: tuple[str, ...] = ()) -> ctypes.CDLL:
+    write_loop(scene, folder)
+    library = folder / "loop.so"
+    compiler = find_compiler()
+    assert compiler
+    command = [compiler, *STRICT, "-O2", "-fno-math-errno", "-shared", "-fPIC", *flags]
+    result = subprocess.run(
+        [*command, str(folder / f"{scene.name}_loop.c"), "-o", str(library), "-lm"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr[:2000]
+    return ctypes.CDLL(str(library))
+
+
+def stepped(library: ctypes.CDLL, scene: Scene, sizes: dict[str, int], start: tuple, steps: int, dt: float):  # type: ignore[no-untyped-def]
+    q, v = (np.array(a) for a in start)
+    x, u = np.zeros(max(sizes["x"], 1)), np.zeros(max(sizes["u"], 1))
+    step = getattr(library, f"{scene.name}_step")
+    step.argtypes = [ctypes.c_double] * 2 + [ctypes.c_void_p] * 4
+    addresses = [a.ctypes.data for a in (q, v, x, u)]
+    for k in range(steps):
+        assert step(dt, k * dt, *addresses) == 0
+    return q, v
+
+
+@pytest.mark.slow
+def test_the_loop_gives_the_motion_of_the_run(tmp_path: Path) -> None:
+    scene = rk4(scene_of("n_four_bar", until=1.0))
+    run = simulate(scene)
+    library = built(scene, tmp_path)
+    q, v = stepped(library, scene, loop_plant(scene).sizes, (run.q[0], run.v[0]), 1000, 1e-3)
+    assert np.abs(q - run.q[-1]).max() < 1e-9  # through a singular position
+    assert np.abs(v - run.v[-1]).max() < 1e-9
+
+
+def test_equal_scenes_give_equal_text_and_adaptive_methods_are_refused() -> None:
+    scene = rk4(scene_of("heavy_top"))
+    assert print_loop(scene) == print_loop(scene)
+    with pytest.raises(DescriptionError, match="a loop for real time needs a fixed step, got dop853"):
+        print_loop(scene_of("heavy_top"))
+
+
+@pytest.mark.slow
+@pytest.mark.optimised
+def test_a_million_steps(tmp_path: Path) -> None:
+    """Drift below 1e-6 of the largest kinetic energy, loops closed; two runs of the first tenth have the same bits."""
+    scene = rk4(load_scene(EXAMPLES / "scenes" / "hanging_platform.toml"))
+    library = built(scene, tmp_path)
+    short = simulate(replace(scene, duration=5.0))
+    plant = loop_plant(scene)
+    start = (short.q[0], short.v[0])
+    first, again = (stepped(library, scene, plant.sizes, start, 100_000, 1e-3) for _ in range(2))
+    assert all(x.tobytes() == y.tobytes() for x, y in zip(first, again, strict=True))
+    q, v = stepped(library, scene, plant.sizes, first, 900_000, 1e-3)
+    assert np.isfinite(q).all() and np.isfinite(v).all()
+    energy = evaluated(short.model, "energy", {"q": np.stack([start[0], q]), "v": np.stack([start[1], v])})["energy"]
+    assert abs(np.diff(energy.sum(axis=1))[0]) < 1e-6 * short.energy[:, 0].max()
+    (residual,), _ = short.model("closure", q)
+    assert np.abs(residual).max() < 1e-12

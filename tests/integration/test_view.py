@@ -1,0 +1,236 @@
+"""The page of `symscrew view` and the JavaScript it is made of: data, functions, screws, motions, bad files."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from support.model_states import model
+from support.recorded_motion import recorded
+
+from symscrew.cli.parser import main
+from symscrew.description import toml_file
+from symscrew.display.view.motion_file import read_motion
+from symscrew.display.view.page import make_page
+from symscrew.display.view.page_data import MAX_FRAMES, page_scene
+from symscrew.errors import DescriptionError
+from symscrew.export.javascript import print_javascript
+from symscrew.export.listing import live_instructions
+from symscrew.model import derive
+from symscrew.program.straight_line import Iteration
+
+Array = np.ndarray
+NAMES = ("three_ups_upu_s", "four_bar", "sarrus", "ur5")
+HOSTILE = '</script><script>alert(1)</script><!-- <script> & "quotes" \''
+PENDULUM = """
+[mechanism]
+name = "window"
+description = {text}
+[bodies.rod]
+mass = 1
+com = [0, 0, "-1/4"]
+inertia = ["1/48", "1/48", 0]
+[joints.pivot]
+type = "R"
+parent = "base"
+child = "rod"
+point = [0, 0, 0]
+axes = [[0, 1, 0]]
+driven = true
+[points.tip]
+body = "rod"
+at = [0, 0, -1]
+"""
+
+
+def data_of(page: str) -> dict[str, Any]:
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
+    assert found
+    return json.loads(found.group(1))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_page_is_one_file_that_asks_for_nothing(name: str) -> None:
+    page = make_page(model(name))
+    assert 600_000 < len(page.encode()) < 3_000_000
+    assert "default-src 'none'" in page
+    assert not re.search(r"<!-- insert \w+ -->", page)
+    markup = re.sub(r"<script[^>]*>.*?</script>", "", page, flags=re.DOTALL)
+    assert re.findall(r"""(?:src|href|url)\s*[=(]\s*["']?([^"')> ]+)""", markup) == ["data:,"]
+    assert "Permission is hereby granted" in page  # the licences of what is bundled travel with it
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_data_names_what_the_functions_return(name: str) -> None:
+    found = model(name)
+    data = page_scene(found)
+    screws = found.programs["joint_screws"].outputs[0].labels
+    for joint in data["joints"]:
+        for k in range(len(joint["kinds"])):
+            assert screws[6 * (joint["screws"] + k)].startswith(joint["name"])
+    assert [b["name"] for b in data["bodies"][1:]] == list(
+        dict.fromkeys(label.split(".")[0] for label in found.programs["body_poses"].outputs[0].labels)
+    )
+    labels = [data["q_labels"][entry["q"]] for entry in data["independent"]]
+    assert labels == list(next(p for p in found.programs["velocity"].inputs if p.name == "y_dot").labels)
+    for entry in data["independent"]:
+        assert (entry["quaternion"] is None) == (".q" not in entry["label"])
+    assert [d["label"] for d in data["drives"]] == list(found.programs["inverse_dynamics"].outputs[0].labels)
+    assert {m["function"] for m in data["margins"]} <= set(data["functions"])
+    json.dumps(data, allow_nan=False)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_outlines_meet_in_the_joints(name: str) -> None:
+    data = page_scene(model(name))
+    for joint in data["joints"]:
+        for k in (joint["parent"], joint["child"]):
+            body = data["bodies"][k]
+            corners = [*body["plate"], *body["bar"], *(end for strut in body["struts"] for end in strut)]
+            inside = body["plate"] and _in_plane(np.array(joint["point"]), np.array(body["plate"]))
+            nearest = min(np.linalg.norm(np.subtract(c, joint["point"])) for c in corners)
+            assert nearest < 1e-12 or inside, (joint["name"], body["name"])
+
+
+def _in_plane(point: Array, corners: Array) -> bool:
+    return np.linalg.matrix_rank(np.vstack([corners[1:] - corners[0], point - corners[0]]), tol=1e-9) == 2
+
+
+def test_which_margins_are_squared_is_read_from_the_functions() -> None:
+    squared = {m["name"]: m["squared"] for m in page_scene(model("three_ups_upu_s"))["margins"]}
+    assert squared == {
+        "limb1": False, "limb2": False, "limb3": False, "limb4": False, "limb5": False, "constraint": False,
+        "actuation": True,
+    }  # fmt: skip
+
+
+def test_hostile_texts_stay_texts() -> None:
+    harmless, hostile = (
+        make_page(derive(toml_file.parse_description(PENDULUM.format(text=json.dumps(text)))))
+        for text in ("a rod", HOSTILE)
+    )
+    assert _tags(hostile) == _tags(harmless)
+    assert hostile.count("</script") == harmless.count("</script") and "<!-- <script>" not in hostile
+    assert data_of(hostile)["description"] == HOSTILE
+
+
+def _tags(page: str) -> list[str]:
+    """Start tags of a page as a parser of HTML finds them."""
+    parser, tags = HTMLParser(), []  # type: ignore[var-annotated]
+    parser.handle_starttag = lambda tag, attributes: tags.append(tag)  # type: ignore[method-assign]
+    parser.feed(page)
+    return tags
+
+
+# -- recorded motions -----------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_motion_is_in_the_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arrays = recorded()
+    np.savez(tmp_path / "run.npz", **arrays)
+    assert main(["view", str(tmp_path / "run.npz"), "--out", str(tmp_path / "new" / "run.html")]) == 0
+    motion = data_of((tmp_path / "new" / "run.html").read_text())["motion"]
+    assert motion["frames"] == motion["recorded"] == 41
+    for name in ("t", "q", "v", "u"):
+        got = np.frombuffer(base64.b64decode(motion["arrays"][name]), "<f4").reshape(41, -1)
+        assert np.abs(got - arrays[name].reshape(41, -1)).max() < 1e-6 * max(1.0, np.abs(arrays[name]).max())
+    assert [p.name for p in (tmp_path / "new").iterdir()] == ["run.html"]
+    capsys.readouterr()
+
+
+def test_long_motion_is_thinned_with_both_ends(tmp_path: Path) -> None:
+    arrays = recorded(3)
+    count = 5 * MAX_FRAMES
+    for name in ("q", "v", "u"):
+        arrays[name] = np.repeat(arrays[name][:1], count, axis=0)
+    np.savez(tmp_path / "run.npz", **{**arrays, "t": np.linspace(0.0, 9.0, count)})
+    motion = page_scene(model("three_ups_upu_s"), read_motion(tmp_path / "run.npz"))["motion"]
+    t = np.frombuffer(base64.b64decode(motion["arrays"]["t"]), "<f4")
+    assert len(t) == motion["frames"] == MAX_FRAMES and motion["recorded"] == count
+    assert (t[0], t[-1]) == (0.0, 9.0) and np.diff(t).max() < 1.5 * np.diff(t).min()
+
+
+BAD_MOTIONS = {
+    "no_q": ({"q": None}, "missing: q"),
+    "no_mechanism": ({"mechanism": None}, "missing: mechanism"),
+    "objects": ({"mechanism": np.array({"a": 1}, dtype=object)}, "expected an archive"),
+    "unknown": ({"mechanism": np.array("[mechanism]\nname = 1")}, "name"),
+    "backwards": ({"t": np.linspace(2.0, 0.0, 41)}, "increasing times"),
+    "rows": ({"v": np.zeros((40, 15))}, "`v` must hold numbers, 41 x any"),
+    "nan": ({"q": np.full((41, 16), np.nan)}, "not finite"),
+    "texts": ({"u": np.full((41, 4), "x")}, "`u` must hold numbers"),
+    "columns": ({"u": np.zeros((41, 3)), "u_labels": np.array(list("abc"))}, "needs 4"),
+    "labels": ({"q_labels": np.array([f"q{k}" for k in range(16)])}, "record the motion again"),
+    "other": ({"mechanism": np.array("ur5")}, "record the motion again"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_MOTIONS)
+def test_bad_motion_is_one_clear_error(case: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change, text = BAD_MOTIONS[case]
+    arrays = {name: array for name, array in {**recorded(), **change}.items() if array is not None}
+    np.savez(tmp_path / "run.npz", **arrays)
+    assert main(["view", str(tmp_path / "run.npz"), "--out", str(tmp_path / "run.html")]) == 2
+    err = capsys.readouterr().err.splitlines()
+    assert err[-1].startswith("symscrew: error: ") and text in err[-1]
+    assert not (tmp_path / "run.html").exists()
+
+
+@pytest.mark.parametrize("content", [b"", b"not an archive", b"PK\x03\x04 cut off"])
+def test_file_that_is_no_archive(content: bytes, tmp_path: Path) -> None:
+    (tmp_path / "run.npz").write_bytes(content)
+    with pytest.raises(DescriptionError, match="expected an archive"):
+        read_motion(tmp_path / "run.npz")
+
+
+def test_page_must_end_in_html(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["view", "four_bar", "--out", "four_bar.pdf"]) == 2
+    assert "ends in .html" in capsys.readouterr().err and not list(tmp_path.iterdir())
+
+
+def test_place_that_is_a_directory(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "four_bar.html").mkdir()
+    assert main(["view", "four_bar", "--out", str(tmp_path / "four_bar.html")]) == 2
+    assert "four_bar.html: Is a directory" in capsys.readouterr().err
+    assert [p.name for p in tmp_path.rglob("*")] == ["four_bar.html"]
+
+
+def test_without_out_the_page_is_opened(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    assert main(["view", "four_bar"]) == 0
+    place = Path(capsys.readouterr().out.strip())
+    assert opened == [place.as_uri()] and place.parent.parent == tmp_path and data_of(place.read_text())
+
+
+# -- JavaScript --------------------------------------------------------------------------------------------
+
+
+def test_javascript_has_every_function_and_instruction() -> None:
+    found = model("four_bar")
+    (name, text), *rest = print_javascript(found).items()
+    assert name == "four_bar.js" and not rest and text == print_javascript(found)["four_bar.js"]
+    for function, program in found.programs.items():
+        start = text.index(f"function {function}{'_step' * isinstance(program, Iteration)}(...given)")
+        body = text[start : text.index("return finish(", start)]
+        straight = program.step if isinstance(program, Iteration) else program
+        live, read = live_instructions(straight)
+        loads = [slot for slot in read if slot < sum(p.size for p in straight.inputs)]
+        assert body.count("  const $") == len(live) + len(loads)
+
+
+def test_a_word_of_javascript_is_no_constant() -> None:
+    made = derive(toml_file.parse_description(PENDULUM.format(text='"a rod"')))
+    assert "const window_ = (" in print_javascript(made)["window.js"]
+
+
+# -- screws in the page ------------------------------------------------------------------------------------

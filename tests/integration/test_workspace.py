@@ -1,0 +1,315 @@
+"""`symscrew workspace`: maps against closed forms, the same numbers however a sweep is cut, interrupted or spread."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.cli.workspace_command import sweep
+from symscrew.effects.gravity import Gravity
+from symscrew.errors import DescriptionError
+from symscrew.studies.workspace import engine
+from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
+from symscrew.studies.workspace.map_summary import sweep_summary, tilt_reach
+from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit
+from symscrew.studies.workspace.store import Store
+
+DEG = math.pi / 180
+
+
+def plan_of(name: str, *axes: Axis, run_time: tuple[str, ...] = (), **options) -> Plan:
+    return Plan(catalogue.find(name, run_time=run_time), (Gravity(),), axes, parameters=run_time, **options)
+
+
+def whole(plan: Plan) -> dict[str, np.ndarray]:
+    pieces = [evaluate(plan, k) for k in range(plan.chunks)]
+    return {name: np.concatenate([p[name] for p in pieces]) for name in pieces[0]}
+
+
+SEED = plan_of("three_ups_upu_s", Axis("tilt", 0.0, 10 * DEG, 6), Axis("azimuth", 0.0, 2 * math.pi, 25))
+
+
+@pytest.mark.slow
+def test_seed_swings_10_degrees_in_every_direction() -> None:
+    """Section 3.2 of the source paper asks for it."""
+    results = whole(SEED)
+    reach = tilt_reach(SEED, results)
+    assert reach is not None and reach[1].min() == pytest.approx(10 * DEG, abs=1e-12)
+    # the platform's z-axis really is tilted by this angle: E lies on it, at H from O
+    E = np.stack([results[f"point E.{c}"] for c in "xyz"], axis=1)
+    height = 3 * math.sqrt(3) / 10
+    assert np.linalg.norm(E, axis=1) == pytest.approx(height, abs=1e-12)
+    assert np.arccos(np.clip(E[:, 2] / height, -1, 1)) == pytest.approx(results["tilt"], abs=1e-7)
+
+
+@pytest.mark.slow
+def test_edge_of_the_seeds_map_is_the_constraint_singularity() -> None:
+    """Where the map about azimuth 270 degrees ends, against the scalar equation of the UPU limb, solved by itself.
+
+    With e1 = x the first axis at the base, d = C1 - A1 and e4 the platform's y axis, the two universal joints of the
+    limb demand f = e4 . (d (e1 . d) - e1 |d|^2) = 0: it gives the platform's turn about z for a tilt. The singularity
+    is where df/dqz = 0; at azimuth 270 degrees it is |d| = R sin(theta), which the paper does not mention.
+    """
+    tilt, azimuth = Axis("tilt", 18 * DEG, 26 * DEG, 33), Axis("azimuth", 230 * DEG, 310 * DEG, 5)
+    plan = plan_of("three_ups_upu_s", tilt, azimuth)
+    allowed = whole(plan)["allowed"].reshape(33, 5) > 0
+    limits = np.array([_singular_tilt(a) for a in azimuth.values])
+    expected = tilt.values[:, None] < limits
+    assert np.array_equal(allowed, expected)
+    assert expected.any() and not expected.all()
+    where, height = limits[2], 0.3 * math.sqrt(3)
+    x, z = 0.8 - 0.5 * math.cos(where) - height * math.sin(where), height * math.cos(where) - 0.5 * math.sin(where)
+    assert x**2 + z**2 == pytest.approx(0.8 * x, abs=5e-4)
+
+
+def _singular_tilt(azimuth: float) -> float:
+    """Tilt [rad] at which df/dqz changes its sign on the branch through the reference configuration."""
+    A, C = np.array([-0.8, 0, 0]), np.array([-0.5, 0, 0.3 * math.sqrt(3)])
+
+    def f(s: float, qz: float) -> float:
+        vector = np.array([s * math.cos(azimuth), s * math.sin(azimuth), qz])
+        w = math.sqrt(1 - vector @ vector)
+
+        def turned(a: np.ndarray) -> np.ndarray:
+            return a + 2 * np.cross(vector, np.cross(vector, a) + w * a)
+
+        d = turned(C) - A
+        return turned(np.array([0.0, 1.0, 0.0])) @ (d * d[0] - np.array([d @ d, 0, 0]))
+
+    def slope(s: float, qz: float) -> float:
+        return (f(s, qz + 1e-6) - f(s, qz - 1e-6)) / 2e-6
+
+    qz, before, step = 0.0, slope(0.0, 0.0), 0.05 * DEG
+    for k in range(1, 900):
+        s = math.sin(k * step / 2)
+        for _ in range(4):
+            qz -= f(s, qz) / slope(s, qz)
+        if slope(s, qz) * before < 0:
+            return (k - 0.5) * step
+    return math.inf
+
+
+def test_strokes_are_distances_of_the_leg_ends() -> None:
+    """Displacement of a slider = distance A C now, less that in the reference (0.6 m), plus 0.3 m there."""
+    results = whole(SEED)
+    A = {1: (-0.8, 0, 0), 2: (0, -0.8, 0), 3: (0.8, 0, 0), 4: (0, 0.8, 0)}
+    for k, base in A.items():
+        C = np.stack([results[f"point C{k}.{c}"] for c in "xyz"], axis=1)
+        length = np.linalg.norm(C - np.array(base), axis=1)
+        assert results[f"limb{k}_P"] == pytest.approx(length - 0.3, abs=1e-12)
+
+
+@pytest.mark.slow
+def test_drives_at_rest_balance_the_weight() -> None:
+    """Virtual work: over the map, u . d(strokes) = d(potential energy) along the tilt, by differences."""
+    step = 1e-4
+    plan = plan_of("three_ups_upu_s_physical", Axis("limb5_S.qx", -step, step, 3))
+    results = whole(plan)
+    mechanism = plan.mechanism
+    model = prepare_sweep(plan).model
+    strokes = np.stack([results[f"limb{k}_P"] for k in range(1, 5)], axis=1)
+    u = np.array([results[f"drive limb{k}_P"][1] for k in range(1, 5)])
+    from symscrew.model import derive
+
+    energy = derive(mechanism, (Gravity(),))
+    q = []
+    for value in (-step, step):
+        y = np.array([[value, 0.0]])
+        guess = model.system.reference[None, :]
+        q.append(energy("assemble", y, guess)[0][0])
+    v = np.zeros((2, len(model.system.tree.v)))
+    potential = energy("energy", np.concatenate(q), v)[0][0][:, 1]
+    assert u @ (strokes[2] - strokes[0]) == pytest.approx(potential[1] - potential[0], abs=1e-9)
+
+
+@pytest.mark.slow
+def test_condition_number_and_stiffness_of_an_arm() -> None:
+    """From the singular values of its Jacobian with lengths divided by the characteristic length."""
+    labels = prepare_sweep(plan_of("ur5")).labels
+    plan = plan_of("ur5", Axis(labels[2], 0.5, 1.5, 3), Axis(labels[4], 1.0, 1.0, 1))
+    results = whole(plan)
+    assert np.all(results["reached"] == 1)
+    model = prepare_sweep(plan).model
+    q = np.repeat(model.system.reference[None, :], 3, 0)
+    q[:, 2], q[:, 4] = plan.axes[0].values, 1.0
+    jacobian = model("platform_jacobian", q)[0][0].reshape(3, 6, 6).transpose(0, 2, 1).copy()
+    jacobian[:, 3:] /= model.system.length
+    expected = np.linalg.cond(jacobian)
+    assert results["condition"] == pytest.approx(expected, rel=1e-9)
+    least = (np.linalg.svd(jacobian, compute_uv=False)[:, 0] ** -2) * plan.stiffness * model.system.length**2
+    assert results["stiffness least"] == pytest.approx(least, rel=1e-9)
+
+
+@pytest.mark.slow
+def test_pieces_do_not_matter() -> None:
+    cut = plan_of("four_bar", Axis(prepare_sweep(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
+    one = plan_of("four_bar", cut.axes[0], chunk=1000)
+    first, second = whole(cut), whole(one)
+    assert all(np.array_equal(first[n], second[n], equal_nan=True) for n in second)
+
+
+@pytest.mark.slow
+def test_limits_and_summary() -> None:
+    limit = ("limb1_P", 0.28, 0.32)
+    plan = plan_of("three_ups_upu_s", *SEED.axes, limits=(limit,))
+    results = whole(plan)
+    inside = (results["limb1_P"] >= 0.28) & (results["limb1_P"] <= 0.32)
+    assert np.array_equal(results["allowed"] > 0, inside & (results["reached"] > 0))
+    found = sweep_summary(plan, results, prepare_sweep(plan).units)
+    assert found["allowed"] == int(inside.sum()) < found["reached"] == plan.count
+    assert found["ranges"]["limb1_P"]["least"] >= 0.28 and found["ranges"]["limb1_P"]["unit"] == "m"
+    assert found["tilt"]["every_direction"] < 10 * DEG
+
+
+@pytest.mark.slow
+def test_parameters_of_a_design_study_follow_another_description() -> None:
+    """A leg's stroke with R = 0.9 m as a run-time parameter equals that of a description with R = 0.9 m."""
+    study = plan_of("three_ups_upu_s", Axis("R", 0.7, 0.9, 3), Axis("tilt", 0.1, 0.1, 1), run_time=("R",))
+    results = whole(study)
+    for k, radius in enumerate(study.axes[0].values):
+        C = np.array([results[f"point C3.{c}"][k] for c in "xyz"])
+        start = math.hypot(radius - 0.5, 3 * math.sqrt(3) / 10)
+        assert results["limb3_P"][k] - 0.3 == pytest.approx(np.linalg.norm(C - (radius, 0, 0)) - start, abs=1e-11)
+
+
+@pytest.mark.slow
+def test_tolerances_propagate_to_first_order() -> None:
+    """Normal deviations of r move C3.x of the resting seed by as much, one to one."""
+    plan = plan_of("three_ups_upu_s", run_time=("r",), tolerances=(("r", 1e-3),), samples=4000, chunk=512)
+    results = whole(plan)
+    found = sweep_summary(plan, results, prepare_sweep(plan).units)["tolerance"]
+    assert found["point C3.x"]["deviation"] == pytest.approx(1e-3, rel=0.05)
+    assert found["point E.z"]["deviation"] == pytest.approx(0.0, abs=1e-12)
+    again = evaluate(plan, 3)
+    assert np.array_equal(again["r"], results["r"][3 * 512 : 4 * 512])
+    assert len(np.unique(results["r"])) == 4000
+
+
+@pytest.mark.slow
+def test_local_pool_gives_the_same(tmp_path: Path) -> None:
+    plan = plan_of("four_bar", Axis(prepare_sweep(plan_of("four_bar")).labels[0], -0.5, 0.5, 37), chunk=5)
+    kept = Store(tmp_path / "pieces", plan)
+    sweep(plan, kept, processes=2)
+    expected = whole(plan)
+    assert all(np.array_equal(v, expected[n], equal_nan=True) for n, v in kept.whole().items())
+
+
+def test_store_refuses_another_sweep_and_drops_broken_pieces(tmp_path: Path) -> None:
+    label = prepare_sweep(plan_of("four_bar")).labels[0]
+    plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 12), chunk=5)
+    kept = Store(tmp_path / "pieces", plan)
+    sweep(plan, kept, processes=1)
+    file = kept.done()[1]
+    file.write_bytes(file.read_bytes()[:-10])
+    assert sorted(Store(tmp_path / "pieces", plan).done()) == [0, 2]
+    with pytest.raises(DescriptionError, match="1 of 3 pieces are missing"):
+        kept.whole()
+    with pytest.raises(DescriptionError, match="another sweep"):
+        Store(tmp_path / "pieces", plan_of("four_bar", Axis(label, -0.5, 0.5, 13), chunk=5))
+
+
+@pytest.mark.slow
+def test_killed_sweep_goes_on(tmp_path: Path) -> None:
+    label = prepare_sweep(plan_of("four_bar")).labels[0]
+    over = f"{label}=-0.5:0.5:60000"
+    command = [sys.executable, "-m", "symscrew", "workspace", "four_bar", "--over", over, "--out", "map.npz"]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL, start_new_session=True
+    )
+    pieces = tmp_path / ".map.npz.pieces"
+    end = time.monotonic() + 60
+    while len(list(pieces.glob("piece_*.npz"))) < 3 and process.poll() is None and time.monotonic() < end:
+        time.sleep(0.005)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    there = len(list(pieces.glob("piece_*.npz")))
+    assert there >= 3 and not (tmp_path / "map.npz").exists()
+    before = {f.name: f.stat().st_mtime_ns for f in pieces.glob("piece_*.npz")}
+    again = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert f"{len(before)} of 59 pieces are there already" in again.stderr
+    with np.load(tmp_path / "map.npz") as archive:
+        assert np.array_equal(archive[label], np.linspace(-0.5, 0.5, 60000))
+    assert not pieces.exists()
+
+
+@pytest.mark.slow
+def test_dask_gives_the_same_though_a_worker_is_killed(tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install symscrew[dask]")
+    label = prepare_sweep(plan_of("four_bar")).labels[0]
+    plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 20000), chunk=250)
+    settings = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None, "processes": True}
+    with distributed.LocalCluster(**settings) as cluster:
+        counted: list[int] = []
+        kept = Store(tmp_path / "pieces", plan)
+        for number, results in engine.run_on_dask(plan, range(plan.chunks), cluster.scheduler_address):
+            counted.append(number)
+            kept.put(number, results)
+            if len(counted) == 10:
+                victim = next(iter(cluster.workers.values()))
+                os.kill(victim.process.process.pid, signal.SIGKILL)
+    assert sorted(counted) == list(range(plan.chunks))
+    expected = whole(plan)
+    assert all(np.array_equal(v, expected[n], equal_nan=True) for n, v in kept.whole().items())
+
+
+@pytest.mark.slow
+def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    over = ["--over", "tilt=0:20deg:5", "azimuth=0:360deg:9"]
+    assert (
+        main(["workspace", "three_ups_upu_s", *over, "--expect-tilt", "10deg", "--out", "map", "--processes", "1"]) == 0
+    )
+    assert "reached in every direction" in capsys.readouterr().out
+    names = sorted(p.name for p in (tmp_path / "map").iterdir())
+    assert names == ["summary.json", "workspace.csv", "workspace.npz", "workspace.png"]
+    found = json.loads((tmp_path / "map" / "summary.json").read_text())
+    table = np.genfromtxt(tmp_path / "map" / "workspace.csv", delimiter=",", skip_header=1)
+    assert len(table) == found["cases"] == 45
+    with np.load(tmp_path / "map" / "workspace.npz") as archive:
+        assert np.array_equal(archive["limb1_P"], table[:, archive.files.index("limb1_P")])
+    assert (
+        main(["workspace", "three_ups_upu_s", *over, "--expect-tilt", "70deg", "--out", "b.csv", "--processes", "1"])
+        == 1
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "arguments, text",
+    [
+        (["--over", "tild=0:1:3"], "did you mean 'tilt'?"),
+        (["--over", "tilt=0:1"], "COORDINATE=from:to:count"),
+        (["--over", "tilt=1:1:3"], "from below to"),
+        (["--over", "tilt=0:1ft:3"], "a number with"),
+        (["--over", "azimuth=0:1:3"], "azimuth needs tilt"),
+        (["--over", "tilt=0:1:3", "tilt=0:1:3"], "given twice"),
+        (["--over", "tilt=0:1:3", "limb5_S.qx=0:1:3"], "already say"),
+        (["--over", "tilt=0:1:3", "--limit", "limb1_Q=0:1"], "did you mean"),
+        (["--over", "tilt=0:1:3", "--limit", "limb1_P=0"], "RESULT=least:largest"),
+        (["--over", "tilt=0:1:3", "--expect-tilt", "10deg"], "needs the axes tilt and azimuth"),
+        (["--tolerance", "Q=1mm"], "no parameter 'Q'"),
+        (["--tolerance", "R=-1"], "above 0"),
+        ([], "nothing to sweep"),
+        (["--over", "tilt=0:1:100000", "azimuth=0:1:100000"], "at most 50 million"),
+    ],
+)  # fmt: skip
+def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["workspace", "three_ups_upu_s", *arguments, "--out", str(tmp_path / "map")]) == 2
+    assert text in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_reading() -> None:
+    assert read_axis("tilt=0:90deg:3").values == pytest.approx([0, math.pi / 4, math.pi / 2])
+    assert read_limit("limb1_P=-5mm:") == ("limb1_P", -0.005, math.inf)

@@ -1,0 +1,442 @@
+"""The studies of accuracy against time: what they state is checked by other means; nothing is said about times."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.display.terminal import Progress
+from symscrew.mobility.analysis import analyse_mobility
+from symscrew.model import Model, derive
+from symscrew.program.numpy_evaluation import evaluate
+from symscrew.reference.newton_euler_method import newton_euler
+from symscrew.runtime.compiled import find_compiler
+from symscrew.simulation.motion import simulate
+from symscrew.studies.accuracy.claims_study import newton_euler_program
+from symscrew.studies.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
+from symscrew.studies.accuracy.measuring import Point, Setup, Study, measured
+from symscrew.studies.accuracy.momentum_study import drive_map, drives_of, momenta_of, neighbour, reference_rates
+from symscrew.studies.accuracy.run_history import read_reference
+from symscrew.studies.accuracy.serial_formulas import Chains, least_squares
+from symscrew.studies.accuracy.states import States, Subject, body_states_of, paper_states, random_states
+from symscrew.studies.accuracy.study_tables import front
+from symscrew.studies.accuracy.typed_code import COMPLEX, as_floats, in_digits, only, typed_function
+from symscrew.studies.timing import quartiles
+
+QUIET = Progress(quiet=True)
+EXAMPLES = Path(__file__).parents[2] / "examples" / "benchmarks"
+needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: curves of generated C are left out")
+
+
+@cache
+def seed() -> Model:
+    return derive(catalogue.load("three_ups_upu_s"))
+
+
+@cache
+def states() -> States:
+    return random_states(seed(), 12)
+
+
+def least_error(study, curve: str) -> float:  # type: ignore[no-untyped-def]
+    return min(p.error for p in study.curves[curve] if p.error is not None)
+
+
+# -- the harness --------------------------------------------------------------------------------------
+
+
+def test_setups_are_run_in_turn_and_failures_stay() -> None:
+    order: list[str] = []
+
+    def run(name: str, seconds: float):  # type: ignore[no-untyped-def]
+        def once() -> float:
+            order.append(name)
+            return seconds
+
+        return once
+
+    def fails() -> float:
+        raise ArithmeticError("a pivot is small")
+
+    setups = [
+        Setup("a", "1", run("a", 2e-3), lambda: 0.5, 2.0),
+        Setup("b", "1", fails, lambda: 0.0),
+        Setup("c", "1", run("c", 1e-3), lambda: float("nan")),
+        Setup("d", "1", run("d", 3e-3), lambda: 0.25),
+    ]
+    a, b, c, d = measured(setups, repeats=5, seconds=60.0)
+    assert order == ["a", "c", "d", *["a", "d"] * 5]  # the first for the error, then in turn
+    assert a.cost == quartiles([1e-3] * 5)  # by the share
+    assert (a.error, d.error) == (0.5, 0.25)
+    assert (b.error, b.cost, b.failure) == (None, None, "a pivot is small")
+    assert (c.error, c.failure) == (None, "the result is not finite")
+
+
+def test_quartiles_are_those_of_the_laps() -> None:
+    laps = iter([9.0, 1.0, 2.0, 3.0, 4.0, 5.0])  # the first run takes long and counts
+    (point,) = measured([Setup("a", "", lambda: next(laps), lambda: 1.0)], repeats=5, seconds=60.0)
+    assert point.cost is not None
+    assert point.cost.median == np.median([9, 1, 2, 3, 4])
+    assert point.cost.repeats == 5
+
+
+def test_a_front_has_no_point_that_another_beats() -> None:
+    def point(error: float, seconds: float) -> Point:
+        return Point("a", "", error, quartiles([seconds]))
+
+    good, beaten = [point(1e-2, 1.0), point(1e-4, 2.0)], point(1e-3, 3.0)
+    assert front([*good, beaten]) == good
+
+
+# -- kinematics ---------------------------------------------------------------------------------------
+
+
+def test_serial_chains_have_the_screws_of_the_generated_code_and_the_papers_matrix() -> None:
+    chains = Chains(seed().mechanism)
+    matrix = chains.matrix(chains.start())
+    assert matrix.shape == (30, 26)
+    screws = seed()("joint_screws", seed().system.reference)[0][0].reshape(26, 6).T
+    total = sum(matrix[6 * k : 6 * k + 6] for k in range(5))
+    assert np.abs(total - screws).max() < 1e-15
+
+
+def test_least_squares_step_in_c_is_that_of_numpy() -> None:
+    from symscrew.functions.kinematic import Motion, kinematic_functions
+    from symscrew.studies.accuracy.pose_study import least_squares_program
+
+    system = seed().system
+    functions = {f.name: f for f in kinematic_functions(system, Motion(system))}
+    labels = functions["joint_rates"].outputs[0].labels
+    limbs = [
+        [k for k, label in enumerate(labels) if label.split(".")[0] in limb.joints]
+        for limb in seed().mechanism.limbs.values()
+    ]
+    program = least_squares_program(system, functions["joint_screws"].results[0], labels, limbs)
+    chains = Chains(seed().mechanism)
+    twist = np.array([0.1, -0.2, 0.05, 0.0, 0.0, 0.0])
+    expected = least_squares(chains.matrix(chains.start()), twist)
+    (got,), _ = evaluate(program, [system.reference, twist])
+    assert np.abs(got - expected).max() < 1e-12
+
+
+# -- momentum -----------------------------------------------------------------------------------------
+
+
+def test_reference_rates_and_drive_map_are_right_by_newton_euler() -> None:
+    found = states()
+    exact = reference_rates(seed(), States(found.q[:3], found.v[:3], found.a[:3], ""))
+    analytic = seed()("momentum_rates", found.q[:3], found.v[:3], found.a[:3])[0][0]
+    assert np.abs(exact - analytic).max() < 1e-13 * np.abs(analytic).max()
+    to_drives = drive_map(seed(), found)
+    inertial = np.einsum("nij,nj->ni", to_drives, seed()("momentum_rates", found.q, found.v, found.a)[0][0])
+    other = newton_euler(seed().mechanism, body_states_of(seed(), found), gravity=(0.0, 0.0, 0.0)).drives
+    assert np.abs(inertial - other).max() < 1e-12 * np.abs(other).max()
+    weight = newton_euler(seed().mechanism, body_states_of(seed(), found)).drives
+    assert np.abs(drives_of(seed(), found) - weight).max() < 1e-12 * np.abs(weight).max()
+
+
+@pytest.mark.parametrize("order, steps", [(1, (1e-3, 1e-4)), (2, (1e-2, 1e-3))])
+def test_differences_have_their_order(order: int, steps: tuple[float, float]) -> None:
+    found = states()
+    exact = seed()("momentum_rates", found.q, found.v, found.a)[0][0]
+    errors = []
+    for h in steps:
+        after = momenta_of(seed(), *neighbour(seed(), found, h))
+        before = momenta_of(seed(), *neighbour(seed(), found, 0.0 if order == 1 else -h))
+        errors.append(np.abs((after - before) / (h * order) - exact).max())
+    assert np.log10(errors[0] / errors[1]) / np.log10(steps[0] / steps[1]) == pytest.approx(order, abs=0.02)
+
+
+def test_programs_for_other_number_types() -> None:
+    program = only(seed().programs["momentum_screws"], ("momenta",))  # type: ignore[arg-type]
+    found = states()
+    (expected,), _ = evaluate(program, [found.q[0], found.v[0]])
+    (digits,) = as_floats(in_digits(program, [found.q[0], found.v[0]]))
+    assert np.abs(digits - expected).max() < 1e-14 * np.abs(expected).max()
+    text = typed_function(program, "screws", COMPLEX)
+    assert "csin(" in text
+    assert "double complex *out0" in text
+
+
+@needs_compiler
+def test_study_of_momentum_shows_the_floors() -> None:
+    from symscrew.studies.accuracy import momentum_study
+
+    study = momentum_study.study(Subject(derive(catalogue.load("four_bar"))), QUIET, repeats=1, seconds=0.1)
+    floors = {name: least_error(study, name) for name in study.curves}
+    assert study.reference_error is not None
+    assert study.reference_error < 1e-11
+    assert floors["analytic"] < 1e-12
+    assert floors["complex step"] < 1e-12
+    assert floors["Richardson"] < floors["central difference"] < floors["first-order difference"]
+    first = study.curves["first-order difference"]
+    errors = [p.error for p in first if p.error is not None]
+    assert 0 < int(np.argmin(errors)) < len(errors) - 1  # rounding grows below the best step
+    analytic = study.curves["analytic"][0]
+    assert analytic.cost is not None
+    assert analytic.cost.median > 0
+
+
+# -- precision, claims --------------------------------------------------------------------------------
+
+
+@needs_compiler
+def test_study_of_precision() -> None:
+    from symscrew.studies.accuracy import precision_study
+
+    study = precision_study.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
+    errors = {(p.curve, p.setting): p.error for p in study.points}
+    assert study.reference_error is not None
+    assert study.reference_error < 1e-16
+    for name in ("inverse dynamics", "forward dynamics"):
+        assert 1e-17 < errors[name, "float64"] < 1e-13
+        assert 1e-17 < errors[name, "float64, fast-math"] < 1e-13
+        assert 1e-9 < errors[name, "float32"] < 1e-3
+    assert np.float64(1e-310) / 2 > 0  # -ffast-math would flush denormals in all of this process (seen: IPOPT fails)
+
+
+def test_newton_euler_program_gives_the_rates_of_the_momentum_screws() -> None:
+    found = states()
+    (wrenches,), _ = evaluate(newton_euler_program(seed().system), [found.q, found.v, found.a])
+    rates = seed()("momentum_rates", found.q, found.v, found.a)[0][0]
+    assert np.abs(wrenches - rates).max() < 1e-13 * np.abs(rates).max()
+
+
+def test_limbs_share_the_whole_load() -> None:
+    model = loaded(seed().mechanism)
+    _, rows = sharing(model, states())
+    assert [row[0] for row in rows] == ["limb1", "limb2", "limb3", "limb4", "limb5", "sum"]
+    assert rows[-1][2] == rows[-1][4] == "100.0 %"
+    assert float(rows[-1][1]) == 1000.0
+
+
+def test_mechanism_without_two_limbs_keeps_its_freedoms() -> None:
+    reduced = without_limbs(seed().mechanism, ("limb2", "limb3"))
+    assert analyse_mobility(reduced).dof == 2
+    assert len(reduced.bodies) == len(seed().mechanism.bodies) - 4
+
+
+@pytest.mark.slow
+def test_additional_limbs_lower_the_peak_drive_and_a_singular_choice_fails() -> None:
+    reduced = without_limbs(seed().mechanism, ("limb2", "limb3"))
+    _, rows = redundancy(loaded(seed().mechanism), paper_states(seed(), 3))
+    by_name = {row[0]: row for row in rows}
+    whole, fourth = by_name["all limbs"], by_name["only limb4 of the UPS limbs"]
+    assert (whole[1], fourth[1]) == ("4", "2")
+    assert float(fourth[3]) > float(whole[3])
+    assert "singular" in by_name["only limb3 of the UPS limbs"][4]  # in line with limb 1: no drive about x
+    balanced = evaluated(loaded(reduced), "inverse_dynamics", paper_states(loaded(reduced), 3), np.zeros(6))[0]
+    other = derive(reduced)
+    found = paper_states(other, 3)
+    assert np.abs(balanced - drives_of(other, found)).max() < 1e-9
+
+
+# -- forward, benchmark problems ------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@needs_compiler
+def test_study_of_formulations_on_andrews() -> None:
+    from symscrew.scene.scene_file import load_scene
+    from symscrew.studies.accuracy import forward_study
+
+    path = EXAMPLES / "andrews.toml"
+    scene = load_scene(path)
+    subject = Subject(derive(scene.mechanism, scene.effects), scene)
+    study = forward_study.study(subject, QUIET, repeats=1, seconds=0.1, path=path)
+    for kind in ("projection", "stabilised (Gear-Gupta-Leimkuhler)", "no stabilisation", "minimal coordinates"):
+        assert least_error(study, f"DOP853, {kind}") < 1e-8, kind
+        steps = [p.error for p in study.curves[f"RK4, {kind}"]]
+        assert steps[-3] / steps[-1] > 40, kind  # order 4 at two halvings: 256; its rounding comes later
+    assert least_error(study, "DOP853, penalty") < 1e-3
+    assert least_error(study, "symscrew simulate: DOP853, projection") < 1e-9
+    header, rows = next(table for table in study.tables.values() if "ours [ms]" in table[0])
+    stated = next(row for row in rows if "stated" in row[0])
+    assert float(stated[header.index("ours [ms]")]) > 0
+    assert any(p.facts.get("peer") for p in study.points)
+
+
+BENCHMARKS = sorted(path.name.removesuffix(".reference.json") for path in EXAMPLES.glob("*.reference.json"))
+
+
+def test_reference_histories_state_their_errors() -> None:
+    assert len(BENCHMARKS) >= 11
+    for name in BENCHMARKS:
+        reference = read_reference(EXAMPLES / f"{name}.toml")
+        assert reference is not None
+        assert np.allclose(np.diff(reference.times), reference.times[1], rtol=1e-9)
+        assert reference.stated is not None
+        assert reference.own_error is not None
+        assert reference.own_error < reference.stated
+
+
+@pytest.mark.slow
+@needs_compiler
+@pytest.mark.parametrize("name", BENCHMARKS)
+def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
+    from symscrew.scene.scene_file import load_scene
+
+    path = EXAMPLES / f"{name}.toml"
+    scene, reference = load_scene(path), read_reference(path)
+    assert reference is not None and reference.stated is not None
+    assert reference.times[-1] >= scene.duration * (1 - 1e-12)
+    tight = replace(scene.integrator, method="dop853", step=None, tolerance=1e-11)
+    run = simulate(replace(scene, rate=1 / reference.times[1], duration=reference.times[-1], integrator=tight))
+    assert run.ok
+    assert reference.error_of(run.model)(run.q) < reference.stated
+
+
+@needs_compiler
+def test_stiff_libraries_converge() -> None:
+    """Each of them on the pendulum: tighter tolerances, smaller errors; set-up is not part of the run's time."""
+    from symscrew.scene.scene_file import load_scene
+    from symscrew.simulation.motion import prepare
+    from symscrew.studies.accuracy.forward_study import beginning
+    from symscrew.studies.accuracy.measuring import Stopwatch
+    from symscrew.studies.accuracy.stiff import stiff_setups
+
+    path = EXAMPLES / "simple_pendulum.toml"
+    reference = read_reference(path)
+    assert reference is not None
+    times = reference.times[:4]
+    scene = replace(load_scene(path), rate=1 / times[1], duration=times[-1])
+    found, plant = prepare(scene)
+    few = replace(reference, times=times, values=reference.values[:4])
+    setups, missing = stiff_setups(scene, plant, beginning(scene, found, plant), few.error_of(found), watch=Stopwatch())
+    assert not missing
+    assert {setup.curve.split()[0] for setup in setups} == {"Radau", "BDF", "CVODES"}
+    errors: dict[str, list[float]] = {}
+    for setup in setups:
+        assert setup.run() > 0
+        errors.setdefault(setup.curve, []).append(setup.error())
+    for curve, values in errors.items():
+        assert values[-1] < 1e-6, curve
+        assert values[-1] < 1e-2 * values[0], curve
+
+
+@needs_compiler
+def test_chain_of_loops_falls_as_one_pendulum_and_its_operations_are_linear() -> None:
+    from symscrew.studies.accuracy import growth_study
+
+    models = {n: derive(growth_study.four_bars(n), (growth_study.Gravity((0, "-9.81", 0)),)) for n in (1, 2, 3)}
+    for name in growth_study.FUNCTIONS:
+        one, two, three = (models[n].programs[name].operations["total"] for n in (1, 2, 3))
+        assert three - two == two - one, name
+    setup = growth_study._setup(models[2], 2, growth_study.Stopwatch())
+    setup.run()
+    assert setup.error() < 1e-5  # through about ten singular positions
+
+
+# -- the command ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@needs_compiler
+def test_command_leaves_json_table_and_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "new" / "folder"
+    assert main(["accuracy", "four_bar", "--study", "precision", "--out", str(out)]) == 0
+    assert {p.name for p in out.iterdir()} == {"accuracy.json", "accuracy.md", "precision.png", "precision.svg"}
+    content = json.loads((out / "accuracy.json").read_text())
+    assert content["machine"]["processor"]
+    assert "-O2" in content["machine"]["flags"]
+    (study,) = content["studies"]
+    assert study["points"][0]["cost"]["repeats"] >= 3
+    assert study["reference_error"] < 1e-15
+    shown = capsys.readouterr().out
+    assert shown.startswith("| study")
+    assert "inverse dynamics" in shown
+
+
+def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`--study all` of a scene: the studies that it has (here one, given), and why it has not the others."""
+    from symscrew.studies.accuracy import every_study
+
+    points = (Point("a", "", 0.5, quartiles([1.0])), Point("b", "", None, None, "a pivot is small"))
+    given = Study(
+        "forward",
+        "A study",
+        points,
+        error_label="error",
+        cost_label="time",
+        cost_unit="ms",
+        reference="none",
+        reference_error=None,
+    )
+    usual = every_study.study_of
+
+    def function(name: str, *arguments: object, full: bool):  # type: ignore[no-untyped-def]
+        fails = name in ("kinematics", "momentum", "claims")
+        return usual(name, *arguments, full=full) if fails else lambda *_, **__: given
+
+    monkeypatch.setattr(every_study, "study_of", function)
+    monkeypatch.setattr("symscrew.studies.accuracy.study_plots.save_study_plots", lambda *_: [])
+    assert main(["accuracy", str(EXAMPLES / "simple_pendulum.toml"), "--study", "all", "--out", str(tmp_path)]) == 0
+    content, table = (json.loads((tmp_path / "accuracy.json").read_text()), (tmp_path / "accuracy.md").read_text())
+    assert [reason.split(":")[0] for reason in content["left_out"]] == ["kinematics", "momentum", "claims"]
+    assert [len(study["points"]) for study in content["studies"]] == [2, 2, 2]
+    for text in (*content["left_out"], "failed: a pivot is small"):
+        assert text in table
+    shown = capsys.readouterr().out
+    assert all(f"left out: {reason}" in shown for reason in content["left_out"])
+
+
+@pytest.mark.slow
+@needs_compiler
+def test_command_on_a_folder_of_problems(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Error and time at the stated accuracy in a row; a scene without a reference is none of the problems."""
+    folder = tmp_path / "problems"
+    (folder / "mechanisms").mkdir(parents=True)
+    for name in ("simple_pendulum.toml", "simple_pendulum.reference.json", "mechanisms/simple_pendulum.toml"):
+        (folder / name).write_bytes((EXAMPLES / name).read_bytes())
+    (folder / "other.toml").write_bytes((EXAMPLES / "simple_pendulum.toml").read_bytes())
+    reference = folder / "simple_pendulum.reference.json"
+    content = json.loads(reference.read_text())
+    published = {"text": "an engine: 0.5 s", "error": 1e-9, "seconds": 0.5}
+    peers = {"mujoco RK4": {"1e-06": 0.1}, "generatedC proj": {"1e-08": 0.001, "1e-10": 0.002}}
+    reference.write_text(json.dumps({**content, "published": [published], "peers": peers}))
+    assert main(["accuracy", str(folder), "--out", str(tmp_path / "out")]) == 0
+    (row,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("| simple_pendulum ")]
+    cells = [cell.strip() for cell in row.strip("|").split("|")]
+    assert float(cells[1]) == 1e-8 and float(cells[2]) <= 1e-8 and float(cells[3]) > 0
+    assert cells[5:] == ["published an engine, 1e-09", "500", "1"]  # those who reach it, and are fastest
+    assert main(["accuracy", str(folder), "--study", "momentum", "--out", str(tmp_path / "other")]) == 2
+    assert "a folder is one of problems" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments, text",
+    [
+        (["four_bar", "--study", "momentums"], "did you mean 'momentum'"),
+        (["four_bear"], "four_bar"),
+        (["four_bar", "--study", "kinematics"], "section 5"),
+        (["four_bar", "--study", "growth"], "n_four_bar.toml"),
+    ],
+)
+def test_bad_input_ends_with_one_line_and_no_files(
+    arguments: list[str], text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    assert main(["accuracy", *arguments, "--out", str(out)]) == 2
+    error = capsys.readouterr().err.strip().splitlines()[-1]
+    assert error.startswith("symscrew: error:")
+    assert text in error
+    assert not out.exists()
+
+
+def test_without_a_compiler_curves_of_c_are_left_out_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    from symscrew.studies.accuracy import momentum_study
+
+    monkeypatch.setattr(momentum_study, "find_compiler", lambda: None)
+    study = momentum_study.study(Subject(derive(catalogue.load("ur5"))), QUIET, repeats=1, seconds=0.1)
+    assert "C compiler" in study.left_out[0]
+    assert set(study.curves) == {"first-order difference, NumPy", "analytic, NumPy"}
+    assert least_error(study, "analytic, NumPy") < 1e-11

@@ -1,0 +1,94 @@
+"""Closed forms of limbs beyond the catalogue's: PRS, RPS, RRS, RRR and UPU platforms built by the API."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.effects.gravity import Gravity
+from symscrew.kinematics.tree import spanning_tree
+from symscrew.model import Model, derive
+from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.program.numpy_evaluation import evaluate
+
+LIMBS = {
+    # joint points in the limb's radial plane (x outwards, z up) and axes, before turning the limb about z
+    "PRS": ([(1, 0), (1, "1/5"), ("1/2", 1)], ["x", "t", None]),
+    "RPS": ([(1, 0), None, ("1/2", 1)], ["t", None, None]),
+    "RRS": ([(1, 0), ("13/10", "1/2"), ("1/2", 1)], ["t", "t", None]),
+}
+TURNS = (("1", "0"), ("-1/2", "sqrt(3)/2"), ("-1/2", "-sqrt(3)/2"))
+
+
+def platform(kind: str) -> Mechanism:
+    """Three equal limbs at 120 degrees around z, a platform with mass on top."""
+    points, axes = LIMBS[kind]
+    builder = MechanismBuilder(f"three_{kind.lower()}", platform="top")
+    builder.body("top", mass=3, com=[0, 0, 1], inertia=["1/10", "1/10", "1/5"])
+    for k, (c, s) in enumerate(TURNS):
+        place = [None if p is None else [f"({p[0]})*({c})", f"({p[0]})*({s})", p[1]] for p in points]
+        named = {"x": [[c, s, 0]], "t": [[f"-({s})", c, 0]], None: []}
+        builder.limb(
+            f"leg{k + 1}",
+            kind,
+            base="base",
+            tip="top",
+            points=[p for p in place if p is not None],
+            axes=[named[a] for a in axes],
+            mass=[1, 1],
+            com=[place[0], place[-1]],
+            inertia=[["1/100", "1/100", "1/100"]] * 2,
+        )
+    return builder.build()
+
+
+@pytest.fixture(scope="module", params=sorted(LIMBS))
+def found(request: pytest.FixtureRequest) -> Model:
+    return derive(platform(request.param))
+
+
+def test_platform_hangs_on_a_joint_of_its_own(found: Model) -> None:
+    tree = spanning_tree(found.mechanism)
+    assert tree.virtual == "top_pose"
+    assert {j.type for j in tree.cut} == {"S"}
+
+
+def test_inverse_kinematics_finds_the_sampled_configuration(found: Model) -> None:
+    q, v, a = found.system.sample_states
+    pose, rate, gain = found.test_inputs["inverse_dynamics_platform"]
+    (got,), status = found("inverse_kinematics", pose)
+    assert np.all(status == 0)
+    assert np.abs(got - q).max() < 1e-12
+    (drives,), status = found("inverse_dynamics", q, v, a)
+    (direct,), platform_status = found("inverse_dynamics_platform", pose, rate, gain)
+    assert np.all(status == 0) and np.all(platform_status == 0)
+    assert np.abs(direct - drives).max() < 1e-9 * np.abs(drives).max()
+
+
+def test_out_of_reach_is_reported(found: Model) -> None:
+    if found.mechanism.name == "three_rps":
+        return  # its slides have no end
+    pose = found.test_inputs["inverse_kinematics"][0].copy()
+    pose[:, :3] += 50.0
+    (got,), status = found("inverse_kinematics", pose)
+    assert np.all(status == 2) and np.isnan(got).all()
+
+
+def test_assembly_follows_the_guess_to_its_own_branch(found: Model) -> None:
+    y, guess = found.test_inputs["assemble"][:2]
+    (q,), status = found("assemble", y, guess)
+    assert np.all(status == 0)
+    expected = found.system.sample_states[0]
+    assert np.abs(q - expected).max() < 1e-9
+
+
+def test_an_optimiser_closes_what_limbs_leave_open_across_their_planes(found: Model) -> None:
+    """Three rows across the planes, and the quaternion's length, for what is left of the platform's coordinates."""
+    equations = PointEquations(found.mechanism, (Gravity(),))
+    layout = equations.layout
+    assert layout.closed and len(layout.z) == 4
+    q, _, _ = equations.system.states(6, 2)
+    (got, closure), _ = evaluate(equations.closure, [q[:, list(layout.y)], q[:, list(layout.z)]])
+    assert np.abs(got - q).max() < 1e-12 and np.abs(closure).max() < 1e-12

@@ -1,0 +1,116 @@
+"""Run-time parameters: inputs of every function, the same results as baked ones, at other values too."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy
+from support.model_states import pendulum
+
+from symscrew import catalogue
+from symscrew.description.mechanism import Mechanism
+from symscrew.export.c import print_c
+from symscrew.export.c_precision import PRECISIONS
+from symscrew.export.cpp import print_cpp
+from symscrew.export.readme import print_readme
+from symscrew.generation.c_target import STRICT
+from symscrew.model import Model, derive
+from symscrew.runtime.compiled import find_compiler
+
+
+def with_parameters(mechanism: Mechanism, *, run_time: bool, scale: str = "1") -> Mechanism:
+    changed = {
+        name: dataclasses.replace(p, run_time=run_time, value=p.value * sympy.Rational(scale))
+        for name, p in mechanism.parameters.items()
+    }
+    return dataclasses.replace(mechanism, parameters=changed)
+
+
+@pytest.fixture(scope="module")
+def run_time() -> Model:
+    return derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=True))
+
+
+@pytest.mark.parametrize("scale", ["1", "11/10", "3/4"])
+def test_run_time_parameters_equal_baked_ones(run_time: Model, scale: str) -> None:
+    baked = derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=False, scale=scale))
+    q, v, a = baked.system.sample_states
+    values = run_time.system.parameter_values * float(sympy.Rational(scale))
+    for name in ("inverse_dynamics", "joint_reactions", "body_twist_rates", "momentum_rates", "mass_matrix"):
+        program = baked.programs[name]
+        state = [{"q": q, "v": v, "a": a}[port.name] for port in program.inputs]
+        expected, _ = baked(name, *state)
+        got, status = run_time(name, *state, values)
+        assert np.all(status == 0)
+        for x, y in zip(got, expected, strict=True):
+            assert np.abs(x - y).max() < 1e-10 * np.abs(y).max(), name
+
+
+def test_only_run_time_parameters_become_an_input(run_time: Model) -> None:
+    assert run_time.programs["inverse_dynamics"].inputs[-1].labels == ("R", "r", "H")
+    baked = derive(catalogue.load("three_ups_upu_s"))
+    assert "p" not in [port.name for port in baked.programs["inverse_dynamics"].inputs]
+
+
+PENDULUM = """
+#include "pendulum.h"
+#include <stdio.h>
+
+int main(void)
+{
+    const REAL q[] = {0.5}, v[] = {0.0}, a[] = {0.0};
+    REAL before[1], after[1];
+    pendulum_parameters parameters = PENDULUM_PARAMETERS_DEFAULT;
+    int outcome = pendulum_inverse_dynamics(q, v, a, parameters.p, before);
+    parameters.by_name.mass *= 2;
+    outcome += pendulum_inverse_dynamics(q, v, a, parameters.p, after);
+    printf("%d %.17g %.17g\\n", outcome, (double)before[0], (double)after[0]);
+    return 0;
+}
+"""
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize("precision, error", [("double", 1e-14), ("single", 1e-6)])
+def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, tmp_path: Path) -> None:
+    """The torque that holds a rod of mass m and length l at an angle: m g l/2 sin(angle)."""
+    real = PRECISIONS[precision]
+    for name, text in print_c(pendulum(), precision=real).items():
+        (tmp_path / name).write_text(text)
+    header = (tmp_path / "pendulum.h").read_text()
+    assert f"{real.real} length; /* [m] length of the rod; default 0.5{real.suffix} */" in header
+    (tmp_path / "main.c").write_text(PENDULUM.replace("REAL", real.real))
+    command = [str(find_compiler()), *STRICT, "-O0", "main.c", "pendulum.c", "-o", "main", "-lm"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout.split()
+    torque = 1.5 * 9.81 * 0.25 * np.sin(0.5)
+    assert printed[0] == "0" and [float(x) for x in printed[1:]] == pytest.approx([torque, 2 * torque], rel=error)
+
+
+@pytest.mark.skipif(find_compiler() is None or shutil.which("c++") is None, reason="no compilers of C and C++")
+def test_the_readme_shows_the_type(tmp_path: Path) -> None:
+    """Its examples compile and give the torque of the defaults; twice the mass needs twice as much."""
+    found = pendulum()
+    for name, text in (print_c(found) | print_cpp(found)).items():
+        (tmp_path / name).write_text(text)
+    c, cpp = re.findall(r"```c\w*\n(.*?)```", print_readme(found, {"c": "C99"}), re.DOTALL)
+    declared = "    pendulum_parameters p_ = PENDULUM_PARAMETERS_DEFAULT; /* such as p_.by_name.length */\n"
+    assert declared in c and declared in cpp
+    (tmp_path / "main.c").write_text(c)
+    (tmp_path / "main.cpp").write_text(cpp.replace(declared, declared + "    p_.by_name.mass *= 2;\n"))
+    subprocess.run([str(find_compiler()), "-std=c99", "-O0", "-c", "pendulum.c"], cwd=tmp_path, check=True)
+    printed = []
+    for command in (["cc", "-std=c99", "-Wall", "-Werror", "main.c"], ["c++", "-std=c++17", "-Wall", "main.cpp"]):
+        subprocess.run([*command, "pendulum.o", "-o", "main", "-lm"], cwd=tmp_path, check=True)
+        printed.append(subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout)
+    state = [array[:1] for array in found.test_inputs["inverse_dynamics"]]
+    torque = found("inverse_dynamics", *state)[0][0].item()
+    assert all(text.startswith("success: ") for text in printed)
+    assert [float(text.split(":")[1]) for text in printed] == pytest.approx([torque, 2 * torque], rel=1e-11)

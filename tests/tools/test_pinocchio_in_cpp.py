@@ -1,0 +1,18 @@
+"""Pinocchio beside a closed chain, in C++."""
+
+from __future__ import annotations
+
+import pytest
+from support.model_states import model
+
+from symscrew.studies.benchmark import pinocchio_build
+from symscrew.studies.benchmark.function_times import time_functions
+
+
+@pytest.mark.slow
+def test_inverse_dynamics_of_a_closed_chain_beside_pinocchio_in_cpp(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("pinocchio")
+    monkeypatch.setattr(pinocchio_build, "CPP_FLAGS", ("-O0", "-DNDEBUG"))  # agreement is tested here, not speed
+    rows, notes = time_functions(model("three_ups_upu_s_physical"), ["inverse_dynamics"], ["pinocchio"], repeats=1)
+    others = [row for row in rows if row.variant.startswith("pinocchio")]
+    assert not notes and len(others) == 2 and all(row.agreement < 1e-9 for row in others)

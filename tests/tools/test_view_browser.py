@@ -1,0 +1,305 @@
+"""The page of `symscrew view` in a real browser without a screen: clicks, keys, scrubbing, labels, narrow windows."""
+
+from __future__ import annotations
+
+import io
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from support.model_states import model
+from support.recorded_motion import recorded
+
+from symscrew.display.view.motion_file import read_motion
+from symscrew.display.view.page import write_page
+
+selenium = pytest.importorskip("selenium", reason='needs selenium: pip install ".[browser]"')
+from PIL import Image  # noqa: E402
+from selenium import webdriver  # noqa: E402
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+from support.browser import start  # noqa: E402
+
+Array = np.ndarray
+LAYERS = ("screws", "constraints", "freedoms", "momentum", "reactions", "drives", "masses", "axes", "points", "joints")
+
+
+class Page:
+    """A page in a browser, by what a person sees and touches."""
+
+    def __init__(self, driver: webdriver.Chrome, file: Path, size: tuple[int, int] = (1360, 860)) -> None:
+        self.driver = driver
+        driver.set_window_size(*size)
+        driver.get(file.as_uri())
+        self.wait(lambda: self.script("return document.documentElement.dataset.ready") == "yes")
+        self.settle()
+
+    def script(self, text: str, *arguments: Any) -> Any:
+        return self.driver.execute_script(text, *arguments)
+
+    def find(self, selector: str) -> Any:
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def text(self, selector: str) -> str:
+        return self.find(selector).text
+
+    def wait(self, condition: Callable[[], Any], seconds: float = 60.0) -> None:
+        end = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < end, "the page did not get there"
+            time.sleep(0.03)
+
+    def settle(self) -> None:
+        """Wait until two more frames have been drawn."""
+        self.driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
+
+    def picture(self) -> Array:
+        self.script("document.activeElement.blur()")  # without the frame of what has the focus
+        self.settle()
+        return np.asarray(Image.open(io.BytesIO(self.find(".picture").screenshot_as_png)).convert("RGB")).astype(int)
+
+    def value(self, row: str) -> float:
+        return float(self.driver.find_element(By.XPATH, f"//th[.='{row}']/following-sibling::td[1]").text)
+
+    def slide(self, selector: str, part: float) -> None:
+        """Press on a slider at a part of its length."""
+        element = self.find(selector)
+        self.script("arguments[0].scrollIntoView({ block: 'nearest' })", element)
+        inside = element.size["width"] - 16  # the thumb's middle stays inside
+        ActionChains(self.driver).move_to_element_with_offset(
+            element, round((part - 0.5) * inside), 0
+        ).click().perform()
+        self.settle()
+
+    def toggle(self, layer: str) -> None:
+        box = self.find(f"#show-{layer}")
+        self.script("arguments[0].scrollIntoView({ block: 'nearest' })", box)
+        box.click()
+
+    def labels(self) -> list[dict[str, Any]]:
+        return self.script(
+            "return Array.from(document.querySelectorAll('.label')).filter((x) => !x.hidden).map((x) => {"
+            " const b = x.getBoundingClientRect();"
+            " return { text: x.textContent, left: b.left, right: b.right, top: b.top, bottom: b.bottom,"
+            " cut: x.scrollWidth > Math.ceil(b.width) }; })"
+        )
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrome]:
+    made = start(tmp_path_factory.mktemp("profile"))
+    yield made
+    made.quit()
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    folder = tmp_path_factory.mktemp("pages")
+
+    def file(name: str) -> Path:
+        path = folder / f"{name}.html"
+        if not path.exists():
+            if name == "run":
+                np.savez(folder / "run.npz", **recorded())
+                write_page(model("three_ups_upu_s"), path, read_motion(folder / "run.npz"))
+            else:
+                write_page(model(name), path)
+        return path
+
+    return file
+
+
+def differing(a: Array, b: Array) -> int:
+    """How many pixels of two pictures differ visibly."""
+    return int((np.abs(a - b).max(axis=2) > 24).sum())
+
+
+@pytest.mark.parametrize("name", ["run", "stewart_6ups", "delta", "four_bar", "ur5", "bennett"])
+def test_opens_without_errors_or_requests(driver, files, name: str) -> None:
+    page = Page(driver, files(name))
+    assert page.picture().std() > 8
+    assert page.script("return performance.getEntriesByType('resource').length") == 0
+    assert [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"] == []
+    assert not page.find("#trouble").is_displayed()
+
+
+def test_play_pause_and_scrub_a_recorded_motion(driver, files) -> None:
+    page, arrays = Page(driver, files("run")), recorded()
+    before = page.picture()
+    page.find("#play").click()
+    assert page.find("#play").accessible_name == "Pause"
+    page.wait(lambda: float(page.text("#clock").split()[0]) > 0.3)
+    page.find("#play").click()
+    stopped = page.text("#clock")
+    assert differing(before, page.picture()) > 500
+    time.sleep(0.3)
+    assert page.text("#clock") == stopped and page.find("#play").accessible_name == "Play"
+    for part in (0.75, 0.25):
+        page.slide("#time", part)
+        now = float(page.find("#time").get_attribute("value"))
+        assert abs(now - 2.0 * part) < 0.05 and page.text("#clock").startswith(f"{now:.2f} / 2.00")
+        for k, label in enumerate(arrays["u_labels"]):
+            expected = np.interp(now, arrays["t"], arrays["u"][:, k])
+            assert abs(page.value(f"drive {label.replace('_', ' ')}") - expected) < 1e-3 * np.abs(arrays["u"]).max()
+    page.find("#play").click()  # runs on from here and stops at the end
+    page.find("#speed").send_keys("4")
+    page.wait(lambda: page.find("#play").accessible_name == "Play")
+    assert page.text("#clock") == "2.00 / 2.00 s"
+
+
+def test_slider_solves_the_loops_in_the_page(driver, files) -> None:
+    page, found = Page(driver, files("three_ups_upu_s")), model("three_ups_upu_s")
+    before = page.picture()
+    page.slide("#y1", 0.6)
+    assert differing(before, page.picture()) > 2000
+    angle = float(page.find("#y1").get_attribute("value"))
+    assert page.text("output[for=y1]") == f"{np.degrees(angle):.1f}°" and angle > 0.1
+    (q,), status = found("assemble", np.array([0.0, np.sin(angle / 2)]), found.system.reference)
+    (energy,), _ = found("energy", q, np.zeros(15))
+    assert status == 0 and abs(page.value("potential energy") - energy[1]) < 1e-3 * energy[1]
+    (u, _), _ = found("joint_reactions", q, np.zeros(15), np.zeros(15))
+    assert abs(page.value("drive limb3 P") - u[2]) < 1e-3 * np.abs(u).max()
+    assert page.value("opening of the loops") < 1e-12
+    page.find("#y1").send_keys(Keys.ARROW_LEFT)
+    assert float(page.find("#y1").get_attribute("value")) < angle
+
+
+def test_slider_that_cannot_be_reached_says_so_and_stays(driver, files) -> None:
+    page = Page(driver, files("delta"))
+    page.slide("#y2", 0.0)  # stretched out downwards
+    shown = [page.text(f"output[for=y{k}]") for k in range(3)]
+    before = page.picture()
+    page.slide("#y0", 1.0)
+    complaints = [p.text for p in driver.find_elements(By.CSS_SELECTOR, ".problem") if p.is_displayed()]
+    assert complaints == ["The loops cannot be closed there; the last pose stays."]
+    assert [page.text(f"output[for=y{k}]") for k in range(3)] == shown and differing(before, page.picture()) == 0
+    page.slide("#y2", 0.5)
+    assert not [p for p in driver.find_elements(By.CSS_SELECTOR, ".problem") if p.is_displayed()]
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_every_layer_can_be_shown_and_hidden(driver, files, layer: str) -> None:
+    page = Page(driver, files("run"))
+    page.slide("#time", 0.4)
+    with_or_without = page.picture()
+    page.toggle(layer)
+    assert differing(with_or_without, page.picture()) > 60
+    page.toggle(layer)
+    assert differing(with_or_without, page.picture()) == 0
+
+
+@pytest.mark.parametrize("name", ["run", "stewart_6ups", "planar_3rrr"])
+@pytest.mark.parametrize("size", [(1360, 860), (430, 860)])
+def test_labels_are_whole_and_apart(driver, files, name: str, size: tuple[int, int]) -> None:
+    page = Page(driver, files(name), size)
+    for layer in LAYERS:
+        if layer not in ("points", "axes"):  # shown from the start
+            page.toggle(layer)
+    page.slide("#time", 0.4)
+    labels, frame = page.labels(), page.find(".picture").rect
+    assert len(labels) >= 5
+    for k, a in enumerate(labels):
+        assert not a["cut"] and a["left"] >= frame["x"] and a["right"] <= frame["x"] + frame["width"]
+        assert a["top"] >= frame["y"] and a["bottom"] <= frame["y"] + frame["height"]
+        for b in labels[:k]:
+            apart = (
+                a["right"] <= b["left"] or b["right"] <= a["left"] or a["bottom"] <= b["top"] or b["bottom"] <= a["top"]
+            )
+            assert apart, (a["text"], b["text"])
+
+
+def test_mouse_and_keys_turn_move_and_zoom(driver, files) -> None:
+    page = Page(driver, files("four_bar"))
+    page.find("#show-joints").click()
+    first = page.picture()
+    canvas = page.find("canvas")
+    actions: dict[str, Callable[[ActionChains], ActionChains]] = {
+        "drag": lambda a: a.drag_and_drop_by_offset(canvas, 120, 60),
+        "wheel": lambda a: a.scroll_from_origin(ScrollOrigin.from_element(canvas), 0, -300),
+        "arrow": lambda a: a.send_keys(Keys.ARROW_LEFT),
+        "pan": lambda a: a.key_down(Keys.SHIFT).send_keys(Keys.ARROW_UP).key_up(Keys.SHIFT),
+        "plus": lambda a: a.send_keys("+"),
+    }
+    for name, action in actions.items():
+        before = page.picture()
+        page.script("arguments[0].focus()", canvas)
+        action(ActionChains(driver)).perform()
+        assert differing(before, page.picture()) > 500, name
+    page.script("arguments[0].focus()", canvas)
+    ActionChains(driver).send_keys(Keys.HOME).perform()
+    assert differing(first, page.picture()) == 0
+    page.driver.find_element(By.XPATH, "//button[.='Side']").click()
+    assert differing(first, page.picture()) > 500
+
+
+def test_warning_where_the_margin_shrinks(driver, files) -> None:
+    page = Page(driver, files("sarrus"))
+    chip = page.find("#margin")
+    assert chip.get_attribute("data-level") == "good" and chip.text.startswith("✓")
+    blue = page.picture()
+    page.slide("#y0", 0.99)
+    assert chip.get_attribute("data-level") != "good" and chip.text[0] in "▲✕"
+    yellow = page.picture()
+
+    def warm(picture: Array) -> int:
+        return int(((picture[..., 0] > 150) & (picture[..., 2] < 80)).sum())
+
+    def cold(picture: Array) -> int:
+        return int(((picture[..., 2] > 150) & (picture[..., 0] < 90)).sum())
+
+    assert cold(blue) > 1000 and cold(yellow) < 0.1 * cold(blue) and warm(yellow) > warm(blue)
+
+
+def test_themes_differ_and_keep_the_motion(driver, files) -> None:
+    page = Page(driver, files("run"))
+    page.slide("#time", 0.5)
+    clock, light = page.text("#clock"), page.picture()
+    press = "document.querySelector('#theme').click()"  # a pointer over the button would change its frame
+    page.script(press)
+    dark = page.picture()
+    assert light.mean() > 180 > 90 > dark.mean() and page.text("#clock") == clock
+    page.script(press)
+    assert differing(light, page.picture()) == 0
+
+
+@pytest.mark.parametrize("width", [380, 620, 900])
+def test_narrow_windows_keep_everything_inside(driver, files, width: int) -> None:
+    page = Page(driver, files("stewart_6ups"), (width, 900))
+    inner = page.script("return innerWidth")
+    assert page.script("return document.documentElement.scrollWidth") <= inner
+    outside = page.script(
+        "return Array.from(document.querySelectorAll('button, input, select, label, summary, output, h1, td, th'))"
+        ".filter((x) => x.offsetParent && (x.getBoundingClientRect().right > innerWidth + 0.5"
+        " || x.getBoundingClientRect().left < -0.5)).map((x) => x.outerHTML)"
+    )
+    assert outside == []
+    frame = page.find(".picture").rect
+    assert frame["height"] > 250 and frame["width"] > 0.55 * inner
+
+
+def test_every_control_has_a_name_and_is_reached_by_tab(driver, files) -> None:
+    page = Page(driver, files("three_ups_upu_s"))
+    wanted = driver.find_elements(By.CSS_SELECTOR, "button, input:not(:disabled), select, summary, canvas")
+    assert len(wanted) > 20
+    assert [w.get_attribute("outerHTML") for w in wanted if not w.accessible_name] == []
+    reached = set()
+    for _ in range(len(wanted) + 5):
+        ActionChains(driver).send_keys(Keys.TAB).perform()
+        reached.add(driver.switch_to.active_element.id)
+    assert {w.id for w in wanted} <= reached
+    page.find("#show-drives").send_keys(Keys.SPACE)
+    assert page.find("#show-drives").is_selected()
+
+
+def test_says_what_is_missing_without_webgl(files, tmp_path: Path) -> None:
+    driver = start(tmp_path, "--disable-3d-apis")
+    try:
+        driver.get(files("four_bar").as_uri())
+        assert "WebGL" in driver.find_element(By.ID, "trouble").text
+    finally:
+        driver.quit()

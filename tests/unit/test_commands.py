@@ -1,0 +1,111 @@
+"""The command line: a command is one file and one line; files and libraries are read when somebody asks for them."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from symscrew import cli
+from symscrew.cli import parser as table
+from symscrew.cli.parser import COMMANDS, main
+
+HEAVY = ("sympy", "casadi", "numpy", "scipy", "matplotlib", "rich")
+COMMAND = """
+import argparse
+
+EXAMPLES = ("symscrew turns 720",)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    command.add_argument("degrees", type=float, metavar="DEGREES", help="an angle")
+    command.add_argument("--backwards", action="store_true", help="against the clock")
+
+
+def run(options: argparse.Namespace) -> int:
+    print(f"{options.degrees / (-360 if options.backwards else 360):g} turns")
+    return 1 if options.degrees < 0 else 0
+"""
+
+
+@pytest.fixture
+def another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """A further command, `symscrew turns`: one file, one line of the table."""
+    (tmp_path / "turns_command.py").write_text(COMMAND)
+    monkeypatch.setattr(cli, "__path__", [*cli.__path__, str(tmp_path)])
+    monkeypatch.setitem(COMMANDS, "turns", ("turns_command", "how many turns an angle is"))
+    yield
+    sys.modules.pop("symscrew.cli.turns_command", None)
+
+
+@pytest.mark.usefixtures("another")
+def test_a_further_command_is_a_file_and_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["turns", "720", "--backwards"]) == 0
+    assert capsys.readouterr().out == "-2 turns\n"
+    assert main(["turns", "--backward", "-90"]) == 1
+    assert capsys.readouterr().out == "0.25 turns\n"
+
+
+@pytest.mark.usefixtures("another")
+def test_a_further_command_has_help_and_errors_like_the_others(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    assert "    turns     how many turns an angle is\n" in capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        main(["turns", "--help"])
+    shown = capsys.readouterr().out
+    assert "How many turns an angle is.\n" in shown and shown.endswith("examples:\n  symscrew turns 720\n")
+    assert main(["turns", "1", "--backword"]) == 2
+    assert "unknown option '--backword'; did you mean '--backwards'? See symscrew turns" in capsys.readouterr().err
+    assert main(["turn"]) == 2 and "did you mean 'turns'?" in capsys.readouterr().err
+
+
+def modules_after(*arguments: str) -> set[str]:
+    """Modules that are there after a command line that ends with help or version, in a process of its own."""
+    program = (
+        "import sys, symscrew.cli.parser as c\n"
+        f"for words in {[list(a.split()) for a in arguments]!r}:\n"
+        "    try: c.main(words)\n"
+        "    except SystemExit as end: assert not end.code\n"
+        "print('modules:', *sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    return set(done.stdout.rpartition("modules:")[2].split())
+
+
+def test_only_the_file_of_the_chosen_command_is_read() -> None:
+    files = {f"symscrew.cli.{file}" for file, _ in COMMANDS.values()}
+    assert len(files) == len(COMMANDS)
+    assert not files & modules_after("--help", "--version")
+    assert files & modules_after("check --help") == {"symscrew.cli.check_command"}
+
+
+def test_help_of_no_command_waits_for_libraries() -> None:
+    loaded = modules_after(*(f"{name} --help" for name in COMMANDS))
+    assert {f"symscrew.cli.{file}" for file, _ in COMMANDS.values()} <= loaded
+    assert not set(HEAVY) & loaded
+
+
+def completions(line: str) -> set[str]:
+    """What the shell offers after a line: candidates come on descriptor 8, messages on 9."""
+    asked = {"_ARGCOMPLETE": "1", "COMP_LINE": line, "COMP_POINT": str(len(line)), "_ARGCOMPLETE_IFS": "\n"}
+    code = "import sys, symscrew.cli.parser as c; sys.exit(c.main([]))"
+    program = f'{sys.executable} -c "{code}" 8>&1 9>/dev/null >/dev/null'
+    done = subprocess.run(["bash", "-c", program], env={**os.environ, **asked}, capture_output=True, text=True)
+    return {word.strip() for word in done.stdout.split("\n") if word.strip()}
+
+
+def test_completion_knows_commands_options_and_choices() -> None:
+    pytest.importorskip("argcomplete", reason='not installed: pip install "symscrew[completion]"')
+    assert {"draw", "doctor", "demo"} == completions("symscrew d")
+    assert completions("symscrew generate --reg") == {"--regressor"}
+    assert completions("symscrew generate four_bar --target cas") == {"casadi"}
+
+
+def test_the_table_is_the_parser() -> None:
+    commands = next(a for a in table.parser()._actions if a.choices and "list" in a.choices).choices
+    assert list(commands) == list(COMMANDS)  # type: ignore[arg-type]

@@ -1,0 +1,140 @@
+"""Limits of the search for lanes: what they leave out is done one by one, and all numbers stay."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+from support.packed_numbers import evaluated
+
+from symscrew.algebra import Node, Tape
+from symscrew.export import c_printed
+from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import Printed
+from symscrew.program import Function, Packing, Port, Program, evaluate, lower, packed
+from symscrew.program.lanes import correspondence, lane_signs, pack_plan, packs
+from symscrew.program.lanes.pack_plan import Plan
+
+LEGS = 4
+
+
+def program(legs: int = LEGS) -> Program:
+    """Legs that do the same with other data, mirrored, and what all of them say together."""
+    tape = Tape()
+    shared = [tape.symbol(f"s{k}", "1", "input") for k in range(3)]
+    own = [[tape.symbol(f"x{k}_{n}", "1", "input") for n in range(4)] for k in range(legs)]
+    total: Node = tape.zero
+    for k, (a, b, c, d) in enumerate(own):
+        sign = 1 if k % 2 else -1
+        reach = [shared[0] + sign * a, shared[1] * b - sign * c, shared[2] + d * a]
+        length = tape.sqrt(reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2])
+        along = [(r + sign * a * b) / length for r in reach]
+        for _ in range(6):
+            along = [along[1] * c + d, along[2] * b - a, along[0] * d + sign * b]
+        total = total + along[0] * along[1] / (along[2] * length)
+    flat = [*shared, *(x for leg in own for x in leg)]
+    ports = Port("x", (len(flat),), ("1",) * len(flat), (), ""), Port("y", (1,), ("1",), (), "")
+    return lower(Function("legs", "", ports[:1], ports[1:], (tuple(flat),), ((total,),)))
+
+
+def found(of: Program) -> Packing | None:
+    return packed(of.instructions, [s for s in of.results[0] if isinstance(s, int)], of.checked)
+
+
+def check_numbers(of: Program, packing: Packing) -> None:
+    state = np.random.default_rng(3).uniform(1, 2, of.inputs[0].size)
+    (slot,) = of.results[0]
+    assert isinstance(slot, int)
+    (expected,), _ = evaluate(of, [state])
+    assert evaluated([slot], packing, state.tolist()) == expected.tolist()
+
+
+def test_legs_are_found() -> None:
+    of = program()
+    packing = found(of)
+    assert packing is not None and packing.width == LEGS and len(packing.items) < 0.5 * len(of.instructions)
+    check_numbers(of, packing)
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "limit"),
+    [
+        (correspondence, "MOST_INSTRUCTIONS", 10),
+        (correspondence, "MOST_CLASSES", 0),
+        (correspondence, "MOST_SPLITS", 0),
+        (correspondence, "MOST_LANES", LEGS - 1),
+        (correspondence, "LEAST", 1.0),
+        (packs, "HOPELESS", 0.0),
+        (packs, "TRIED", 0),
+        (packs, "ENOUGH", 0.0),
+    ],
+)
+def test_beyond_a_limit_nothing_is_packed(
+    module: ModuleType, name: str, limit: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, name, limit)
+    assert found(program()) is None
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "limit"),
+    [
+        (correspondence, "MOST_CANDIDATES", 1),
+        (correspondence, "ROUNDS", 2),
+        (correspondence, "NEIGHBOUR", 0),
+        (correspondence, "LEAST", 0.0),
+        (packs, "HOPELESS", 9.0),
+        (packs, "MOST_JOINED", 0),
+        (packs, "OTHERS", 0),
+        (pack_plan, "ROUNDS_OF_UNDOING", 0),
+        (pack_plan, "GATHERED", 0.1),
+        (pack_plan, "TAKEN_OUT", 9.0),
+        (lane_signs, "ROUNDS", 0),
+    ],
+)
+def test_with_other_limits_the_numbers_are_the_same(
+    module: ModuleType, name: str, limit: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, name, limit)
+    of = program()
+    packing = found(of)
+    assert packing is not None
+    check_numbers(of, packing)
+
+
+def test_more_lanes_than_a_vector_holds_take_several() -> None:
+    of = program(6)
+    packing = found(of)
+    assert packing is not None and packing.width in pack_plan.WIDTHS
+    check_numbers(of, packing)
+
+
+def test_packs_that_do_not_pay_are_undone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where gathering is dear, some packs cost more than they save; undone one by one, the rest costs less."""
+    of = program()
+    operations, _ = correspondence.signed(of.instructions)
+    (rows, *_) = correspondence.corresponding(operations)
+    wanted = {slot for slot in of.results[0] if isinstance(slot, int)}
+    kept = {}
+    for price in (0.1, 1e3):
+        monkeypatch.setattr(pack_plan, "GATHERED", price)
+        plan = Plan(pack_plan.Code(operations, wanted), rows)
+        before = plan.cost
+        plan.improve()
+        kept[price] = sum(plan.on)
+        assert plan.cost <= before
+    assert kept[1e3] < kept[0.1] == len(plan.on)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("PACKED", range(1, 100)), ("PACKED", range(5000, 6000)), ("PER_OUTPUT", 10**6)]
+)
+def test_functions_of_other_sizes_are_printed_one_by_one(
+    name: str, value: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    of = program()
+    assert len(of.instructions) in c_printed.PACKED
+    assert Printed("model", "model_legs", of, DOUBLE, lanes=True).packing is not None
+    monkeypatch.setattr(c_printed, name, value)
+    assert Printed("model", "model_legs", of, DOUBLE, lanes=True).packing is None

@@ -1,0 +1,119 @@
+"""Printers on programs made by hand: what the texts hold, without compiling them."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from support import handmade
+
+from symscrew.description.builder import MechanismBuilder
+from symscrew.export import c, casadi, listing
+from symscrew.export import numpy as numpy_printer
+from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
+from symscrew.generation.folder import render
+from symscrew.model import derive
+from symscrew.program.straight_line import COUNTED
+
+
+@pytest.fixture(scope="module")
+def model():
+    return handmade.model()
+
+
+def test_every_printer_knows_every_operation_and_the_test_program_uses_them_all():
+    for table in (c.TABLE, casadi.TABLE, numpy_printer.TABLE):
+        assert set(table) == set(COUNTED)
+    used = {i.op for i in handmade.every_operation().instructions}
+    assert used == set(COUNTED)
+
+
+def test_header_says_all_that_a_user_must_know(model):
+    header = c.print_header(model)
+    about = header[header.index(" * handmade_guarded:") : header.index("int handmade_guarded(")]
+    total = model.programs["guarded"].operations["total"]
+    for text in ("x[2] [m]: test array x", "0 x 0; 1 x 1", "1 near-singular", f"Operations: {total}"):
+        assert text in about
+    assert "matrix[6] (2x3, column by column)" in header
+
+
+def test_no_storage_of_its_own(model):
+    source = c.print_source(model)
+    assert not re.search(r"\b(malloc|calloc|free|alloca|pow)\s*\(", source)
+    assert not re.search(r"^static (?!void|int|inline)|^[ \t]+static", source, re.MULTILINE)
+
+
+def test_a_constant_is_no_slot_of_the_same_number():
+    """The middle entry of a rotation about y is 1; slot 1 is the cosine of the only coordinate, slot 0."""
+    builder = MechanismBuilder("hinge")
+    builder.body("flap", mass=1, com=[1, 0, 0])
+    builder.joint("pin", "R", parent="base", child="flap", point=[0, 0, 0], axes=[[0, 1, 0]])
+    text = c.print_c(derive(builder.build()))["hinge.c"]
+    lane = text[text.index("hinge_body_poses_lane(") :]
+    assert re.search(r"poses\[4\] = 1\.0;", lane[: lane.index("\n}")])
+
+
+def test_constants_read_back_exactly():
+    for value in (0.1, 1e-5, -2.5, 1e300, 5e-324, 1.0, 123456789012345680.0):
+        text = listing.decimal(value)
+        assert float(text.strip("()")) == value
+        assert "." in text
+    with pytest.raises(ValueError, match="finite"):
+        listing.decimal(float("nan"))
+
+
+@pytest.mark.parametrize("name", ["a b", "int", "../x", 'a"', "a\nb"])
+def test_bad_names_are_refused(model, name):
+    with pytest.raises(ValueError, match="name"):
+        c.print_c(replace(model, name=name))
+
+
+def test_python_code_is_never_evaluated():
+    package = Path(listing.__file__).parents[1]
+    for path in package.rglob("*.py"):
+        assert not re.search(r"(?<![\w.])(eval|exec|compile)\(", path.read_text(encoding="utf-8")), path
+
+
+def test_operations_are_what_is_printed(model):
+    """Count the operations in the text of the C function itself and of the lane that it runs."""
+    source = c.print_source(model, batches=False)
+    body = source[source.index("handmade_guarded_lane(\n") : source.index("handmade_assemble_step_lane(\n")]
+    lines = (line for line in body.splitlines() if "=" in line or "return x" in line or "return (" in line)
+    code = re.sub(r"= (co)?sine\[", "sin(", "\n".join(lines))
+    code = re.sub(r"e[+-]\d+|x\d+ =|\[[^]]*\]|const double", " ", code)
+    count = sum(code.count(sign) for sign in (" + ", " - ", " * ", " / ", "sin(", "fabs(", " <= ", "isfinite("))
+    operations = json.loads(render(model, ("c",))["ops.json"])["guarded"]
+    assert count == operations["total"]
+    assert operations["total"] == sum(n for key, n in operations.items() if key != "total")
+
+
+def test_effects_survive_the_manifest():
+    from symscrew.effects.external_wrench import ExternalWrench
+    from symscrew.effects.gravity import Gravity
+
+    for effect in (Gravity(), Gravity((0, "-1/3", 0.5)), ExternalWrench("tool")):
+        again = effect_from_json(json.loads(json.dumps(effect_to_json(effect))))
+        assert again == effect
+    for bad in ({"type": "Effect"}, {"type": "os"}, {"type": "Gravity", "field": 1}, None):
+        with pytest.raises(OutputError):
+            effect_from_json(bad)
+
+
+def test_latex_in_the_notation_of_the_paper():
+    import sympy
+
+    from symscrew.export.latex import markdown, matrix_latex, screw_latex
+
+    theta, radius, length = sympy.symbols("theta R L")
+    wrench = sympy.Matrix([0, 1, 0, 0, 0, -radius + length / sympy.sin(theta)])
+    text = screw_latex(wrench, {theta: r"\vartheta"})
+    assert (
+        text == r"\begin{pmatrix} 0 & 1 & 0 & ; & 0 & 0 & \frac{L}{\sin{\left(\vartheta \right)}} - R \end{pmatrix}^{T}"
+    )
+    block = markdown("W", matrix_latex(sympy.Matrix.hstack(wrench, 2 * wrench)))
+    assert block.startswith("$$\nW = \\left(\\begin{array}{cc}\n0 & 0 \\\\\n1 & 2 \\\\\n0 & 0 \\\\ \\hline\n")
+    with pytest.raises(ValueError, match="6 entries"):
+        screw_latex(sympy.eye(2))
