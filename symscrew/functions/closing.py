@@ -111,7 +111,7 @@ def jacobian_in_v(system: System) -> list[list[Node]]:
     tape = system.tape
     columns = [[row.get(k, tape.zero) for row in system.jacobian] for k in range(len(system.tree.v))]
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             continue
         turn = system.placed[link.index].turn
         old = columns[link.v]
@@ -196,7 +196,7 @@ def moved_by(system: System, step: Sequence[Node]) -> list[Node]:
     q = list(system.inputs.q)
     half = system.tape.reciprocal(system.tape.node(2))
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             for i, k in zip(range(link.q.start, link.q.stop), range(link.v.start, link.v.stop), strict=True):
                 q[i] = q[i] + step[k]
             continue

@@ -89,8 +89,7 @@ class Loops:
         entries = []
         for k in free:
             link = next(link for link in self.system.tree.links[1:] if link.v.start <= k < link.v.stop)
-            spherical = link.motion.kind == "S"
-            component = k - link.v.start if spherical else None
+            component = k - link.v.start if link.motion.spherical else None
             q = link.q.start + (1 + component if component is not None else 0)
             entries.append(Independent(q, k, link, component))
         return entries
@@ -116,7 +115,7 @@ class Loops:
         if platform is not None and platform in tree.link_of_body:
             path = tree.path(tree.link_of_body[platform])
             joints = {tree.links[i].joint for i in path}
-            if len(joints) == 1 and any(tree.links[i].motion.kind == "S" for i in path if tree.links[i].motion):
+            if len(joints) == 1 and any(tree.links[i].motion.spherical for i in path):
                 return [k for i in sorted(path) for k in range(tree.links[i].v.start, tree.links[i].v.stop)]
         return list(self.system.drive_rows())
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.algebra import IDENTITY, ZERO, Affine, Matrix, Node, Tape, cross, transpose
-from symscrew.description import JOINT_TYPES
 from symscrew.kinematics import GROUND, Cut, System, on_hub
 from symscrew.loops.formulations.cut_rows import CutRows, Definition, is_single, unit_scales, used_definitions
 from symscrew.loops.formulations.plain_rows import plain_rows
@@ -22,8 +21,8 @@ def contact_rows(system: System, cut: Cut) -> CutRows | None:
 
     None also if one side of the joint carries the other, or a third link carries both.
     """
-    slides = any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions)
-    if cut.hub == GROUND or cut.tip == GROUND or slides or system.tree.common(cut.tip, cut.hub) != GROUND:
+    apart = GROUND not in (cut.hub, cut.tip) and system.tree.common(cut.tip, cut.hub) == GROUND
+    if cut.joint.kind.slides or not apart:
         return None
     tape, placed = system.tape, system.placed
     definitions: list[Definition] = []

@@ -80,7 +80,7 @@ class RodRows(CutRows):
         Both turn about one axis then, which is at rest.
         """
         link = system.tree.links[self.carrier]
-        if self.carrier == GROUND or link.parent != GROUND or link.motion.kind != "R":
+        if self.carrier == GROUND or link.parent != GROUND or not link.motion.revolute:
             return 0
         x, y, z = (system.tape.node(c).value for c in self.axis)
         return {(0, 0, 1): 1, (0, 0, -1): -1}.get((x, y, z), 0)
@@ -121,7 +121,7 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
 
 def _rod(system: System, cut: Cut) -> RodLimb | None:
     limb = rod_limb(system, cut)
-    if limb is None or cut.joint.type != "S" or limb.first.parent == cut.hub or cut.arm is not None:
+    if limb is None or not cut.joint.kind.ball or limb.first.parent == cut.hub or cut.arm is not None:
         return None
     on_line = all(system.tape.settle(c) is system.tape.zero for c in subtract(limb.tip, cut.tip_point))
     return limb if on_line else None

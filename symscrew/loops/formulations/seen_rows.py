@@ -59,7 +59,7 @@ class SeenRows(CutRows):
         turning = cross(moving.twist[self.link].angular, spin)
         speeds = {}
         for link in (tree.links[k] for k in tree.path(cut.tip)):
-            if link.motion.kind in "RPH":
+            if link.motion.single:
                 speeds[moving.inputs.q[link.q.start]] = {"time": w[link.v.start]}
         given = all(q.op == "symbol" for q in speeds)  # else angles may stand in their cosines and sines only
         result = []
