@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from support.once import Libraries
+from support.model_states import model
+from support.once import Libraries, Lock
 
+from symscrew.generation.folder import USUAL, generate
 from symscrew.runtime import compiled
-from symscrew.simulation import native
 
-UNOPTIMISED = ("-O0",)  # four times faster to compile than -O2, for functions that are called a few times
-LOOPS = ("-O1",)  # three times faster than -O3, for runs that take milliseconds
+FUNCTIONS = {"-O2": "-O0", "-O3": "-O1"}  # of functions that are called a few times, of runs that take milliseconds
+HARD = {"-O2": "-O0", "-O3": "-O0"}  # each run has a loop of its own: compiling at -O0 takes half the time
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -30,6 +31,13 @@ def common(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Levels of optimisation change no results, as tests marked `optimised` hold, at the levels of users."""
+    quickly = HARD if item.path.parent.name == "hard" else FUNCTIONS
+    Libraries.levels = {} if item.get_closest_marker("optimised") else quickly
+
+
 @pytest.fixture(scope="session", autouse=True)
 def compiled_once(common: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as changed:
@@ -37,17 +45,16 @@ def compiled_once(common: Path) -> Iterator[None]:
         yield
 
 
-@pytest.fixture(scope="module", autouse=True)
-def compiled_quickly(request: pytest.FixtureRequest, compiled_once: None) -> Iterator[None]:
-    """Levels of optimisation do not change results, as modules marked `optimised` test, at the levels of users.
+@pytest.fixture(scope="session")
+def generated(common: Path) -> Callable[..., Path]:
+    """The folder that `generate` writes for a mechanism and targets, made once in a run. Copy what is to be changed."""
 
-    Hard cases run for milliseconds, each with a loop of its own: that at -O0 takes half the time.
-    """
-    marks = getattr(request.module, "pytestmark", [])
-    optimised = any(mark.name == "optimised" for mark in (marks if isinstance(marks, list) else [marks]))
-    with pytest.MonkeyPatch.context() as changed:
-        if not optimised:
-            loops = UNOPTIMISED if request.path.parent.name == "hard" else LOOPS
-            changed.setattr(compiled, "FLAGS", (*compiled.FLAGS, *UNOPTIMISED))
-            changed.setattr(native, "NATIVE_FLAGS", (*native.NATIVE_FLAGS, *loops))
-        yield
+    def folder(name: str, targets: Sequence[str] = USUAL) -> Path:
+        made = common / "generated" / "-".join([name, *targets])
+        made.parent.mkdir(exist_ok=True)
+        with Lock(made.with_suffix(".lock")):
+            if not made.is_dir():
+                generate(model(name), made, targets)
+        return made
+
+    return folder

@@ -1,48 +1,106 @@
-"""Which reader or writer a file takes: by its root element when it is read, by its suffix when it is written."""
+"""The table of formats: which reader a file takes by its root element, which writer by its suffix.
+
+    file --root element--> Format.read --> Draft --> Mechanism --suffix--> Format.write --> text
+
+A further format is a file with a reader, a writer or both, and a line in `FORMATS`. All formats here are XML.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from symscrew.description import Mechanism, to_toml
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats import mjcf_reader, urdf_reader, xml
+from symscrew.formats.draft import Draft
+from symscrew.formats.from_draft import mechanism
+from symscrew.formats.mjcf_reader import read_mjcf
 from symscrew.formats.mjcf_writer import print_mjcf
-from symscrew.formats.outline import mechanism
+from symscrew.formats.safe_xml import Element, read
+from symscrew.formats.urdf_reader import read_urdf
 from symscrew.formats.urdf_writer import print_urdf
 from symscrew.whole_files import write_text
 
-READABLE = (".urdf", ".xml", ".mjcf")
-WRITERS = {".urdf": print_urdf, ".xml": print_mjcf, ".mjcf": print_mjcf, ".toml": to_toml}
-READERS = {"robot": urdf_reader.outline, "mujoco": mjcf_reader.outline}
+
+@dataclass(frozen=True)
+class Format:
+    """A format of files.
+
+    Attributes:
+        root: tag of the root element, by which a file is known.
+        suffixes: of its files; several formats may share one.
+        read: (root element, name of the file) -> what the file says; None for a format that is only written.
+        write: mechanism -> text of a file; None for a format that is only read.
+    """
+
+    root: str
+    suffixes: tuple[str, ...]
+    read: Callable[[Element, str], Draft] | None = None
+    write: Callable[[Mechanism], str] | None = None
 
 
-def load_format(path: str | Path) -> Mechanism:
+FORMATS = (
+    Format("robot", (".urdf",), read_urdf, print_urdf),
+    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf),
+)
+
+
+def readable(formats: Sequence[Format] = FORMATS) -> tuple[str, ...]:
+    """Suffixes of the files that are read, the TOML of descriptions apart."""
+    return tuple(dict.fromkeys(suffix for f in formats if f.read is not None for suffix in f.suffixes))
+
+
+def writers(formats: Sequence[Format] = FORMATS) -> dict[str, Callable[[Mechanism], str]]:
+    """Suffix -> what writes its files, the TOML of descriptions as well."""
+    found = {suffix: f.write for f in formats if f.write is not None for suffix in f.suffixes}
+    return {**found, ".toml": to_toml}
+
+
+READABLE = readable()
+WRITERS: Mapping[str, Callable[[Mechanism], str]] = writers()
+
+
+def load_format(path: str | Path, *, formats: Sequence[Format] = FORMATS) -> Mechanism:
     """The validated mechanism in a URDF or MJCF file; its `source` says what the file holds besides.
+
+    Args:
+        path: of the file; its root element says which format it has, whatever its suffix is.
+        formats: those that are known.
 
     Raises:
         DescriptionError: the file cannot be read, or holds what a mechanism cannot.
     """
     file = Path(path)
-    root = xml.read(file)
-    if root.tag not in READERS:
-        expected = " or ".join(f"<{tag}>" for tag in READERS)
+    root = read(file)
+    readers = {f.root: f.read for f in formats if f.read is not None}
+    if root.tag not in readers:
+        expected = " or ".join(f"<{tag}>" for tag in readers)
         raise DescriptionError(f"{file.name}: expected the root element {expected}, got <{shorten(root.tag)}>")
     try:
-        return mechanism(READERS[root.tag](root, file.name))
+        return mechanism(readers[root.tag](root, file.name))
     except DescriptionError as error:
         raise DescriptionError(f"{file.name}: {error}") from error
 
 
 def save_as(model: Mechanism, path: str | Path) -> None:
-    """Write a mechanism to a file; its suffix says as what. An existing file is replaced at the end, or not at all."""
+    """Write a mechanism to a file; its suffix says as what. An existing file is replaced at the end, or not at all.
+
+    Raises:
+        DescriptionError: no format has this suffix, or the format does not hold such a mechanism.
+    """
     file = Path(path)
     text = text_of(model, file.suffix)
     write_text(file, text)
 
 
-def text_of(model: Mechanism, suffix: str) -> str:
-    """The text of a file of this suffix that describes a mechanism; raises DescriptionError."""
-    if suffix not in WRITERS:
-        raise DescriptionError(f"expected a file name that ends in {', '.join(WRITERS)}, got {shorten(suffix)}")
-    return WRITERS[suffix](model)
+def text_of(model: Mechanism, suffix: str, *, formats: Sequence[Format] = FORMATS) -> str:
+    """The text of a file of this suffix that describes a mechanism.
+
+    Raises:
+        DescriptionError: no format has this suffix, or the format does not hold such a mechanism (a URDF no loops).
+    """
+    known = writers(formats)
+    if suffix not in known:
+        raise DescriptionError(f"expected a file name that ends in {', '.join(known)}, got {shorten(suffix)}")
+    return known[suffix](model)

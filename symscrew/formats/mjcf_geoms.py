@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.geometry import (
+from symscrew.formats.mjcf_settings import Attributes, Settings, turn_to
+from symscrew.formats.rigid_displacements import (
     CONTEXT,
     UNITS,
     ZERO,
@@ -23,12 +24,13 @@ from symscrew.formats.geometry import (
     triple,
     turned_inertia,
 )
-from symscrew.formats.mjcf_settings import Attributes, Settings, turn_to
-from symscrew.formats.xml import number, numbers
+from symscrew.formats.safe_xml import number, numbers
 
+# numbers that a geom's size has; meshes and others are refused, where their mass is asked for
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 WITH_FROM_TO = ("capsule", "cylinder", "ellipsoid", "box")
 WATER = "1000"
+"""Density [kg/m^3] of a geom that does not say its own, as in MuJoCo."""
 
 
 @dataclass(frozen=True)

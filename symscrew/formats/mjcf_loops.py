@@ -1,5 +1,7 @@
 """Loops, couplings and drives of an MJCF file: <equality> and <actuator>.
 
+    connect --> S;  two connects of the same bodies --> R;  weld --> fixed;  slide coupled to hinge --> H
+
 A connect is a spherical joint between two bodies, two connects between the same bodies a revolute joint about
 the line through their points, a weld a fixed joint. A coupling of a slide with a hinge makes a helical joint.
 All must hold in the reference configuration, as MuJoCo makes them.
@@ -14,16 +16,38 @@ from decimal import Decimal
 import mpmath
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.geometry import CONTEXT, Pose, Real, Triple, from_quaternion, length, minus, real, triple, unit
+from symscrew.formats.draft import RawJoint
+from symscrew.formats.file_names import fresh
 from symscrew.formats.mjcf_settings import Settings
-from symscrew.formats.outline import RawJoint, fresh
-from symscrew.formats.xml import Element, attribute, elements, label, numbers
+from symscrew.formats.rigid_displacements import (
+    CONTEXT,
+    Pose,
+    Real,
+    Triple,
+    from_quaternion,
+    length,
+    minus,
+    real,
+    triple,
+    unit,
+)
+from symscrew.formats.safe_xml import Element, attribute, elements, label, numbers
 
 CLOSED = CONTEXT.mpf(10) ** -9
+"""Gap [m, rad] of a loop that counts as closed: files have about ten digits, and MuJoCo itself closes loops softly. A
+larger one is refused, because the joint would be at neither of its two places."""
 ACTUATORS = (
     "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "general", "dcmotor",
 )  # fmt: skip
-Sites = Mapping[str, tuple[str, Triple]]
+
+
+@dataclass(frozen=True)
+class Placed:
+    """Poses of the bodies, sites as (body, place), and the name of the ground."""
+
+    poses: Mapping[str, Pose]
+    sites: Mapping[str, tuple[str, Triple]]
+    ground: str
 
 
 @dataclass(frozen=True)
@@ -51,13 +75,13 @@ def couplings(root: Element, settings: Settings) -> list[Coupling]:
     return found
 
 
-def loops(root: Element, settings: Settings, poses: Mapping[str, Pose], sites: Sites, ground: str) -> list[RawJoint]:
+def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
     """The joints that close loops; raises DescriptionError for what is not supported or does not close."""
     for section in elements(root, "equality"):
         for element in elements(section):
             if element.tag not in ("connect", "weld", "joint"):
                 raise DescriptionError(f"{label(element)} in <equality>: only connect, weld and joint are supported")
-    connects = [_connect(e, poses, sites, ground) for e in _equalities(root, settings, "connect")]
+    connects = [_connect(e, placed) for e in _equalities(root, settings, "connect")]
     result = []
     while connects:
         first = connects.pop(0)
@@ -70,7 +94,7 @@ def loops(root: Element, settings: Settings, poses: Mapping[str, Pose], sites: S
         stem = first.name.removesuffix(".0")
         name = stem if pair.name == f"{stem}.1" else first.name
         result.append(RawJoint(name, "R", first.parent, first.child, first.point, (axis,)))
-    result += [_weld(e, poses, sites, ground) for e in _equalities(root, settings, "weld")]
+    result += [_weld(e, placed) for e in _equalities(root, settings, "weld")]
     names: list[str] = []
     for k, joint in enumerate(result):
         names.append(fresh(joint.name or f"loop_{k}", names))
@@ -94,8 +118,9 @@ def _equalities(root: Element, settings: Settings, tag: str) -> Iterator[Element
                 yield element
 
 
-def _ends(element: Element, poses: Mapping[str, Pose], sites: Sites, ground: str) -> tuple[str, str, Triple | None]:
+def _ends(element: Element, placed: Placed) -> tuple[str, str, Triple | None]:
     """Parent, child, and where two sites meet, if it is given by sites."""
+    poses, sites, ground = placed.poses, placed.sites, placed.ground
     if "site1" in element.attrib:
         names = [attribute(element, key) for key in ("site1", "site2")]
         for name in names:
@@ -118,31 +143,31 @@ def _ends(element: Element, poses: Mapping[str, Pose], sites: Sites, ground: str
     return (ground if one_body == "world" else one_body), (ground if other_body == "world" else other_body), None
 
 
-def _connect(element: Element, poses: Mapping[str, Pose], sites: Sites, ground: str) -> RawJoint:
-    parent, child, meeting = _ends(element, poses, sites, ground)
+def _connect(element: Element, placed: Placed) -> RawJoint:
+    parent, child, meeting = _ends(element, placed)
     if meeting is None:
         anchor = triple(numbers(attribute(element, "anchor"), f"{label(element)}, anchor", 3))
         owner = element.attrib["body1"]
-        meeting = poses[ground if owner == "world" else owner].point(anchor)
+        meeting = placed.poses[placed.ground if owner == "world" else owner].point(anchor)
     return RawJoint(element.get("name") or "", "S", parent, child, meeting)
 
 
-def _weld(element: Element, poses: Mapping[str, Pose], sites: Sites, ground: str) -> RawJoint:
+def _weld(element: Element, placed: Placed) -> RawJoint:
     if "site1" in element.attrib:
         raise DescriptionError(f"{label(element)}: a weld of sites is not supported; weld the bodies")
-    parent, child, _ = _ends(element, poses, sites, ground)
+    parent, child, _ = _ends(element, placed)
     given = numbers(element.get("relpose", "0 1 0 0 0 0 0"), f"{label(element)}, relpose", 7)
     if any(value != 0 for value in given[3:]):
         # relpose is the pose of the second body (the world where there is none) in the first
         first = element.attrib["body1"]
-        one, other = (poses[ground if n in (None, "world") else n] for n in (first, element.get("body2")))
+        one, other = (placed.poses[placed.ground if n in (None, "world") else n] for n in (first, element.get("body2")))
         place = triple(given[:3])
-        w, x, y, z = (real(value) for value in given[3:])
-        wanted = Pose(from_quaternion(w, x, y, z, f"{label(element)}, relpose"), place)
+        turn = [real(value) for value in given[3:]]
+        wanted = Pose(from_quaternion(turn, f"{label(element)}, relpose"), place)
         found = one.inverse() @ other
         turned = max(length(minus(a, b)) for a, b in zip(wanted.rotation, found.rotation, strict=True))
         _check_gap(element, max(length(minus(wanted.translation, found.translation)), turned), "m or rad")
-    return RawJoint(element.get("name") or "", "fixed", parent, child, poses[child].translation)
+    return RawJoint(element.get("name") or "", "fixed", parent, child, placed.poses[child].translation)
 
 
 def _check_gap(element: Element, gap: Real, unit_text: str) -> None:

@@ -1,5 +1,7 @@
 """A mechanism from MJCF: the bodies and joints below <worldbody>, loops, actuators, sites.
 
+    <worldbody> poses relative to the parent --products--> Draft in absolute axes; <equality> --mjcf_loops--> loops
+
 Read: body, frame, inertial, joint (hinge, slide, ball, free; several on one body), freejoint, geoms of simple
 shape where inertia comes from them, sites (as named points), default classes, compiler angle, eulerseq,
 inertiafromgeom and inertiagrouprange, equality connect, weld and the joint coupling of a screw
@@ -10,19 +12,24 @@ of a mechanism: they are named in its `source`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.geometry import ZERO, Pose, Real, Rotation, Triple, real, triple, turned_inertia, unit
+from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.file_names import fresh
+from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mjcf_geoms import Solid, solid, together
-from symscrew.formats.mjcf_loops import Coupling, couplings, driven_freedoms, loops
+from symscrew.formats.mjcf_loops import Coupling, Placed, couplings, driven_freedoms, loops
 from symscrew.formats.mjcf_settings import READ, Attributes, Settings, settings
-from symscrew.formats.outline import Outline, RawBody, RawJoint, fresh, one_joint
-from symscrew.formats.xml import Element, check_attributes, elements, label, number, numbers
+from symscrew.formats.rigid_displacements import ZERO, Pose, Real, Rotation, Triple, real, triple, turned_inertia, unit
+from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
+# elements of MJCF that are read, that hold no mechanics, and that a body may hold; others are refused by name
 SECTIONS = ("compiler", "option", "default", "worldbody", "equality", "actuator")
 WITHOUT_MECHANICS = ("size", "visual", "statistic", "custom", "asset", "contact", "sensor", "keyframe")
 IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light")
+# attributes of joints that are forces or limits: counted, and named in `source`
 FORCES = ("stiffness", "damping", "frictionloss", "springdamper")
 LIMITS = ("range", "actuatorfrcrange")
 WORLD = "world"
@@ -30,12 +37,12 @@ WORLD = "world"
 
 @dataclass
 class Reading:
-    """What has been read so far: the outline, poses of bodies and sites, counts for the notes."""
+    """What has been read so far: the draft, poses of bodies and sites, counts for the notes."""
 
     settings: Settings
     couplings: dict[str, Coupling]
     driven: dict[str, tuple[int, ...]]
-    result: Outline
+    result: Draft
     poses: dict[str, Pose] = field(default_factory=dict)
     sites: dict[str, tuple[str, Triple]] = field(default_factory=dict)
     counts: dict[str, int] = field(default_factory=dict)
@@ -46,8 +53,31 @@ class Reading:
         self.counts[what] = self.counts.get(what, 0) + 1
 
 
-def outline(root: Element, file: str) -> Outline:
-    """What a <mujoco> says; raises DescriptionError."""
+@dataclass(frozen=True)
+class Place:
+    """Where the reader is: in which body, at which pose, and the default class that is inherited there."""
+
+    body: str
+    pose: Pose
+    childclass: str | None
+
+
+@dataclass(frozen=True)
+class Part:
+    """A joint, geom or inertial of a body, with the class that it inherits and the pose that it refers to."""
+
+    element: Element
+    childclass: str | None
+    pose: Pose
+
+
+def read_mjcf(root: Element, file: str) -> Draft:
+    """What a <mujoco> says; raises DescriptionError for what a mechanism cannot hold.
+
+    Args:
+        root: the file's root element.
+        file: its name, for the mechanism's `source`.
+    """
     check_attributes(root, ("model",))
     for child in elements(root):
         if child.tag not in (*SECTIONS, *WITHOUT_MECHANICS) and (len(child) or child.attrib):
@@ -57,7 +87,7 @@ def outline(root: Element, file: str) -> Outline:
     model = root.get("model") or "mujoco_model"
     texts = {t.get("name"): t.get("data") or "" for c in elements(root, "custom") for t in elements(c, "text")}
     ground = texts.get("symscrew_ground", WORLD)
-    result = Outline(model, ground, f"imported from the MJCF {file}", texts.get("symscrew_description", ""))
+    result = Draft(model, ground, f"imported from the MJCF {file}", texts.get("symscrew_description", ""))
     result.notes += notes
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
@@ -66,9 +96,9 @@ def outline(root: Element, file: str) -> Outline:
     reading.poses[ground] = Pose()
     for world in elements(root, "worldbody"):
         check_attributes(world, ())
-        _read_children(reading, world, ground, Pose(), None)
+        _read_children(reading, world, Place(ground, Pose(), None))
     _check_all_found(reading)
-    result.joints += loops(root, chosen, reading.poses, reading.sites, ground)
+    result.joints += loops(root, chosen, Placed(reading.poses, reading.sites, ground))
     platform = texts.get("symscrew_platform")
     parents = {joint.parent for joint in result.joints}
     tips = [body.name for body in result.bodies if body.name not in parents]
@@ -90,73 +120,77 @@ def _check_all_found(reading: Reading) -> None:
             raise DescriptionError(f"<equality>: there is no slide joint {shorten(name)} on one body with its hinge")
 
 
-def _read_children(reading: Reading, parent: Element, body: str, pose: Pose, inherited: str | None) -> None:
-    """Bodies, sites and frames inside a body or frame that is at `pose`."""
+def _read_children(reading: Reading, parent: Element, place: Place) -> None:
+    """Bodies, sites and frames inside a body or frame."""
     for child in elements(parent):
         if child.tag not in IN_BODY:
             raise DescriptionError(f"{label(parent)}: the element <{child.tag}> of MJCF is not supported")
         if child.tag == "frame":
             check_attributes(child, READ["frame"])
-            inner = pose @ reading.settings.pose(child.attrib, label(child))
-            _read_children(reading, child, body, inner, child.get("childclass") or inherited)
+            inner = place.pose @ reading.settings.pose(child.attrib, label(child))
+            _read_children(reading, child, Place(place.body, inner, child.get("childclass") or place.childclass))
         elif child.tag == "body":
-            _read_body(reading, child, body, pose, inherited)
+            _read_body(reading, child, place)
         elif child.tag == "site":
-            _read_site(reading, child, body, pose, inherited)
+            _read_site(reading, child, place)
 
 
-def _read_body(reading: Reading, element: Element, parent: str, outer: Pose, inherited: str | None) -> None:
+def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     where = label(element)
     check_attributes(element, READ["body"])
     if element.get("mocap", "false") != "false":
         raise DescriptionError(f"{where}: mocap bodies are not supported; remove the body or its mocap")
     if number(element.get("gravcomp", "0"), f"{where}, gravcomp") != 0:
         reading.count("gravcomp")
-    inherited = element.get("childclass") or inherited
+    inherited = element.get("childclass") or outer.childclass
     name = element.get("name")
     if name in reading.poses:
         raise DescriptionError(f"{where}: two bodies have this name")
     name = name or fresh("body", reading.poses)
-    pose = outer @ reading.settings.pose(element.attrib, where)
+    pose = outer.pose @ reading.settings.pose(element.attrib, where)
     reading.poses[name] = pose
-    own = list(_own(element, inherited, pose, reading.settings))
+    place = Place(name, pose, inherited)
+    own = _own(element, inherited, pose, reading.settings)
     reading.result.bodies.append(_body(reading, name, own))
-    reading.result.joints += _joints(reading, name, parent, pose, own)
-    _read_children(reading, element, name, pose, inherited)
+    reading.result.joints += _joints(reading, outer.body, place, own)
+    _read_children(reading, element, place)
 
 
-def _own(
-    element: Element, inherited: str | None, pose: Pose, settings: Settings
-) -> list[tuple[Element, str | None, Pose]]:
-    """Joints, geoms and inertials of a body, through its frames, with their class and the pose they refer to."""
-    found: list[tuple[Element, str | None, Pose]] = []
+def _own(element: Element, inherited: str | None, pose: Pose, settings: Settings) -> list[Part]:
+    """Joints, geoms and inertials of a body, through its frames."""
+    found: list[Part] = []
     for child in elements(element):
         if child.tag == "frame":
             inner = pose @ settings.pose(child.attrib, label(child))
             found += _own(child, child.get("childclass") or inherited, inner, settings)
         elif child.tag in ("joint", "freejoint", "geom", "inertial"):
-            found.append((child, inherited, pose))
+            found.append(Part(child, inherited, pose))
     return found
 
 
-def _body(reading: Reading, name: str, own: list[tuple[Element, str | None, Pose]]) -> RawBody:
+def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
     """The body's inertia, from its inertial element or its geoms."""
     chosen = reading.settings
-    given = [(element, pose) for element, _, pose in own if element.tag == "inertial"]
-    geoms = [item for item in own if item[0].tag == "geom"]
-    for element, inherited, _ in geoms:
-        attributes = chosen.merged(element, "geom", inherited)
+    given = [part for part in own if part.element.tag == "inertial"]
+    geoms = [part for part in own if part.element.tag == "geom"]
+    for part in geoms:
+        attributes = chosen.merged(part.element, "geom", part.childclass)
         if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
             reading.count("contacts of geoms")
     found: Solid | None = None
     if chosen.from_geoms == "true" or (chosen.from_geoms == "auto" and not given):
         solids = [
-            solid(chosen.merged(element, "geom", inherited), chosen, pose, f"<body name={name!r}>, {label(element)}")
-            for element, inherited, pose in geoms
+            solid(
+                chosen.merged(part.element, "geom", part.childclass),
+                chosen,
+                part.pose,
+                f"<body name={name!r}>, {label(part.element)}",
+            )
+            for part in geoms
         ]
-        found = together([part for part in solids if part is not None])
+        found = together([solid for solid in solids if solid is not None])
     elif given:
-        found = _inertial(chosen, *given[0], where=f"<body name={name!r}>, <inertial>")
+        found = _inertial(chosen, given[0].element, given[0].pose, f"<body name={name!r}>, <inertial>")
     return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia)
 
 
@@ -182,15 +216,11 @@ def _inertial(chosen: Settings, element: Element, pose: Pose, where: str) -> Sol
     return Solid(mass, frame.translation, turned_inertia(frame.rotation, matrix))
 
 
-def _joints(
-    reading: Reading, body: str, parent: str, pose: Pose, own: list[tuple[Element, str | None, Pose]]
-) -> list[RawJoint]:
+def _joints(reading: Reading, parent: str, place: Place, own: Sequence[Part]) -> list[RawJoint]:
     """The chain of joints from the parent to a body, over new bodies without mass where there are several."""
-    parts: list[RawJoint] = []
-    for element, inherited, place in own:
-        if element.tag in ("joint", "freejoint"):
-            parts.append(_joint(reading, element, inherited, place, pose))
-    parts = _coupled(reading, parts)
+    body, pose = place.body, place.pose
+    single = [_joint(reading, part, pose) for part in own if part.element.tag in ("joint", "freejoint")]
+    parts = _coupled(reading, single)
     if not parts:
         return [RawJoint(fresh(f"{body}_fixed", reading.seen), "fixed", parent, body, pose.translation)]
     links = [parent]
@@ -203,15 +233,16 @@ def _joints(
     return [replace(part, parent=links[k], child=links[k + 1]) for k, part in enumerate(parts)]
 
 
-def _joint(reading: Reading, element: Element, inherited: str | None, place: Pose, body: Pose) -> RawJoint:
-    chosen = reading.settings
+def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
+    """One joint of a body that is at the pose `body`; its ends are filled in later."""
+    element, place, chosen = part.element, part.pose, reading.settings
     if element.tag == "freejoint":
         check_attributes(element, READ["freejoint"])
         if element.get("align", "false") not in ("false", "auto"):
             raise DescriptionError(f"{label(element)}: align is not supported")
         attributes: Attributes = {**element.attrib, "type": "free"}
     else:
-        attributes = chosen.merged(element, "joint", inherited)
+        attributes = chosen.merged(element, "joint", part.childclass)
     kind = attributes.get("type", "hinge")
     name = element.get("name")
     if name in reading.seen:
@@ -274,17 +305,17 @@ def _coupled(reading: Reading, parts: list[RawJoint]) -> list[RawJoint]:
     return result
 
 
-def _read_site(reading: Reading, element: Element, body: str, pose: Pose, inherited: str | None) -> None:
-    attributes = reading.settings.merged(element, "site", inherited)
-    place = (pose @ reading.settings.pose(attributes, label(element))).translation
+def _read_site(reading: Reading, element: Element, outer: Place) -> None:
+    attributes = reading.settings.merged(element, "site", outer.childclass)
+    place = (outer.pose @ reading.settings.pose(attributes, label(element))).translation
     if "fromto" in attributes:
         ends = numbers(attributes["fromto"], f"{label(element)}, fromto", 6)
         start, end = triple(ends[:3]), triple(ends[3:])
-        place = pose.point(((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, (start[2] + end[2]) / 2))
+        place = outer.pose.point(((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, (start[2] + end[2]) / 2))
     name = element.get("name")
     if name is None:
         return
     if name in reading.sites:
         raise DescriptionError(f"{label(element)}: two sites have this name")
-    reading.sites[name] = (body, place)
-    reading.result.points.append((name, body, place))
+    reading.sites[name] = (outer.body, place)
+    reading.result.points.append((name, outer.body, place))

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.geometry import (
+from symscrew.formats.rigid_displacements import (
     CONTEXT,
     UNITS,
     Pose,
@@ -32,7 +32,7 @@ from symscrew.formats.geometry import (
     triple,
     unit,
 )
-from symscrew.formats.xml import Element, check_attributes, elements, label, number, numbers
+from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
 ORIENTATIONS = ("axisangle", "xyaxes", "zaxis", "euler")
 PLACE = ("pos", "quat", *ORIENTATIONS)
@@ -61,6 +61,7 @@ READ: dict[str, tuple[str, ...]] = {
     "couple": ("name", "class", "active", "solref", "solimp", "joint1", "joint2", "polycoef"),
     "equality": ("class", "active", "solref", "solimp"),
 }  # fmt: skip
+# attributes of <compiler>: with the values that are supported; that must be zero; that do not change the mechanics
 COMPILER = {
     "angle": ("degree", "radian"), "coordinate": ("local",), "inertiafromgeom": ("false", "true", "auto"),
     "balanceinertia": ("false",), "alignfree": ("false",),
@@ -70,6 +71,8 @@ COMPILER_FREE = (
     "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
     "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
 )  # fmt: skip
+ALREADY_THERE = CONTEXT.mpf(10) ** -20
+"""Sine of the angle to z below which a direction is z, or -z: it has no normal to turn about that 50 digits know."""
 Attributes = Mapping[str, str]
 
 
@@ -110,8 +113,7 @@ class Settings:
             return UNITS
         where, text = f"{where}, {key}", attributes[key]
         if key == "quat":
-            w, x, y, z = (real(v) for v in numbers(text, where, 4))
-            return from_quaternion(w, x, y, z, where)
+            return from_quaternion([real(v) for v in numbers(text, where, 4)], where)
         if key == "axisangle":
             *axis, angle = numbers(text, where, 4)
             return about(unit(triple(axis), where), self.angle(angle))
@@ -134,9 +136,10 @@ def turn_to(direction: Triple, where: str) -> Rotation:
     """The shortest rotation that takes z to a direction (about x where it is -z)."""
     goal = unit(direction, where)
     normal = cross(UNITS[2], goal)
-    if length(normal) < CONTEXT.mpf(10) ** -20:
+    if length(normal) < ALREADY_THERE:
         return UNITS if goal[2] > 0 else about(UNITS[0], CONTEXT.pi)
-    return about(unit(normal, where), CONTEXT.atan2(length(normal), goal[2]))
+    sine = length(normal)  # it may be as small as rounding: `unit` would refuse it
+    return about(scaled(normal, 1 / sine), CONTEXT.atan2(sine, goal[2]))
 
 
 def settings(root: Element) -> tuple[Settings, list[str]]:

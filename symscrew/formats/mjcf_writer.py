@@ -1,5 +1,7 @@
 """A mechanism as MJCF, loops as equality constraints.
 
+    Mechanism --elementary_chains--> tree of bodies, cut joints --<body>, <equality>, <actuator>--> text
+
 Bodies have absolute axes in the reference configuration and their origin at the joint that carries them.
 Joints with several freedoms are several joints of one body: `name.0`, `name.1` ...; a helical joint is a slide
 and a hinge coupled by an equality. The tree takes those joints first whose loop MuJoCo could not close by an
@@ -21,15 +23,22 @@ from xml.etree.ElementTree import Element, SubElement
 import numpy as np
 
 from symscrew.description import Joint, Mechanism
-from symscrew.formats.geometry import CONTEXT
-from symscrew.formats.open_chain import Array, Branch, Step, chains, numbers, steps
-from symscrew.formats.outline import fresh
-from symscrew.formats.xml import decimals, text_of
+from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
+from symscrew.formats.file_names import fresh
+from symscrew.formats.rigid_displacements import CONTEXT
+from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import NumericMechanism, numeric
 
 SMALL = 1e-9
+"""Of the mechanism's mass (and of mass times length^2): what lighter bodies are raised to, because MuJoCo refuses
+bodies without mass. Small enough to be lost in the motion, large enough for its solver; the file's head names them."""
+CAPSULE = 0.02
+"""Radius of the capsules for the viewer, of the mechanism's size."""
+SHORTEST_CAPSULE = 1e-3
+"""Of the mechanism's size; shorter ones are not drawn, as MuJoCo refuses those of length zero."""
 WORLD = "world"
 RANKS = {"R": 1, "S": 2}
+"""Order in which joints are left for closing loops; all others, rank 0, come into the tree first."""
 TYPES = {"R": "hinge", "P": "slide", "S": "ball"}
 
 
@@ -189,7 +198,7 @@ def _quaternion(rotation: Array) -> Array:
     outer[0, 1:] = outer[1:, 0] = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
     outer[1:, 1:] = r + r.T + (1 - trace) * np.eye(3)
     best = outer[np.argmax(np.diag(outer))]
-    return best / np.sqrt((best * best).sum())
+    return np.asarray(best / np.sqrt((best * best).sum()))
 
 
 def _close(writing: Writing, joint: Joint) -> None:
@@ -198,14 +207,14 @@ def _close(writing: Writing, joint: Joint) -> None:
     ends = [joint.parent, joint.child]
     kind = joint.kind
     if kind.freedom == 0:
-        _add_equality(writing, "weld", joint.name, ends, None)
+        _add_equality(writing, "weld", joint.name, ends)
     elif kind.ball and not joint.driven:
-        _add_equality(writing, "connect", joint.name, ends, point)
+        _add_equality(writing, "connect", joint.name, ends, anchor=point)
     elif kind.hinge and not joint.driven:
         # read back, the ground is the parent: the coordinate keeps its sign
         axis = numbers(writing.mechanism, joint.axes[0]) * (-1 if joint.child == writing.mechanism.ground else 1)
         for k, place in enumerate((point, point + writing.numbers.length * axis)):
-            _add_equality(writing, "connect", f"{joint.name}.{k}", ends, place)
+            _add_equality(writing, "connect", f"{joint.name}.{k}", ends, anchor=place)
     else:
         copy = fresh(f"{joint.child}_copy", writing.names.values())
         writing.names[copy] = copy
@@ -217,17 +226,17 @@ def _close(writing: Writing, joint: Joint) -> None:
         SubElement(body, "inertial", pos="0 0 0", mass=decimals([least]), diaginertia=moments)
         writing.raised.append(copy)
         _add_joints(writing, body, joint, inverted=False, floating=False)
-        _add_equality(writing, "weld", copy, [copy, joint.child], None)
+        _add_equality(writing, "weld", copy, [copy, joint.child])
 
 
-def _add_equality(writing: Writing, kind: str, name: str, ends: Sequence[str], point: Array | None) -> None:
-    """A connect at `point` [m, absolute], or a weld. Names of weld and bodies may be the same."""
+def _add_equality(writing: Writing, kind: str, name: str, ends: Sequence[str], *, anchor: Array | None = None) -> None:
+    """A connect at `anchor` [m, absolute], or a weld. Names of weld and bodies may be the same."""
     first, second = ends if writing.names[ends[0]] != WORLD else ends[::-1]
     made = SubElement(writing.equality, kind, name=name, body1=writing.names[first])
     if writing.names[second] != WORLD:
         made.set("body2", writing.names[second])
-    if point is not None:
-        made.set("anchor", decimals(point - writing.origins[first]))
+    if anchor is not None:
+        made.set("anchor", decimals(anchor - writing.origins[first]))
 
 
 def _add_capsules(writing: Writing, body: str) -> None:
@@ -236,8 +245,8 @@ def _add_capsules(writing: Writing, body: str) -> None:
     origin = writing.origins[body]
     for joint in writing.mechanism.joints.values():
         place = numbers(writing.mechanism, joint.point) - origin
-        if body in (joint.parent, joint.child) and np.linalg.norm(place) > 1e-3 * size:
+        if body in (joint.parent, joint.child) and np.linalg.norm(place) > SHORTEST_CAPSULE * size:
             SubElement(
-                writing.elements[body], "geom", type="capsule", size=decimals([0.02 * size]), mass="0", contype="0",
+                writing.elements[body], "geom", type="capsule", size=decimals([CAPSULE * size]), mass="0", contype="0",
                 conaffinity="0", fromto=decimals([0, 0, 0, *place]),
             )  # fmt: skip

@@ -6,6 +6,8 @@ revolute, continuous and prismatic joints are). The root link is the ground. Ref
 other joint types, links with two parents. Named in the mechanism's `source` and not taken over: limits,
 damping, friction, safety controllers, elements of links that the format does not define.
 
+    links and joints, relative poses --products from the root--> Draft: absolute axes and points
+
 Source: the URDF specification, https://wiki.ros.org/urdf/XML (angles in rad, rpy about fixed axes).
 """
 
@@ -14,20 +16,36 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.geometry import UNITS, Pose, Rotation, Triple, about, product, triple, turned_inertia, unit
-from symscrew.formats.outline import Outline, RawBody, RawJoint
-from symscrew.formats.xml import Element, attribute, check_attributes, elements, label, number, numbers
+from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.rigid_displacements import (
+    UNITS,
+    Pose,
+    Rotation,
+    Triple,
+    about,
+    product,
+    triple,
+    turned_inertia,
+    unit,
+)
+from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
 
 TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "floating": "free",
 }  # fmt: skip
+# elements of a <robot>, a <joint> and a <link> that are known; others are refused, or named in `source`
 WITHOUT_MECHANICS = ("material", "gazebo", "ros2_control", "sensor")
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "calibration", "safety_controller")
 IN_LINK = ("inertial", "visual", "collision", "sensor", "contact", "collision_checking", "self_collision_checking")
 
 
-def outline(root: Element, file: str) -> Outline:
-    """What a <robot> says; raises DescriptionError."""
+def read_urdf(root: Element, file: str) -> Draft:
+    """What a <robot> says; raises DescriptionError for what a mechanism cannot hold.
+
+    Args:
+        root: the file's root element.
+        file: its name, for the mechanism's `source`.
+    """
     for child in elements(root):
         if child.tag not in ("link", "joint", "transmission", *WITHOUT_MECHANICS):
             raise DescriptionError(f"{label(child)}: this element of a URDF is not supported; remove it")
@@ -46,7 +64,7 @@ def outline(root: Element, file: str) -> Outline:
         raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(roots[0])}")
     driven, noted = _driven(root, joints)
     name = root.get("name") or "robot"
-    result = Outline(name, roots[0], f"imported from the URDF {file}", f"robot {name}")
+    result = Draft(name, roots[0], f"imported from the URDF {file}", f"robot {name}")
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
     result.joints += [_joint(joint, name, poses, driven) for name, joint in joints.items()]
     tips = [name for name in links if all(attribute(_one(j, "parent"), "link") != name for j in joints.values())]

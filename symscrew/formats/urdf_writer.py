@@ -1,5 +1,7 @@
 """A mechanism without loops as URDF.
 
+    Mechanism --elementary_chains--> branches in order --a <joint> and a <link> each--> text
+
 Every link has absolute axes in the configuration where all coordinates have their reference values, and its
 origin at its joint. Coordinates keep their values: where the reference is not zero, the joint's origin is moved
 back by it. A joint with several freedoms becomes a chain `name.0`, `name.1` ... over links without inertia;
@@ -15,12 +17,16 @@ import numpy as np
 
 from symscrew.description import NO_MOTION, Body, Mechanism, rotation
 from symscrew.errors import DescriptionError
-from symscrew.formats.open_chain import Array, Branch, Step, chains, numbers, steps
-from symscrew.formats.outline import fresh
-from symscrew.formats.xml import decimals, text_of
+from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
+from symscrew.formats.file_names import fresh
+from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import rotation_about
 
 WIDE = "1000000"
+"""Limits [m, m/s, N] of prismatic joints, which the format demands and a mechanism has not: beyond any machine."""
+UPRIGHT = 1e-12
+"""Cosine of the pitch below which roll and yaw turn about the same axis: then roll is 0 and yaw takes both. Above it
+both are well defined, to the digits that the cosine has."""
 TYPES = {"R": "continuous", "P": "prismatic"}
 
 
@@ -41,7 +47,8 @@ def print_urdf(mechanism: Mechanism) -> str:
     driven: list[str] = []
     for branch in tree.branches:
         origins[branch.body] = numbers(mechanism, branch.joint.point)
-        driven += _add_joint(root, mechanism, branch, origins, used)
+        shift = origins[branch.body] - origins[branch.parent]
+        driven += _add_joint(root, mechanism, branch, shift=shift, used=used)
         _add_link(root, mechanism, mechanism.bodies[branch.body], origins[branch.body])
     if not driven:  # a file without both would say that every joint is driven
         SubElement(root, "ros2_control", name="passive", type="system")
@@ -56,15 +63,16 @@ def print_urdf(mechanism: Mechanism) -> str:
     return text_of(root, head)
 
 
-def _add_joint(
-    root: Element, mechanism: Mechanism, branch: Branch, origins: dict[str, Array], used: list[str]
-) -> list[str]:
-    """The joint or chain of joints that carries a body; the names of the driven ones."""
+def _add_joint(root: Element, mechanism: Mechanism, branch: Branch, *, shift: Array, used: list[str]) -> list[str]:
+    """The joint or chain of joints that carries a body; the names of the driven ones.
+
+    `shift`: from the parent's origin to the body's [m]; names of new links are added to `used`.
+    """
     joint, driven = branch.joint, []
     if joint.kind.helical:
         raise DescriptionError(f"joints.{joint.name}: a URDF has no helical joint; write MJCF (.xml)")
     parts = _parts(mechanism, branch)
-    link, shift = branch.parent, origins[branch.body] - origins[branch.parent]
+    link = branch.parent
     for k, step in enumerate(parts):
         name = branch.body
         if k + 1 < len(parts):
@@ -130,6 +138,6 @@ def _add_link(root: Element, mechanism: Mechanism, body: Body, origin: Array) ->
 def _roll_pitch_yaw(rotation: Array) -> Array:
     """Angles with rotation = Rz(yaw) Ry(pitch) Rx(roll); roll 0 where pitch is +-90 degrees."""
     pitch = np.arctan2(-rotation[2, 0], np.hypot(rotation[0, 0], rotation[1, 0]))
-    if np.hypot(rotation[0, 0], rotation[1, 0]) < 1e-12:
+    if np.hypot(rotation[0, 0], rotation[1, 0]) < UPRIGHT:
         return np.array([0.0, pitch, np.arctan2(-rotation[0, 1], rotation[1, 1])])
     return np.array([np.arctan2(rotation[2, 1], rotation[2, 2]), pitch, np.arctan2(rotation[1, 0], rotation[0, 0])])

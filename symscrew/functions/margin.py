@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from symscrew.functions.ports import function, q_port
 from symscrew.kinematics import System
-from symscrew.mobility import FORMS, Margin, actuation_margins, constraint_margins, limb_margins
+from symscrew.mobility import FORMS, Margins, actuation_margins, constraint_margins, limb_margins
 from symscrew.program import Function, Port
 
 TEXTS = {
@@ -20,7 +18,8 @@ def margin_functions(system: System) -> list[Function]:
     """`limb_margins`, `constraint_margin`, `actuation_margins` of q, each where the mechanism has such.
 
     See `symscrew.mobility.margins` for what they are. Unit 1: lengths divided by the characteristic length. They
-    divide by nothing, so they have no guards and are right at the singularity itself.
+    divide by nothing, so they have no guards and are right at the singularity itself. Margins that were too large to be
+    derived are named in the notes of the others of their kind.
     """
     found = {
         "limb_margins": limb_margins(system),
@@ -30,16 +29,16 @@ def margin_functions(system: System) -> list[Function]:
     return [_function(system, name, margins) for name, margins in found.items() if margins]
 
 
-def _function(system: System, name: str, margins: Sequence[Margin]) -> Function:
+def _function(system: System, name: str, margins: Margins) -> Function:
     count = len(margins)
     labels, forms = tuple(m.name for m in margins), tuple(m.form for m in margins)
     port = Port("margins", (count,), ("1",) * count, labels, _in_words(margins), forms)
-    return function(
-        system, name, TEXTS[name], [(q_port(system), system.inputs.q)], [(port, [m.value for m in margins])]
-    )
+    inputs = [(q_port(system), system.inputs.q)]
+    outputs = [(port, [m.value for m in margins])]
+    return function(system, name, TEXTS[name], inputs, outputs, notes=margins.not_tried)
 
 
-def _in_words(margins: Sequence[Margin]) -> str:
+def _in_words(margins: Margins) -> str:
     """Which margin is signed and which is squared."""
     names = {form: [m.name for m in margins if m.form == form] for form in FORMS}
     return "; ".join(f"{FORMS[form]}: {', '.join(which)}" for form, which in names.items() if which)

@@ -10,12 +10,11 @@ from symscrew.effects import Effect
 from symscrew.functions.closing import guarded
 from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.kinematics import System, closure_rate
+from symscrew.kinematics import System, Turn, closure_rate
 from symscrew.loops import (
     CrankLimb,
     LengthRow,
     Loops,
-    Turn,
     closed_limbs,
     hub_links,
     length_rows,

@@ -61,7 +61,7 @@ def generate(
         measured: results of `symscrew.verification.embedded.emulation.measure`, which stand in the C header and in
             ops.json then.
         hashes_only: write what a reader learns from, and of the rest hashes.json with its hashes: enough for
-            `check`, a tenth of the size, and no code that could be called.
+            `check`, at most a tenth of the size, and no code that could be called.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.

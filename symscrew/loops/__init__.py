@@ -8,7 +8,6 @@ from symscrew.loops.dependent_rates import SMALL, Loops
 from symscrew.loops.limbs import (
     CrankLimb,
     LengthRow,
-    Turn,
     any_rods,
     closed_limbs,
     hub_links,
@@ -27,7 +26,6 @@ __all__ = [
     "LengthRow",
     "Loops",
     "Mode",
-    "Turn",
     "any_rods",
     "closed_limbs",
     "has_rod_rows",

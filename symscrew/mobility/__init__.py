@@ -1,8 +1,15 @@
 """Mobility by reciprocal screws: instantaneous and finite, with the evidence for every rank, and margins.
 
-System --joint_network, screw_systems--> instantaneous freedoms --finite, branches--> motions
-       --exact_field, symbolic_screws--> constraint wrenches in symbols, singularities
-       --margins--> numbers that vanish where a rank falls
+    Mechanism --joint_network--> Network: a graph with a screw in 60 digits for every freedom
+              --configuration--> the same, elsewhere: parameters and joint coordinates that were asked for
+    Network   --screw_systems, instantaneous--> freedoms, constraints of limbs, overconstraint: self-stresses
+              --finite/--> what really moves: smooth, isolated, or branches of some dimensions
+              --rank_evidence--> every rank again over an exact field (symbols/), or why not
+    Mechanism --symbols/--> screws, rates and degenerations in the parameters
+    System    --margins/--> numbers of q that vanish at singularities --singularities--> their values
+    all of it --analysis--> Mobility --findings/--> words, documents, JSON;  --checks--> every claim again
+
+Away from these stands nothing: a stranger starts at `analysis`, whose last function is the pipeline.
 """
 
 from typing import TYPE_CHECKING
@@ -24,7 +31,7 @@ if TYPE_CHECKING:
         sections,
     )
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
-    from symscrew.mobility.margins import FORMS, Margin, actuation_margins, constraint_margins, limb_margins
+    from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.screw_systems import ScrewSystem
 
 __all__ = [
@@ -33,6 +40,7 @@ __all__ = [
     "Check",
     "LimbMobility",
     "Margin",
+    "Margins",
     "Mobility",
     "ScrewSystem",
     "actuation_margins",

@@ -1,6 +1,10 @@
 """The mobility of a mechanism: the pipeline, and its result.
 
-network -> instantaneous -> limbs, platform -> finite.
+    Mechanism --joint_network--> Network --configuration--> the configuration that is asked for
+              --instantaneous--> freedoms, limbs, platform --finite--> real motions
+              --rank_evidence--> how every rank was decided
+
+Formulas, redundant constraints and singularities are found when they are first looked at.
 """
 
 from __future__ import annotations
@@ -13,7 +17,6 @@ from typing import Any
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
 from symscrew.mobility.finite import FiniteMobility, finite_mobility
-from symscrew.mobility.generators import NotPolynomialError
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -25,22 +28,39 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
     moved_body,
 )
 from symscrew.mobility.joint_network import Network, network_of
-from symscrew.mobility.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
-from symscrew.mobility.rank_evidence import Decisions, decide, nearly_parallel
+from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel
 from symscrew.mobility.screw_systems import ScrewSystem
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import Singularities, singularities
-from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
-from symscrew.mobility.symbolic_screws import Locus, SymbolicMobility, symbolic_mobility, symbolic_screws
+from symscrew.mobility.symbols import (
+    LimbPose,
+    Locus,
+    NotPolynomialError,
+    SymbolicLoops,
+    SymbolicMobility,
+    limb_pose,
+    symbolic_loops,
+    symbolic_mobility,
+    symbolic_screws,
+)
 
 
 @dataclass(frozen=True)
 class Mobility:
-    """Mobility of a mechanism in its reference configuration.
+    """Mobility of a mechanism in one configuration.
 
-    `platform` are the freedoms of the platform (or of the body that was asked for), `limbs` the constraints of
-    each limb, `finite` what really moves, `first_order` the null space of the closure.
+    Attributes:
+        mechanism: with the parameters that were asked for.
+        network: its graph with the screws of this configuration, lengths in units of its size.
+        first_order: the null space of the closure.
+        finite: what really moves.
+        platform: freedoms of the platform, or of the body that was asked for.
+        limbs: constraints of each limb of the description.
+        constraints: their union; None without limbs or platform.
+        decisions: how every rank was decided.
+        closed_to: closure residual of the configuration, in units of the mechanism's size.
+        coordinates: joint coordinates that were asked for [rad, m].
     """
 
     mechanism: Mechanism
@@ -53,6 +73,13 @@ class Mobility:
     decisions: Decisions
     closed_to: float = 0.0
     coordinates: Mapping[str, Any] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        finite = "not decided" if self.finite.dof is None else self.finite.dof
+        return (
+            f"<Mobility of {self.mechanism.name}: {self.dof} instantaneous, {finite} finite, "
+            f"{self.platform.body} {self.platform.type}, {self.overconstraints} redundant constraints>"
+        )
 
     @property
     def in_reference(self) -> bool:
@@ -146,6 +173,13 @@ class Mobility:
         return singularities(self.mechanism, self.coordinates)
 
     @property
+    def not_tried(self) -> tuple[str, ...]:
+        """What was given up or left out because of its size, a sentence each; empty for most mechanisms."""
+        loops = () if self.limbs or isinstance(self.loops, str) else self.loops.not_tried
+        poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
+        return (*loops, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried)
+
+    @property
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
@@ -193,7 +227,8 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
     constraints = limb_constraints(limbs) if limbs and mechanism.platform is not None else None
-    decisions = decide(mechanism, network, first_order, platform, limbs, constraints, displaced=bool(coordinates))
+    ranks = NumericRanks(network, first_order, platform, limbs, constraints)
+    decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     return Mobility(
         mechanism,
         network,

@@ -1,4 +1,10 @@
-"""Every claim of a mobility result checked again by another route."""
+"""Every claim of a mobility result checked again by another route.
+
+    Mobility --verify--> Check(claim, holds, evidence): ranks, motions, reciprocity, real motions, symbols
+
+The tolerances below are of residuals in 60 digits; numbers of the geometry are of order one, so that a wrong claim
+misses them by tens of powers of ten.
+"""
 
 from __future__ import annotations
 
@@ -11,12 +17,21 @@ import sympy
 
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.configuration import moved
+from symscrew.mobility.finite import DIGITS_60, ClosureVariety, moved, recheck
 from symscrew.mobility.joint_network import network_of
-from symscrew.mobility.screw_systems import ZERO_BELOW, eliminate
-from symscrew.mobility.symbolic_screws import numbers_at
-from symscrew.mobility.variety import DIGITS_60, ClosureVariety
-from symscrew.mobility.witnesses import recheck
+from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate
+from symscrew.mobility.symbols import Vector, numbers_at
+
+DISPLACED = 1e-45
+"""Power of a symbolic constraint on displaced screws: 60 digits through exponentials and a page of formula."""
+CLOSURE_IN_SYMBOLS = 1e-40
+"""Velocity of closure of symbolic rates at the parameters' values: rates are not normalised and may be large."""
+CLOSURE = 1e-25
+"""Velocity of closure of the numeric motions: zeros of a rank are taken from 1e-27 (`ZERO_BELOW`)."""
+POWER = 1e-20
+"""Power of a freedom on a constraint that is reciprocal to it: zeros from 1e-27, times conditions and metres."""
+NEGLECTED = 1e-11
+"""Relative singular value, in double precision, that may belong to a redundant row."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +86,7 @@ def _displaced(found: Mobility) -> list[Check]:
             scaled = (*numbers[:3], *(c / network.length for c in numbers[3:]))
             worst = max(worst, *(float(abs(_power(screw, scaled))) for screw in screws))
         claim = f"{name}: constraints in its displacements"
-        checks.append(Check(claim, worst < 1e-45, f"largest power {worst:.1e} on screws displaced by exponentials"))
+        checks.append(Check(claim, worst < DISPLACED, f"largest power {worst:.1e} on screws displaced by exponentials"))
     return checks
 
 
@@ -88,7 +103,7 @@ def _motions(found: Mobility) -> list[Check]:
             worst = max(worst, float(abs(sum(a * b for a, b in zip(row, scaled, strict=True)))))
     found_all = len(found.loops.rates) <= found.dof
     text = f"{len(found.loops.rates)} motions, largest velocity of closure {worst:.1e}"
-    return [Check("joint rates in symbols keep all loops closed", worst < 1e-40 and found_all, text)]
+    return [Check("joint rates in symbols keep all loops closed", worst < CLOSURE_IN_SYMBOLS and found_all, text)]
 
 
 def _over_the_field(found: Mobility) -> Check:
@@ -111,7 +126,7 @@ def _rank(found: Mobility) -> Check:
     smallest = values[rank - 1] if rank else float("inf")
     largest = values[rank] if rank < len(values) else 0.0
     text = f"singular values {smallest:.2e} | {largest:.2e} in double precision"
-    return Check("rank of the closure", bool(largest < 1e-11 * values[0] and smallest > largest), text)
+    return Check("rank of the closure", bool(largest < NEGLECTED * values[0] and smallest > largest), text)
 
 
 def _closure(found: Mobility) -> Check:
@@ -121,7 +136,7 @@ def _closure(found: Mobility) -> Check:
         default=0,
     )  # fmt: skip
     return Check(
-        "motions keep all loops closed", bool(worst < 1e-25), f"largest velocity of closure {float(worst):.1e}"
+        "motions keep all loops closed", bool(worst < CLOSURE), f"largest velocity of closure {float(worst):.1e}"
     )
 
 
@@ -133,7 +148,7 @@ def _reciprocity(found: Mobility) -> Check:
     dimensions = found.platform.dof + len(found.platform.constraints.basis)
     return Check(
         "freedoms reciprocal to constraints, dimensions add to 6",
-        bool(worst < 1e-20) and dimensions == 6,
+        bool(worst < POWER) and dimensions == 6,
         f"largest power {float(worst):.1e}, {found.platform.dof} + {6 - found.platform.dof}",
     )
 
@@ -144,14 +159,18 @@ def _symbols(found: Mobility) -> list[Check]:
         return []
     checks = []
     for limb, numeric in zip(found.symbolic.limbs, found.limbs, strict=True):
-        checks.append(_symbolic_space(found, limb.name, limb.constraints, numeric.constraints.basis, "limb"))
+        checks.append(
+            _symbolic_space(found, limb.name, limb.constraints, numeric=numeric.constraints.basis, kind="limb")
+        )
     if found.constraints is not None and found.platform.body == found.mechanism.platform:
         name, freedoms = found.platform.body, found.platform.freedoms.basis
-        checks.append(_symbolic_space(found, name, found.symbolic.freedoms, freedoms, "constraint"))
+        checks.append(_symbolic_space(found, name, found.symbolic.freedoms, numeric=freedoms, kind="constraint"))
     return checks
 
 
-def _symbolic_space(found: Mobility, name: str, symbols: Sequence, numeric: Sequence, kind: str) -> Check:
+def _symbolic_space(
+    found: Mobility, name: str, symbols: Sequence[Vector], *, numeric: Sequence[Screw], kind: str
+) -> Check:
     """The same space; on a locus of degeneration the numbers must contain what the symbols say."""
     assert found.symbolic is not None
     values = numbers_at(symbols, found.mechanism)
@@ -169,10 +188,10 @@ def _symbolic_space(found: Mobility, name: str, symbols: Sequence, numeric: Sequ
     return Check(claim, _same_space(values, numeric), f"{len(values)} vectors")
 
 
-def _same_space(a: Sequence[Sequence], b: Sequence[Sequence]) -> bool:
+def _same_space(a: Sequence[Screw], b: Sequence[Screw]) -> bool:
     ranks = {eliminate(list(x), 6).rank for x in (a, b, [*a, *b])}
     return len(ranks) == 1
 
 
-def _power(twist: Sequence, wrench: Sequence) -> Any:
+def _power(twist: Sequence[Real], wrench: Sequence[Real]) -> Real:
     return sum(twist[k] * wrench[(k + 3) % 6] for k in range(6))

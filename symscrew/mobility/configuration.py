@@ -1,5 +1,7 @@
 """Other configurations: parameters and joint coordinates set, loops assembled from the reference configuration.
 
+    reference --24 steps, Newton in double precision--> coordinates --refined to 60 digits--> screws there
+
 The path to the given coordinates is walked in small steps, each closed by Newton's method in double precision; the
 end is refined to 60 digits. The mechanism then has the screws of the displaced joints.
 """
@@ -12,15 +14,30 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT, IDENTITY, high_precision, revolute
+from symscrew.algebra import CONTEXT, high_precision
 from symscrew.description import Mechanism, exact, numeric, validate
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.mobility.joint_network import Edge, Network
-from symscrew.mobility.local_solutions import CLOSED
-from symscrew.mobility.variety import DIGITS_60, Array, ClosureVariety
+from symscrew.mobility.finite import CLOSED, DIGITS_60, Array, ClosureVariety, moved
+from symscrew.mobility.joint_network import Network
 
 STEPS = 24
-SNAPPED = 1e-12  # joints that the walk leaves this close to their reference stay exactly there, if the loops close
+"""Steps from the reference to the given coordinates: a turn by pi in steps of 7.5 degrees, from which Newton's method
+stays on the assembly branch. Where a step does not close, the error says so: nothing else is tried."""
+NEWTON = 30
+"""Steps of Newton's method: regular poses take five; a singular one gains a bit a step and may end at `NEARLY`."""
+CLOSED_IN_DOUBLE = 1e-13
+"""Closure residual, in units of the mechanism's size, that is rounding of double precision."""
+NEARLY = 1e-9
+"""What a step of the walk may leave open (at a singular pose); the end is refined to `CLOSED` or refused."""
+SNAPPED = 1e-12
+"""Joints that the walk leaves this close to their reference stay exactly there, if the loops close with them: a
+singular pose of round numbers is then met exactly. Else all are refined as the walk has left them."""
+CUT_OFF = 1e-9
+"""Relative singular values below this are left out of the inverse: redundant closure equations have 1e-16."""
+REFINEMENTS = 8
+"""Steps to 60 digits, of about 14 digits each at a regular pose."""
+REFINED = 1e-52
+"""Closure residual that is rounding of 60 digits."""
 
 
 def with_parameters(mechanism: Mechanism, at: Mapping[str, Any]) -> tuple[Mechanism, dict[str, Any]]:
@@ -56,7 +73,7 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
     columns = list(targets)
     goal = np.array([float(targets[c]) for c in columns])
     for k in range(1, STEPS + 1):
-        q = _closed(coarse, q, columns, goal * k / STEPS, ", ".join(at))
+        q = _closed(coarse, q, columns, goal=goal * k / STEPS, names=", ".join(at))
     snapped = {c: CONTEXT.zero for c in range(len(q)) if c not in targets and abs(q[c]) < SNAPPED}
     point, left = _refined(coarse, fine, q, {**snapped, **targets})
     if left > CLOSED:
@@ -71,11 +88,11 @@ def _refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array, targets: Ma
     columns = list(targets)
     point = np.array([CONTEXT.mpf(float(c)) for c in q], dtype=object)
     goal = np.array([float(targets[c]) for c in columns])
-    inverse = np.linalg.pinv(_stacked(coarse, q, columns, goal)[1], rcond=1e-9)
-    for _ in range(8):
+    inverse = np.linalg.pinv(_stacked(coarse, q, columns, goal)[1], rcond=CUT_OFF)
+    for _ in range(REFINEMENTS):
         missing = np.array([point[c] - targets[c] for c in columns], dtype=object)
         residual = np.concatenate([fine.residual(point), missing]).astype(float)
-        if np.linalg.norm(residual) < 1e-52:
+        if np.linalg.norm(residual) < REFINED:
             break
         point = point - np.array([CONTEXT.mpf(float(c)) for c in inverse @ residual], dtype=object)
     return point, float(np.linalg.norm(np.concatenate([fine.residual(point), missing]).astype(float)))
@@ -108,35 +125,13 @@ def _stacked(variety: ClosureVariety, q: Array, columns: list[int], goal: Array)
     return np.concatenate([residuals[0], q[columns] - goal]), np.concatenate([jacobians[0], picked])
 
 
-def _closed(variety: ClosureVariety, q: Array, columns: list[int], goal: Array, names: str) -> Array:
-    for _ in range(30):
+def _closed(variety: ClosureVariety, q: Array, columns: list[int], *, goal: Array, names: str) -> Array:
+    """q with the loops closed and the coordinates of `columns` at `goal`, in double precision."""
+    for _ in range(NEWTON):
         residual, jacobian = _stacked(variety, q, columns, goal)
-        if np.linalg.norm(residual) < 1e-13:
+        if np.linalg.norm(residual) < CLOSED_IN_DOUBLE:
             return q
-        q = q - np.linalg.pinv(jacobian, rcond=1e-9) @ residual
-    if np.linalg.norm(residual) < 1e-9:
+        q = q - np.linalg.pinv(jacobian, rcond=CUT_OFF) @ residual
+    if np.linalg.norm(residual) < NEARLY:
         return q
     raise DescriptionError(f"at {names}: the loops cannot be assembled there from the reference configuration")
-
-
-def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
-    """The network in the configuration with the displacements `point`, in 60 digits."""
-    screws, poses = fine.forward(point[None])
-    centre = fine.centre
-    edges: dict[str, Edge] = {}
-    for edge in network.edges.values():
-        rotation, translation = (part[0] for part in poses[edge.child])
-        local = np.array([edge.point[k] - centre[k] for k in range(3)], dtype=object)
-        moved = rotation @ local + translation
-        place = (moved[0] + centre[0], moved[1] + centre[1], moved[2] + centre[2])
-        rows = []
-        for motion, column in edge.motions:
-            if motion.spherical:
-                rows += [tuple(CONTEXT.mpf(c) for c in revolute(axis, place).components) for axis in IDENTITY]
-            else:
-                w, v = screws[0, column, :3], screws[0, column, 3:]
-                shift = (centre[1] * w[2] - centre[2] * w[1], centre[2] * w[0] - centre[0] * w[2],
-                         centre[0] * w[1] - centre[1] * w[0])  # fmt: skip
-                rows.append((*w, *(a + b for a, b in zip(v, shift, strict=True))))
-        edges[edge.name] = replace(edge, point=place, screws=tuple(rows))
-    return replace(network, edges=edges)

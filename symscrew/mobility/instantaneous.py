@@ -1,5 +1,7 @@
 """Instantaneous mobility by reciprocal screws, eqs. (10)-(18), for any mechanism.
 
+    loop rows A --null space--> motions --twist of a body--> its freedoms --reciprocal--> wrenches that hold it
+
 The closure of all loops is written in the joint rates; its null space are the instantaneous motions. The freedoms
 of a body are the image of the null space under the body's twist; what moves while the platform rests is
 internal. For a limb the null space of S_limb^T N is its constraint system, the union over the limbs is the
@@ -10,12 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import (  # fmt: skip
+    Real,
+    Screw,
     ScrewSystem,
     combine,
     eliminate,
@@ -33,8 +36,11 @@ class LimbMobility:
 
     name: str
     joints: tuple[str, ...]
-    screws: tuple[tuple, ...]
+    screws: tuple[Screw, ...]
     constraints: ScrewSystem
+
+    def __repr__(self) -> str:
+        return f"<LimbMobility {self.name}: {len(self.screws)} freedoms, {len(self.constraints.basis)} constraints>"
 
 
 @dataclass(frozen=True)
@@ -45,6 +51,9 @@ class BodyFreedoms:
     freedoms: ScrewSystem
     constraints: ScrewSystem
     rotations: int
+
+    def __repr__(self) -> str:
+        return f"<BodyFreedoms of {self.body}: {self.dof}, type {self.type}>"
 
     @property
     def dof(self) -> int:
@@ -66,15 +75,17 @@ class Instantaneous:
     """
 
     closure: ScrewSystem
-    rows: tuple[tuple, ...]
+    rows: tuple[Screw, ...]
     kutzbach: int
     dof: int
     overconstraints: int
     dof_drives_locked: int | None
-    passive: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return f"<Instantaneous: {self.dof} freedoms, Kutzbach {self.kutzbach}, {self.overconstraints} redundant>"
 
     @property
-    def motions(self) -> tuple[tuple, ...]:
+    def motions(self) -> tuple[Screw, ...]:
         """Basis of the instantaneous motions, one rate per freedom."""
         return self.closure.basis
 
@@ -88,13 +99,7 @@ def instantaneous_mobility(network: Network) -> Instantaneous:
     if network.driven:
         driven = [[motion[column] for motion in closure.basis] for column in network.driven]
         locked = dof - eliminate(driven, dof).rank
-    moving = {column for motion in closure.basis for column, rate in enumerate(motion) if rate}
-    passive = tuple(
-        edge.name for edge in network.edges.values() if edge.screws and not moving.intersection(edge.columns)
-    )
-    return Instantaneous(
-        closure, tuple(map(tuple, rows)), network.kutzbach, dof, dof - network.kutzbach, locked, passive
-    )
+    return Instantaneous(closure, tuple(map(tuple, rows)), network.kutzbach, dof, dof - network.kutzbach, locked)
 
 
 def body_freedoms(network: Network, found: Instantaneous, body: str) -> BodyFreedoms:
@@ -145,7 +150,7 @@ def moved_body(mechanism: Mechanism) -> str:
     return max(distance, key=lambda body: distance[body])
 
 
-def _to_metres(system: ScrewSystem, length: Any, *, twist: bool) -> ScrewSystem:
+def _to_metres(system: ScrewSystem, length: Real, *, twist: bool) -> ScrewSystem:
     """The basis in metres: twists have lengths in the second half, wrenches after scaling the force too."""
     basis = tuple((*s[:3], *(c * length for c in s[3:])) for s in system.basis)
     if not twist:

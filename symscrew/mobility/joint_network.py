@@ -1,5 +1,7 @@
 """The graph of a mechanism with the screw of every freedom, in 60 digits and in units of its own size.
 
+    Mechanism --network_of--> Network: bodies, joints, tree, chords --loop_rows--> sum of signed screws = 0
+
 Everything that mobility needs to know of a mechanism: bodies, joints, a spanning tree and its chords, and for
 each freedom its screw (omega ; v) at O in the reference configuration. Lengths are divided by a characteristic
 length of the mechanism, so that no decision depends on the unit; results are multiplied back.
@@ -10,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+import sympy
 
 from symscrew.algebra import (
     CONTEXT,
@@ -23,9 +27,13 @@ from symscrew.algebra import (
 )
 from symscrew.description import Joint, Mechanism, Motion
 from symscrew.kinematics import motion_screws
+from symscrew.mobility.screw_systems import Real, Row, Screw
 
-Screw = tuple
-Row = list
+SAME_POINT = CONTEXT.mpf(10) ** -25
+"""Joint points that lie closer together than this, relative to their coordinates, coincide: rounding of coordinates
+with 30 digits. Then a pitch or the distance from O is the mechanism's size instead."""
+UNIT_ALREADY = CONTEXT.mpf(10) ** -55
+"""An axis this close to unit length is one, as it was computed with 60 digits; others are divided by their length."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +73,9 @@ class Network:
     chords: tuple[str, ...]
     length: Any
     driven: tuple[int, ...]
+
+    def __repr__(self) -> str:
+        return f"<Network: {len(self.bodies)} bodies, {len(self.edges)} joints, {len(self.chords)} loops>"
 
     @property
     def freedoms(self) -> int:
@@ -142,12 +153,9 @@ def network_of(mechanism: Mechanism) -> Network:
     return Network(mechanism.ground, bodies, edges, tree, chords, length, driven)
 
 
-def joint_screws(mechanism: Mechanism, joint: Joint) -> list[Screw]:
-    """Unit screws (omega ; v) of a joint's freedoms at O in the reference configuration [1, m], 60 digits."""
-    return _screws(mechanism, joint, CONTEXT.one)[1]
-
-
-def screw_axes(joint: Joint, given: Sequence[Vector], root: Callable[[Any], Any], size: Callable[[Any], Any]) -> tuple:
+def screw_axes(
+    joint: Joint, given: Sequence[Vector], root: Callable[[Real], Real], size: Callable[[Real], Real]
+) -> tuple[Vector, ...]:
     """The joint's axes; those of a planar joint are completed to a triad, a free one has the absolute axes.
 
     `root` is the square root of the scalars in use, `size` a number to compare them by.
@@ -180,11 +188,11 @@ def _screws(mechanism: Mechanism, joint: Joint, length: Any) -> tuple[Vector, li
     return point, screws
 
 
-def _number(mechanism: Mechanism, value: object) -> Any:
-    return high_precision(mechanism.number(value))  # type: ignore[arg-type]
+def _number(mechanism: Mechanism, value: sympy.Expr) -> Real:
+    return high_precision(mechanism.number(value))
 
 
-def _vector(mechanism: Mechanism, values: Sequence) -> Vector:
+def _vector(mechanism: Mechanism, values: Sequence[sympy.Expr]) -> Vector:
     x, y, z = (_number(mechanism, v) for v in values)
     return (x, y, z)
 
@@ -192,7 +200,7 @@ def _vector(mechanism: Mechanism, values: Sequence) -> Vector:
 def _unit(axis: Vector) -> Vector:
     """Descriptions give unit vectors to 14 digits or more; here they get the unit length they mean."""
     size = CONTEXT.sqrt(dot(axis, axis))
-    return axis if abs(size - 1) < CONTEXT.mpf(10) ** -55 else scale(1 / size, axis)
+    return axis if abs(size - 1) < UNIT_ALREADY else scale(1 / size, axis)
 
 
 def _characteristic_length(mechanism: Mechanism) -> Any:
@@ -204,7 +212,7 @@ def _characteristic_length(mechanism: Mechanism) -> Any:
     centre = tuple(sum(p[k] for p in points) / len(points) for k in range(3))
     square = sum((p[k] - centre[k]) ** 2 for p in points for k in range(3)) / len(points)
     largest = max(abs(p[k]) for p in points for k in range(3))
-    if square <= (largest * CONTEXT.mpf(10) ** -25) ** 2:
+    if square <= (largest * SAME_POINT) ** 2:
         pitches = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
         return max((p for p in (*pitches, largest) if p > 0), default=CONTEXT.one)
     return CONTEXT.sqrt(square)

@@ -1,5 +1,7 @@
 """Which constraints are redundant: reactions that are not unique, and joints to free.
 
+    closure rows A --left null space--> self-stresses s, s^T A = 0 --> joint wrenches without load --> joints to free
+
 A redundant constraint is a self-stress: joint wrenches in equilibrium without load, one wrench per loop. A joint
 whose wrench takes part in a self-stress has no unique reaction. Giving a joint one freedom more, along a twist on
 which the self-stress does work, removes one redundant constraint and adds no mobility.
@@ -12,8 +14,15 @@ from dataclasses import dataclass
 
 from symscrew.mobility.instantaneous import Instantaneous
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.screw_systems import eliminate, normalised, null_space, swapped
+from symscrew.mobility.screw_systems import Real, Row, Screw, eliminate, normalised, null_space, swapped
 from symscrew.mobility.screw_text import describe_wrench
+
+NO_WORK = 1e-20
+"""A component of a self-stress below this (they are of order one) carries nothing that could be freed: rounding of 60
+digits. The search for joints to free ends there."""
+LARGER = 1.000001
+"""A joint is preferred to an earlier one only if its component is larger by this factor: equal ones, up to rounding,
+are not chosen by their last digits."""
 
 
 @dataclass(frozen=True)
@@ -25,8 +34,11 @@ class Overconstraints:
     """
 
     count: int
-    wrenches: dict[str, tuple[tuple, ...]]
+    wrenches: dict[str, tuple[Screw, ...]]
     cure: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return f"<Overconstraints: {self.count}, reactions of {len(self.wrenches)} joints not unique>"
 
     @property
     def statically_indeterminate(self) -> tuple[str, ...]:
@@ -41,8 +53,8 @@ def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
         return Overconstraints(0, {}, ())
     transposed = [list(column) for column in zip(*rows, strict=True)]
     stresses = null_space(transposed, len(rows)).basis
-    wrenches: dict[str, tuple[tuple, ...]] = {}
-    carried: dict[str, list[list]] = {}
+    wrenches: dict[str, tuple[Screw, ...]] = {}
+    carried: dict[str, list[Row]] = {}
     for name in network.edges:
         signs = [sum(sign for joint, sign in loop if joint == name) for loop in network.loops()]
         own = [_wrench(stress, signs) for stress in stresses]
@@ -53,17 +65,17 @@ def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
     return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network))
 
 
-def _wrench(stress: Sequence, signs: Sequence[int]) -> list:
+def _wrench(stress: Sequence[Real], signs: Sequence[int]) -> Row:
     """The wrench that a joint carries in a self-stress, as (f ; m): the stress pairs with (omega ; v)."""
     total = [sum(sign * stress[6 * k + i] for k, sign in enumerate(signs)) for i in range(6)]
     return swapped(total)
 
 
-def _in_metres(wrench: Sequence, network: Network) -> tuple:
+def _in_metres(wrench: Sequence[Real], network: Network) -> Screw:
     return normalised((*wrench[:3], *(c * network.length for c in wrench[3:])))
 
 
-def _cure(carried: dict[str, list[list]], count: int, network: Network) -> tuple[str, ...]:
+def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[str, ...]:
     """Greedy: free one component of a joint's wrench; the self-stresses left carry none of it."""
     combinations = [[1 if i == j else 0 for i in range(count)] for j in range(count)]
     texts = []
@@ -73,9 +85,9 @@ def _cure(carried: dict[str, list[list]], count: int, network: Network) -> tuple
             left = [[sum(c[k] * own[k][i] for k in range(count)) for i in range(6)] for c in combinations]
             sizes = [(abs(w[i]), i) for w in left for i in range(6)]
             size, component = max(sizes)
-            if size and (best is None or size > best[0] * 1.000001):
+            if size and (best is None or size > best[0] * LARGER):
                 best = (size, name, component, left)
-        if best is None or best[0] < 1e-20:
+        if best is None or best[0] < NO_WORK:
             break
         _, name, component, left = best
         work = [w[component] for w in left]

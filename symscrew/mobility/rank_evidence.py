@@ -1,5 +1,7 @@
 """How the ranks of a mobility result were decided: in an exact field, or certified numerically.
 
+    ranks in 60 digits --the same rows over an exact field--> exact, or certified numeric and why not exact
+
 The numeric ranks come with 60 digits. They are exact where a field is found in which zero is decidable and
 elimination over it gives the same ranks. Descriptions with rounded decimals can differ there: then the numeric
 decision stands, which takes numbers below 1e-27 for rounding, and the text says so.
@@ -10,23 +12,36 @@ next, s_(r+1) <= |J N| / smallest singular value of N (Courant-Fischer).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT, cross, dot
+from symscrew.algebra import CONTEXT, Vector, cross, dot
 from symscrew.description import Mechanism
-from symscrew.mobility.exact import ExactSystem, Row, exact_rank, exact_system, loop_rows, null_vectors
-from symscrew.mobility.exact_field import NotDecidableError
 from symscrew.mobility.instantaneous import BodyFreedoms, Instantaneous, LimbMobility
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import ScrewSystem, swapped
+from symscrew.mobility.symbols import (
+    Exact,
+    ExactSystem,
+    NotDecidableError,
+    Row,
+    exact_rank,
+    exact_system,
+    loop_rows,
+    null_vectors,
+)
 
 NEARLY_PARALLEL = 1e-6
+"""Sine of the angle [rad] below which axes that are not parallel are pointed out: probably meant to be, with rounded
+decimals. They count as not parallel all the same."""
 SAME_DIRECTION = CONTEXT.mpf(10) ** -27
+"""Sine below which axes are parallel: as for ranks (`screw_systems.ZERO_BELOW`)."""
 MOST_PAIRS = 12
+"""Pairs that are named; of more, only the number is."""
 
 
 @dataclass(frozen=True)
@@ -82,20 +97,22 @@ class Decisions:
         return f"not exact, because {self.reason}" if self.reason else ""
 
 
-def decide(
-    mechanism: Mechanism,
-    network: Network,
-    first_order: Instantaneous,
-    platform: BodyFreedoms,
-    limbs: Sequence[LimbMobility],
-    constraints: ScrewSystem | None,
-    *,
-    displaced: bool,
-) -> Decisions:
+@dataclass(frozen=True)
+class NumericRanks:
+    """What was found with 60 digits, whose ranks are to be decided: see `symscrew.mobility.analysis.Mobility`."""
+
+    network: Network
+    first_order: Instantaneous
+    platform: BodyFreedoms
+    limbs: Sequence[LimbMobility]
+    constraints: ScrewSystem | None
+
+
+def decide(mechanism: Mechanism, given: NumericRanks, *, displaced: bool) -> Decisions:
     """The ranks of the result again over an exact field; `displaced` configurations have no exact coordinates."""
-    values = singular_values(first_order)
+    values = singular_values(given.first_order)
     if displaced:
-        if network.chords:
+        if given.network.chords:
             reason = "the displaced configuration solves the closure equations in 60 digits"
         else:
             reason = "the joint coordinates were set in 60 digits"
@@ -106,7 +123,7 @@ def decide(
         return Decisions(None, (), str(error), values)
     found: list[Decision] = []
     reasons: list[str] = []
-    for claim, numeric, work in _claims(network, system, first_order, platform, limbs, constraints):
+    for claim, numeric, work in _claims(given, system):
         try:
             found.append(Decision(claim, numeric, work()))
         except NotDecidableError as error:
@@ -115,16 +132,9 @@ def decide(
     return Decisions(str(system.field), tuple(found), "; ".join(dict.fromkeys(reasons)), values)
 
 
-def _claims(  # type: ignore[no-untyped-def]
-    network: Network,
-    system: ExactSystem,
-    first_order: Instantaneous,
-    platform: BodyFreedoms,
-    limbs: Sequence[LimbMobility],
-    constraints: ScrewSystem | None,
-):
+def _claims(given: NumericRanks, system: ExactSystem) -> Iterator[tuple[str, int, Callable[[], int]]]:
     """(what, numeric rank, function that finds the exact one)."""
-    field = system.field
+    network, first_order, platform, field = given.network, given.first_order, given.platform, system.field
     closure = [row for loop in network.loops() for row in loop_rows(network, system, loop)]
     body = loop_rows(network, system, network.path(platform.body))
     yield "rank of the closure", first_order.closure.rank, lambda: exact_rank(closure, field)
@@ -137,15 +147,15 @@ def _claims(  # type: ignore[no-untyped-def]
         drives: list[Row] = [[Fraction(int(j == c)) for j in range(network.freedoms)] for c in network.driven]
         locked = network.freedoms - first_order.dof_drives_locked
         yield "rank of closure and drives", locked, lambda: exact_rank([*closure, *drives], field)
-    chains = [[s for joint in limb.joints for s in system.screws[joint]] for limb in limbs]
-    for limb, chain in zip(limbs, chains, strict=True):
+    chains = [[s for joint in limb.joints for s in system.screws[joint]] for limb in given.limbs]
+    for limb, chain in zip(given.limbs, chains, strict=True):
         rows: list[Row] = [list(screw) for screw in chain]
-        yield f"rank of {limb.name}", 6 - len(limb.constraints.basis), lambda rows=rows: exact_rank(rows, field)
-    if constraints is not None:
-        yield "rank of the limbs' constraints", constraints.rank, lambda: _union(chains, system)
+        yield f"rank of {limb.name}", 6 - len(limb.constraints.basis), partial(exact_rank, rows, field)
+    if given.constraints is not None:
+        yield "rank of the limbs' constraints", given.constraints.rank, lambda: _union(chains, system)
 
 
-def _union(chains: Sequence[Sequence[Sequence]], system: ExactSystem) -> int:
+def _union(chains: Sequence[Sequence[Sequence[Exact]]], system: ExactSystem) -> int:
     wrenches: list[Row] = []
     for chain in chains:
         wrenches += [list(w) for w in null_vectors([swapped(s) for s in chain], 6, system.field)]
@@ -170,19 +180,20 @@ def singular_values(first_order: Instantaneous) -> tuple[float, float]:
 
 def nearly_parallel(network: Network) -> tuple[str, ...]:
     """Pairs of joints whose axes are almost parallel, in words: they count as not parallel."""
-    axes: list[tuple[str, tuple]] = []
+    axes: list[tuple[str, Vector]] = []
     for edge in network.edges.values():
         for motion, column in edge.motions:
             if motion.single:
                 screw = edge.screws[column - edge.start]
-                axes.append((edge.name, screw[:3] if motion.turns else screw[3:]))
+                x, y, z = screw[:3] if motion.turns else screw[3:]
+                axes.append((edge.name, (x, y, z)))
     rough = np.array([[float(c) for c in axis] for _, axis in axes]).reshape(-1, 3)
     texts = {}
     for i in range(len(axes)):
         sines = np.linalg.norm(np.cross(rough[i], rough[i + 1 :]), axis=1)
         for j in np.flatnonzero(sines < NEARLY_PARALLEL) + i + 1:
             (a, first), (b, second) = axes[i], axes[int(j)]
-            across = cross(first, second)  # type: ignore[arg-type]
+            across = cross(first, second)
             sine = CONTEXT.sqrt(dot(across, across))
             if a != b and sine > SAME_DIRECTION:
                 texts[a, b] = f"axes of joints {a} and {b} are {float(sine):.1e} rad apart: not parallel"

@@ -1,5 +1,7 @@
 """Null spaces and ranks in 60 digits, with the evidence for every decision.
 
+    rows A --eliminate--> pivots --null_space--> all x with A x = 0 (eq. (10): A of swapped screws, x reciprocal)
+
 A number is taken for zero when it is below 1e-27 of the largest entry: far below any deviation that a
 description means (1e-12 off is off, and so is its square), far above the rounding of 60 digits and of data
 given to 30 digits or more.
@@ -13,25 +15,50 @@ from typing import Any
 
 from symscrew.algebra import CONTEXT
 
-Row = list
+Real = Any
+"""A number of 60 digits, `CONTEXT.mpf`; mpmath has no types."""
+Row = list[Real]
+Screw = tuple[Real, ...]
+"""Six numbers: a twist (omega ; v) or a wrench (f ; m)."""
+Vectors = Sequence[Sequence[Real]]
+
 ZERO_BELOW = CONTEXT.mpf(10) ** -27
+"""Of the largest entry: what is smaller is zero.
+
+Smaller is rounding: of 60 digits through a few hundred operations (1e-55), or of a description with 30 digits (1e-30).
+Larger is meant: a joint 1e-12 off is off, and so is the square of that, 1e-24. What lies just above is reported as
+`smallest_pivot`, what lies below as `largest_zero`."""
+READABLE_PIVOT = CONTEXT.mpf(10) ** -20
+"""Entries below it are no pivots of the echelon basis that is shown: its entries are of order one, so a smaller one
+would only be division by a remainder. The rank is not decided here."""
 
 
 @dataclass(frozen=True)
 class ScrewSystem:
-    """A null space: its basis (6-vectors) and the evidence for its dimension."""
+    """A linear space of screws or motions, with the evidence for its dimension.
 
-    basis: tuple[tuple, ...]
+    Attributes:
+        basis: its vectors: twists (omega ; v) [1, m], wrenches (f ; m) [1, m], or motions (one rate a freedom).
+        rank: of the rows that it was found from.
+        smallest_pivot: of the elimination, relative to the largest entry.
+        largest_zero: the largest number that was taken for zero, relative to the largest entry.
+    """
+
+    basis: tuple[Screw, ...]
     rank: int
     smallest_pivot: float
     largest_zero: float
+
+    def __repr__(self) -> str:
+        count = f"{len(self.basis)} vector{'' if len(self.basis) == 1 else 's'}"
+        return f"<ScrewSystem: {count}, rank {self.rank}, pivots >= {self.smallest_pivot:.1e}>"
 
 
 @dataclass(frozen=True)
 class Elimination:
     """Reduced rows with their pivot columns; `smallest` pivot and `largest` number taken for zero."""
 
-    rows: tuple[tuple, ...]
+    rows: tuple[Screw, ...]
     pivots: tuple[int, ...]
     smallest: float
     largest: float
@@ -42,7 +69,7 @@ class Elimination:
         return len(self.pivots)
 
 
-def eliminate(rows: Sequence[Sequence], columns: int) -> Elimination:
+def eliminate(rows: Vectors, columns: int) -> Elimination:
     """Gauss-Jordan elimination with full pivoting; pivots relative to the largest entry."""
     matrix = [list(row) for row in rows]
     largest = max((abs(c) for row in matrix for c in row), default=CONTEXT.one) or CONTEXT.one
@@ -75,7 +102,7 @@ def eliminate(rows: Sequence[Sequence], columns: int) -> Elimination:
     return Elimination(reduced, tuple(pivots), smallest if pivots else float("nan"), residue)
 
 
-def null_space(rows: Sequence[Sequence], columns: int) -> ScrewSystem:
+def null_space(rows: Vectors, columns: int) -> ScrewSystem:
     """All x with rows x = 0: a basis, the rank of the rows and its evidence.
 
     >>> null_space([[CONTEXT.mpf(1), CONTEXT.mpf(-1)]], 2).rank
@@ -92,21 +119,20 @@ def null_space(rows: Sequence[Sequence], columns: int) -> ScrewSystem:
     return ScrewSystem(tuple(basis), found.rank, found.smallest, found.largest)
 
 
-def span(vectors: Sequence[Sequence], columns: int) -> ScrewSystem:
+def span(vectors: Vectors, columns: int) -> ScrewSystem:
     """An echelon basis of the space that the vectors span, first columns eliminated first; the rank's evidence."""
     found = eliminate(vectors, columns)
     order = _echelon([list(row) for row in found.rows], columns)
     return ScrewSystem(tuple(order), found.rank, found.smallest, found.largest)
 
 
-def _echelon(rows: list[Row], columns: int) -> list[tuple]:
+def _echelon(rows: list[Row], columns: int) -> list[Screw]:
     """Reduced row echelon form of independent rows, a readable basis: leading ones, zeros above and below."""
     done = 0
     for column in range(columns):
         candidates = [(abs(rows[i][column]), i) for i in range(done, len(rows))]
         size, i = max(candidates, default=(CONTEXT.zero, 0))
-        # entries of a well conditioned reduced basis are of order one
-        if size < CONTEXT.mpf(10) ** -20:
+        if size < READABLE_PIVOT:
             continue
         rows[done], rows[i] = rows[i], rows[done]
         pivot = rows[done][column]
@@ -119,17 +145,17 @@ def _echelon(rows: list[Row], columns: int) -> list[tuple]:
     return [tuple(row) for row in rows]
 
 
-def combine(rows: Sequence[Sequence], vector: Sequence) -> tuple:
+def combine(rows: Vectors, vector: Sequence[Real]) -> Screw:
     """rows x vector."""
     return tuple(sum((a * b for a, b in zip(row, vector, strict=True) if a and b), CONTEXT.zero) for row in rows)
 
 
-def swapped(screw: Sequence) -> Row:
+def swapped(screw: Sequence[Real]) -> Row:
     """The two halves exchanged: x . swapped(y) is the reciprocal product, eq. (10)."""
     return [*screw[3:], *screw[:3]]
 
 
-def normalised(screw: Sequence) -> tuple:
+def normalised(screw: Sequence[Real]) -> Screw:
     """First half of unit length if it is not zero, else the second half; first nonzero entry positive."""
     for half in (screw[:3], screw[3:]):
         size = CONTEXT.sqrt(sum(c * c for c in half))
@@ -139,5 +165,5 @@ def normalised(screw: Sequence) -> tuple:
     return tuple(screw)
 
 
-def _clean(value: Any) -> Any:
+def _clean(value: Real) -> Real:
     return value if abs(value) > ZERO_BELOW else CONTEXT.zero

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from symscrew.algebra import CONTEXT, cross, dot, scale
-from symscrew.mobility.screw_systems import ZERO_BELOW
+from symscrew.algebra import CONTEXT, Vector, cross, dot, scale
+from symscrew.mobility.screw_systems import ZERO_BELOW, Real
 
 
-def describe_wrench(wrench: Sequence) -> str:
+def describe_wrench(wrench: Sequence[Real]) -> str:
     """A wrench in words: a force along a line, a couple, or a wrench with pitch."""
     return f"{_words(wrench, 'force', 'couple', 'wrench')}: ({text(wrench[:3])}; {text(wrench[3:])})"
 
 
-def describe_twist(twist: Sequence) -> str:
+def describe_twist(twist: Sequence[Real]) -> str:
     """A twist in words: a rotation about a line, a translation, or a screw motion."""
     return f"{_words(twist, 'rotation', 'translation', 'screw motion')}: ({text(twist[:3])}; {text(twist[3:])})"
 
@@ -32,16 +31,16 @@ def describe_type(dimension: int, rotations: int) -> str:
     return "".join(parts) or "0"
 
 
-def axis_of(screw: Sequence) -> tuple[tuple, tuple, Any] | None:
+def axis_of(screw: Sequence[Real]) -> tuple[Vector, Vector, Real] | None:
     """(direction, point of the axis nearest to O, pitch) of a screw; None for a couple or translation."""
-    direction, moment = tuple(screw[:3]), tuple(screw[3:])
+    direction, moment = (screw[0], screw[1], screw[2]), (screw[3], screw[4], screw[5])
     square = dot(direction, direction)
     if square < ZERO_BELOW * max(1, dot(moment, moment)):
         return None
-    return direction, scale(1 / square, cross(direction, moment)), dot(direction, moment) / square  # type: ignore[arg-type]
+    return direction, scale(1 / square, cross(direction, moment)), dot(direction, moment) / square
 
 
-def _words(screw: Sequence, line: str, free: str, general: str) -> str:
+def _words(screw: Sequence[Real], line: str, free: str, general: str) -> str:
     found = axis_of(screw)
     if found is None:
         return f"{free} {'along' if free == 'translation' else 'about'} {_direction(screw[3:])}"
@@ -54,12 +53,12 @@ def _words(screw: Sequence, line: str, free: str, general: str) -> str:
     return f"{general} {where}, pitch {float(pitch):.6g} m"
 
 
-def _direction(vector: Sequence) -> str:
+def _direction(vector: Sequence[Real]) -> str:
     size = max(abs(c) for c in vector)
     large = [i for i, c in enumerate(vector) if abs(c) > ZERO_BELOW * size]
     return "xyz"[large[0]] if len(large) == 1 else f"({text(vector)})"
 
 
-def text(vector: Sequence) -> str:
+def text(vector: Sequence[Real]) -> str:
     """The components with six digits."""
     return ", ".join(f"{float(c):.6g}" for c in vector)

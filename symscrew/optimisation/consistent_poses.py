@@ -28,7 +28,7 @@ LARGEST_STEP = 0.5  # [rad, m]: a longer one may lead to another assembly branch
 REACHED = 1e-9  # without units: what conditions may be missed by; more is out of reach, and no solver is started
 # Levenberg's damping of the least squares towards conditions: at first, least, and where it is given up.
 DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-14, 1e8
-MOST_DAMPED_STEPS = 200
+MOST_DAMPED_STEPS = 200  # then the nearest configuration so far counts, and what it misses decides
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,7 @@
 """Displacements and rates of all joints from the states of the bodies, and what does not fit.
 
+    poses, twists, twist rates of bodies --least squares on joint screws, eq. (7)--> displacements, rates, residuals
+
 This is a check of kinematics that knows no spanning tree, no loop closure and no generated code: a state of
 all bodies is consistent when the relative motion at each joint lies in the joint's freedoms.
 """
@@ -88,7 +90,8 @@ def rotation_about(vector: Array) -> Array:
     angle = np.linalg.norm(vector, axis=-1)[..., None, None]
     cross = _cross_matrix(vector)
     half = np.sinc(angle / (2 * np.pi))
-    return np.eye(3) + np.sinc(angle / np.pi) * cross + 0.5 * half**2 * (cross @ cross)
+    rotation: Array = np.eye(3) + np.sinc(angle / np.pi) * cross + 0.5 * half**2 * (cross @ cross)
+    return rotation
 
 
 def rotation_vector(rotation: Array) -> Array:
@@ -107,7 +110,8 @@ def rotation_vector(rotation: Array) -> Array:
     sine = np.linalg.norm(quaternion[..., 1:], axis=-1)
     angle = 2 * np.arctan2(sine, quaternion[..., 0])
     factor = np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0)
-    return factor[..., None] * quaternion[..., 1:]
+    vector: Array = factor[..., None] * quaternion[..., 1:]
+    return vector
 
 
 def _fit(numbers: NumericMechanism, screws: JointScrews, joint: int, target: Array) -> tuple[Array, Array]:
@@ -169,14 +173,16 @@ def _pose_residual(numbers: NumericMechanism, whole: BodyState, joint: int) -> A
     base = whole.rotation[..., numbers.parents[joint], :, :]
     turn = rotation_vector(rotation @ np.swapaxes(modelled, -1, -2))
     both = np.stack([turn, gap], axis=-2) @ np.swapaxes(base, -1, -2)
-    return both.reshape(*both.shape[:-2], 6)
+    residual: Array = both.reshape(*both.shape[:-2], 6)
+    return residual
 
 
 def _angle(axis: Array, start: Array, end: Array) -> Array:
     """Angle about a unit axis from `start` (3,) to `end` (..., 3), in (-pi, pi]."""
     sine = np.cross(start, end) @ axis
     cosine = end @ start - (end @ axis) * (start @ axis)
-    return np.arctan2(sine, cosine)
+    angle: Array = np.arctan2(sine, cosine)
+    return angle
 
 
 def _cross_matrix(vector: Array) -> Array:

@@ -1,5 +1,7 @@
 """A mechanism's numbers and the state of each of its bodies, in maximal coordinates, with NumPy.
 
+    Mechanism --numeric--> arrays;   arrays, states of bodies --joint_screws--> present screws of all joints
+
 Method B (`newton_euler_method`) and the numeric check of kinematics (`joint_motion`) stand on this module. It uses
 the description (`Mechanism`) and the table of joint types, nothing that is derived symbolically, so what it says
 about a state is independent of the generated code.
@@ -13,13 +15,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy
 
 from symscrew.description import Joint, Mechanism
 
-Array = np.ndarray
+Array = np.ndarray[Any, Any]
 
 PARALLEL = 1e-12
 """Sine of the angle below which two axes of the reference configuration count as parallel."""
@@ -43,14 +46,19 @@ class BodyState:
     twist: Array
     twist_rate: Array
 
+    def __repr__(self) -> str:
+        return f"<BodyState: {int(np.prod(self.translation.shape[:-1], dtype=int))} states>"
+
     def velocity_at(self, point: Array) -> Array:
         """Velocity v_O + omega x r [m/s] of the body's point that is at r (..., 3) [m]."""
-        return self.twist[..., 3:] + cross(self.twist[..., :3], point)
+        velocity: Array = self.twist[..., 3:] + cross(self.twist[..., :3], point)
+        return velocity
 
     def acceleration_at(self, point: Array) -> Array:
         """Acceleration d v_O/dt + alpha x r + omega x v_r [m/s^2] of the body's point at r (..., 3)."""
         spin = cross(self.twist[..., :3], self.velocity_at(point))
-        return self.twist_rate[..., 3:] + cross(self.twist_rate[..., :3], point) + spin
+        acceleration: Array = self.twist_rate[..., 3:] + cross(self.twist_rate[..., :3], point) + spin
+        return acceleration
 
 
 REST = BodyState(np.eye(3), np.zeros(3), np.zeros(6), np.zeros(6))
@@ -89,6 +97,10 @@ class NumericMechanism:
     drive_joints: tuple[str, ...]
     references: tuple[Array, ...]
     length: float
+
+    def __repr__(self) -> str:
+        count = f"{len(self.bodies)} bodies, {len(self.joints)} joints, {len(self.axes)} freedoms"
+        return f"<NumericMechanism {self.mechanism.name}: {count}>"
 
 
 def numeric(mechanism: Mechanism | NumericMechanism) -> NumericMechanism:
@@ -281,7 +293,8 @@ def plane_axes(normal: Array) -> tuple[Array, Array]:
 
 def cross(a: Array, b: Array) -> Array:
     """a x b along the last axis; NumPy's own costs ten times as much for one pair of vectors."""
-    return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
+    product: Array = a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
+    return product
 
 
 def reduced(screw: Array, point: Array) -> Array:

@@ -42,13 +42,22 @@ __all__ = [
 ]
 
 RANK = 1e-9
-"""Singular values below this fraction of the greatest count as zero (all columns are of order one)."""
+"""Singular values below this fraction of the greatest count as zero (all columns are of order one).
+
+Below are redundant constraints (1e-16): internal loads, of which the solution has the least norm. Above is a state near
+a singularity, whose reactions are large and unique."""
 
 CONDITION = 1e8
-"""Above this condition number of the reactions' columns the rank-revealing solve is used."""
+"""Up to this condition number of the reactions' columns a triangular factor solves, the cheaper way; above, and where
+columns are dependent, singular values do, which tell the rank. Both give the same reactions, to rounding times this."""
 
 CHUNK = 128
-"""States solved at once; keeps the stacked matrices within a processor's cache and a few megabytes."""
+"""States solved at once; keeps the stacked matrices within a processor's cache and a few megabytes. More are solved one
+chunk after the other, with the same result."""
+
+INTERNAL_LOAD = 1e-7
+"""A component of a unit internal load above this (moments over the length) makes the reaction not unique: rounding of a
+null space from singular values of `RANK` is below it."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +96,16 @@ class NewtonEulerSolution:
     @property
     def redundancy(self) -> Array:
         """Dimension of the null space of all reactions and drives together (...)."""
-        return self.drive_redundancy + self.reaction_redundancy
+        total: Array = self.drive_redundancy + self.reaction_redundancy
+        return total
+
+    def __repr__(self) -> str:
+        states = int(np.prod(self.residual.shape, dtype=int))
+        worst = float(np.max(self.residual, initial=0.0))
+        return (
+            f"<NewtonEulerSolution: {states} states, {len(self.drive_joints)} drives, {len(self.reactions)} joints, "
+            f"residual at most {worst:.1e}>"
+        )
 
 
 def newton_euler(
@@ -124,14 +142,8 @@ def newton_euler(
     numbers = numeric(mechanism)
     whole = stack_states(numbers, states)
     lead = whole.translation.shape[:-2]
-    count = int(np.prod(lead, dtype=int))
-    bodies = len(numbers.bodies)
-    flat = BodyState(
-        rotation=whole.rotation.reshape(count, bodies, 3, 3),
-        translation=whole.translation.reshape(count, bodies, 3),
-        twist=whole.twist.reshape(count, bodies, 6),
-        twist_rate=whole.twist_rate.reshape(count, bodies, 6),
-    )
+    count, bodies = int(np.prod(lead, dtype=int)), len(numbers.bodies)
+    flat = _in_a_row(whole, count, bodies)
     applied = np.broadcast_to(_stack_loads(numbers, loads or {}), (*lead, bodies, 6))
     applied = applied.reshape(count, bodies, 6)
     drive_weights = _checked_drives(numbers, weights, 1.0, "weights")
@@ -146,6 +158,16 @@ def newton_euler(
         some = BodyState(flat.rotation[part], flat.translation[part], flat.twist[part], flat.twist_rate[part])
         pieces.append(_solve(numbers, some, fall, applied[part], root_weights=root_weights, preload=wanted))
     return _joined(numbers, pieces, lead)
+
+
+def _in_a_row(whole: BodyState, count: int, bodies: int) -> BodyState:
+    """The states with their leading axes made one."""
+    return BodyState(
+        rotation=whole.rotation.reshape(count, bodies, 3, 3),
+        translation=whole.translation.reshape(count, bodies, 3),
+        twist=whole.twist.reshape(count, bodies, 6),
+        twist_rate=whole.twist_rate.reshape(count, bodies, 6),
+    )
 
 
 @dataclass(frozen=True)
@@ -173,7 +195,7 @@ def _solve(
     """Drives and reactions of a chunk of states; see `newton_euler`."""
     screws = joint_screws(numbers, whole)
     com = np.einsum("...ij,...j->...i", whole.rotation, numbers.com) + whole.translation
-    needed = _needed(numbers, whole, com, gravity, loads)
+    needed = _needed(numbers, whole, com, gravity=gravity, loads=loads)
     supports = _supports(numbers, screws)
     drives = _drives(numbers, screws)
     reaction_columns = _balance(numbers, screws, com, supports)
@@ -200,7 +222,7 @@ def _solve(
     )
 
 
-def _needed(numbers: NumericMechanism, whole: BodyState, com: Array, gravity: Array, loads: Array) -> Array:
+def _needed(numbers: NumericMechanism, whole: BodyState, com: Array, *, gravity: Array, loads: Array) -> Array:
     """What joints must give moving bodies: (m (a_C - g) - F ; (J alpha + omega x J omega - M_C)/length)."""
     omega, alpha = whole.twist[..., :3], whole.twist_rate[..., :3]
     force = numbers.mass[:, None] * (whole.acceleration_at(com) - gravity) - loads[..., :3]
@@ -208,7 +230,7 @@ def _needed(numbers: NumericMechanism, whole: BodyState, com: Array, gravity: Ar
     momentum = np.einsum("...ij,...j->...i", turned, omega)
     moment = np.einsum("...ij,...j->...i", turned, alpha) + cross(omega, momentum)
     moment = moment - (loads[..., 3:] - cross(com, loads[..., :3]))
-    both = np.concatenate([force, moment / numbers.length], axis=-1)[:, 1:]
+    both: Array = np.concatenate([force, moment / numbers.length], axis=-1)[:, 1:]
     return both.reshape(len(both), -1)
 
 
@@ -332,7 +354,7 @@ def _joined(numbers: NumericMechanism, pieces: list[_Piece], lead: tuple[int, ..
     null, shares = all_of(padded), all_of([piece.shares for piece in pieces])
     reactions = all_of([piece.reactions for piece in pieces])
     size = np.concatenate([np.ones(3), np.full(3, numbers.length)])
-    free = (np.abs(null) > 1e-7 * size[:, None]).any(axis=-1)
+    free: Array = np.any(np.abs(null) > INTERNAL_LOAD * size[:, None], axis=-1)
     names = dict(enumerate(numbers.joints))
     drive_joints = numbers.drive_joints
     return NewtonEulerSolution(

@@ -33,12 +33,16 @@ THRESHOLDS = {
     "CLOSED": 1e-14,  # opening of the loops at which corrections end: what rounding leaves
     "NEARLY_CLOSED": 1e-12,  # an opening that no longer halves is good enough below it; above it the run stops
     "STRIDE": 0.05,  # of a chart's scale: longest stride along a branch between two corrections
-    "SPACING": 0.015,  # of a chart's scale: least distance of the places between which the zone is interpolated
+    # Of a chart's scale: least distance of the places between which the zone is interpolated. Closer together they
+    # enlarge what rounding leaves at them, and a run gets stuck (seen at 0.002).
+    "SPACING": 0.015,
     "REACH": 0.6,  # longest step in local coordinates: a chart is a good one within about half a radian
     "CAREFUL_TOLERANCE": 4e-12,  # least local tolerance of careful steps: near the zone accelerations are noise
     "DUST": 1e-150,  # slopes below it count as zero: their products would be denormal numbers, twelve times as slow
 }
-MOST_CORRECTIONS = 12  # Newton steps onto the loops, of which each doubles the digits; then the run stops
+# Newton steps onto the loops, each of which doubles the digits; a step of the run that needs more is repeated, shorter
+# or with care.
+MOST_CORRECTIONS = 12
 # what stands for the tables of a scene that has none
 NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
 

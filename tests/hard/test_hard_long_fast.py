@@ -19,7 +19,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
-from symscrew.simulation import native, run_source
+from symscrew.simulation import run_source
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
@@ -49,13 +49,13 @@ def swung_on_a_wire() -> Mechanism:
 
 
 @pytest.mark.slow
-def test_a_million_steps_of_a_constrained_point(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.optimised  # seconds of running, not of compiling
+def test_a_million_steps_of_a_constrained_point() -> None:
     """2000 s in steps of 2 ms: the distance to 1e-12, energy to 1e-6 J, place to 2e-5 m.
 
     Without the projection onto the closure after every step the loop opens: see the test below.
     """
     assert "1e6 steps" in case(13)["name"]
-    monkeypatch.setattr(native, "NATIVE_FLAGS", ("-O3",))  # seconds of running, not of compiling
     scene = Scene("wire", swung_on_a_wire(), DOWN, 2000.0, 0.5, integrator=Integrator("rk4", step=2e-3))
     run = simulate(scene)
     assert run.ok, run.status

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew.display.terminal import Progress
+from symscrew.cli.parser import main
 from symscrew.studies.demo import paper_figures
 from symscrew.studies.demo.paper_motion import SECTION_5, CircularTilt, Scene
 from symscrew.studies.demo.paper_study import Demo, study_paper
@@ -69,23 +69,23 @@ def test_spin_follows_from_the_constraint() -> None:
 
 
 @pytest.mark.slow
-def test_whole_demo_with_figures(tmp_path: Path) -> None:
+def test_whole_demo_with_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from matplotlib import image
 
-    demo = study_paper()
-    assert demo.agrees and demo.scene.steps == 10_000
-    written = paper_figures.write_figures(demo, tmp_path, Progress(quiet=True))
-    pictures = [path for path in written if path.suffix == ".png"]
+    assert main(["demo", "--out", str(tmp_path / "demo")]) == 0
+    printed = capsys.readouterr().out
+    assert "Motion of section 5: 10000 steps" in printed
+    pictures = list((tmp_path / "demo").glob("*.png"))
     assert len(pictures) == 9
     for path in pictures:
         pixels = image.imread(path)[..., :3]
         assert pixels.std() > 0.04 and min(pixels.shape[:2]) > 400, path.name
-    values = json.loads((tmp_path / "summary.json").read_text())
+    values = json.loads((tmp_path / "demo/summary.json").read_text())
     assert values["agrees"] and values["mobility"] == 2
     assert values["largest_omega_z"] == pytest.approx(0.020271, abs=1e-6)
-    assert "| quantity" in (tmp_path / "summary.md").read_text()
+    assert "| quantity" in (tmp_path / "demo/summary.md").read_text()
     # nearly periodic: a few milliradians off after a period
-    assert re.search(r"platform is [23]\.\d+ mrad off", paper_figures.demo_facts(demo))
+    assert re.search(r"platform is [23]\.\d+ mrad off", printed)
 
 
 def test_numbers_of_the_seed_stand_in_its_description_only() -> None:

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from support.model_states import model
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
@@ -60,10 +61,8 @@ def test_readme_names_only_commands_that_exist() -> None:
 
 @pytest.mark.parametrize("name", ["three_ups_upu_s", "stewart_6ups", "delta", "ur5", "panda"])
 def test_readme_operation_counts_are_those_of_the_code(name: str) -> None:
-    from symscrew import catalogue
-    from symscrew.model import derive
 
     functions = ("inverse_dynamics", "inverse_dynamics_platform", "joint_reactions", "forward_dynamics")
-    programs = derive(catalogue.load(name)).programs
+    programs = model(name).programs
     counts = [str(programs[f].operations["total"]) if f in programs else "-" for f in functions]
     assert f"| `{name}` | {' | '.join(counts)} |" in README

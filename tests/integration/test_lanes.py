@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.lanes import CASES, PLATFORM, check_bits
+from support.marks import slow
 from support.model_states import model
 from support.packed_numbers import evaluated
 
@@ -111,8 +112,13 @@ def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize("function", [PLATFORM, "joint_reactions", "platform_jacobian"])
+@pytest.mark.parametrize(
+    ("function", "value"),
+    [
+        *((PLATFORM, value) for value in (np.nan, np.inf, -np.inf)),
+        *(slow(f, value) for f in ("joint_reactions", "platform_jacobian") for value in (np.nan, np.inf, -np.inf)),
+    ],
+)
 def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> None:
     """Each entry of each input in turn, in a batch of states and alone; a good state beside them is not touched."""
     found = replace(model(CASES[0][0]), programs={function: model(CASES[0][0]).programs[function]})

@@ -80,6 +80,7 @@ def test_every_function_of_iso_c_is_known(tmp_path: Path) -> None:
     assert not [name for name in declared if namespace(name) == name]
 
 
+@pytest.mark.slow
 def test_namespaces_stand_beside_all_headers(tmp_path: Path) -> None:
     """In one unit with everything declared; some of the names themselves do not (what the underscore is for)."""
     taken = sorted(FUNCTIONS | PER_TYPE | MACROS | OTHERS | {f"{name}f" for name in PER_TYPE})

@@ -99,8 +99,9 @@ def straight(program: Program | Iteration) -> Program:
     return found
 
 
+@pytest.mark.slow
 def test_code_of_a_long_chain_grows_by_tables_only(everything_long: None) -> None:
-    """Eight joints more add entries of tables and outputs, no operations."""
+    """Eight joints more add entries of tables and outputs, and three operations."""
     short, long = (print_source(derive(chain(n)).only(("inverse_dynamics",))) for n in (16, 24))
     operations = [len(re.findall(r"^ +const double x\d+ = [^;]*[-+*/]", text, re.MULTILINE)) for text in (short, long)]
-    assert operations[1] - operations[0] <= 0.1 * operations[0]
+    assert operations[1] - operations[0] <= 3

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 from support.model_states import model
 
 from symscrew.generation.folder import render
@@ -15,6 +16,7 @@ from symscrew.generation.folder import render
 TARGETS = ("c", "numpy", "external", "javascript", "fmu", "mjcf", "markdown")
 
 
+@pytest.mark.slow
 def test_what_is_generated_does_not_depend_on_the_processor(tmp_path: Path) -> None:
     """A second process without the vector units and with the linear algebra of an old processor."""
     units = [str(feature) for feature in np._core._multiarray_umath.__cpu_dispatch__]

@@ -77,6 +77,7 @@ def zeros_of_the_mass_matrix() -> None:
     assert min(map(len, runs)) >= RUN and all(matrix[k] == 0.0 for run in runs for k in run)
 
 
+@pytest.mark.slow
 def test_zeros_of_a_wide_matrix_are_not_stored_one_by_one() -> None:
     zeros_of_the_mass_matrix()
 

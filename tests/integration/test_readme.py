@@ -19,7 +19,7 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.export.markdown import READABLE, print_markdown
 from symscrew.fmu.unit_archive import at_rest
 from symscrew.functions.quantities import Quantities
-from symscrew.generation.folder import TARGETS, USUAL, generate
+from symscrew.generation.folder import TARGETS, USUAL
 from symscrew.model import derive
 from symscrew.runtime.compiled import find_compiler
 from symscrew.simulation.motion import simulate
@@ -28,11 +28,11 @@ STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"
 
 
 @pytest.fixture(scope="module", params=["four_bar", "pendulum"])
-def directory(request, tmp_path_factory) -> Path:
+def directory(request, generated, tmp_path_factory) -> Path:
     """All targets of a closed chain; those of an open one, with run-time parameters."""
     folder = tmp_path_factory.mktemp("generated") / request.param
     further = [t for t in TARGETS if t != "urdf"] if request.param == "four_bar" else [*USUAL, "urdf"]
-    generate(model(request.param), folder, further)
+    shutil.copytree(generated(request.param, further), folder)
     return folder
 
 

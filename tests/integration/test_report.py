@@ -9,10 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.model_states import model as derived
 
-from symscrew import catalogue
 from symscrew.cli.parser import main
-from symscrew.model import derive
 from symscrew.report.blocks import Document, Picture, Section, Table, Text, page, write_document
 from symscrew.report.sections import _unit_screws, document
 from symscrew.studies.timing import Times
@@ -55,7 +54,7 @@ def read(text: str) -> Reader:
 @pytest.fixture(scope="module")
 def seed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("report") / "seed.html"
-    model = derive(catalogue.load("three_ups_upu_s"))
+    model = derived("three_ups_upu_s")
     write_document(document(model, times={"inverse_dynamics": Times(90.0, 100.0, 110.0, 130.0, 41)}), path)
     return path
 
@@ -75,7 +74,7 @@ def test_page_asks_for_nothing_and_is_sound(seed: Path) -> None:
 
 def test_numbers_are_those_of_the_model(seed: Path) -> None:
     text = seed.read_text()
-    model = derive(catalogue.load("three_ups_upu_s"))
+    model = derived("three_ups_upu_s")
     for name, program in model.programs.items():
         row = re.search(rf"<tr><td>{name}\(.*?</tr>", text)
         assert row is not None and f">{program.operations['total']}" in row.group()
@@ -86,7 +85,7 @@ def test_numbers_are_those_of_the_model(seed: Path) -> None:
 
 
 def test_markdown_has_its_pictures_beside_it(tmp_path: Path) -> None:
-    files = write_document(document(derive(catalogue.load("four_bar"))), tmp_path / "four_bar.md")
+    files = write_document(document(derived("four_bar")), tmp_path / "four_bar.md")
     text = (tmp_path / "four_bar.md").read_text()
     names = re.findall(r"!\[.*?\]\((.*?)\)", text)
     assert names and all((tmp_path / name).stat().st_size > 1000 for name in names)
@@ -97,7 +96,7 @@ def test_markdown_has_its_pictures_beside_it(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["three_ups_upu_s", "planar_3rrr", "ur5", "bennett"])
 def test_unit_screws_are_those_of_the_model(name: str) -> None:
-    model = derive(catalogue.load(name))
+    model = derived(name)
     mechanism = model.mechanism
     found = model("joint_screws", model.system.reference[None, :])[0][0].reshape(-1, 6)
     shown = [s for joint in mechanism.joints.values() for s in _unit_screws(joint)]

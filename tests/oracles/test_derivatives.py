@@ -13,6 +13,7 @@ import casadi
 import numpy as np
 import pytest
 import sympy
+from support.marks import slow
 from support.model_states import HAND_TYPED, relative
 from support.model_states import differentiated as model
 
@@ -26,6 +27,8 @@ from symscrew.model import Model, derive
 
 Array = np.ndarray
 NAMES = (*catalogue.names(), *HAND_TYPED)
+LARGE = ("delta", "stewart_6ups")
+FEW = [slow(name) if name in LARGE else name for name in NAMES]
 CLOSED = tuple(n for n in NAMES if n not in ("ur5", "panda"))
 
 
@@ -206,7 +209,7 @@ def test_inverse_dynamics_of_the_tree(name: str) -> None:
         assert relative(x, y) < 1e-8
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FEW)
 def test_inverse_dynamics_on_the_manifold(name: str) -> None:
     """Differences between states whose loops have been closed again."""
     found = model(name)
@@ -278,7 +281,7 @@ def drives(found: Model, q: Array, y_dot: Array, y_ddot: Array) -> Array:
     return u + 0.1 * np.abs(u).max() * np.random.default_rng(4).uniform(-1, 1, u.shape)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FEW)
 def test_forward_dynamics_on_the_manifold(name: str) -> None:
     found = model(name)
     q, _, _, y_dot, y_ddot = (x[:2] for x in consistent(found))
@@ -289,7 +292,7 @@ def test_forward_dynamics_on_the_manifold(name: str) -> None:
         assert relative(x, y) < 1e-8
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FEW)
 def test_linearisation(name: str) -> None:
     """A and B hold the derivatives of x_dot = (y_dot, y_ddot): d(x_dot) along a random change of (y, y_dot, u)."""
     found = model(name)
@@ -326,7 +329,7 @@ def test_forward_dynamics_of_the_tree(name: str) -> None:
             assert relative(x[i], y) < 1e-10
 
 
-@pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "five_bar", "mixed_loop"])
+@pytest.mark.parametrize("name", [slow("three_ups_upu_s_physical"), "five_bar", "mixed_loop"])
 def test_forward_dynamics_against_casadi(name: str) -> None:
     found = model(name)
     q, _, _, y_dot, y_ddot = consistent(found)

@@ -27,7 +27,7 @@ from symscrew.functions.closing import assembly, closure_functions
 from symscrew.functions.kinematic import Motion, kinematic_functions
 from symscrew.functions.margin import margin_functions
 from symscrew.functions.platform import platform_functions
-from symscrew.kinematics.system import System, characteristic_length
+from symscrew.kinematics import System, characteristic_length
 from symscrew.loops.dependent_rates import Loops
 from symscrew.model import Model
 from symscrew.program.lowering import lower

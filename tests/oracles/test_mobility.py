@@ -17,7 +17,7 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.errors import DescriptionError
 from symscrew.mobility.analysis import analyse_mobility
 from symscrew.mobility.checks import verify
-from symscrew.mobility.finite import finite_mobility
+from symscrew.mobility.finite.finite_motion import finite_mobility
 from symscrew.mobility.joint_network import network_of
 
 SEED = "three_ups_upu_s"

@@ -10,12 +10,12 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew.algebra.operations import CONTEXT
 from symscrew.mobility.analysis import analyse_mobility
 from symscrew.mobility.checks import verify
+from symscrew.mobility.finite.local_solutions import local_at, quadratic_forms
+from symscrew.mobility.finite.tangent_cone import continued
+from symscrew.mobility.finite.variety import DIGITS_60, ClosureVariety
+from symscrew.mobility.finite.witnesses import Witness, recheck
 from symscrew.mobility.instantaneous import instantaneous_mobility
 from symscrew.mobility.joint_network import network_of
-from symscrew.mobility.local_solutions import local_at, quadratic_forms
-from symscrew.mobility.tangent_cone import continued
-from symscrew.mobility.variety import DIGITS_60, ClosureVariety
-from symscrew.mobility.witnesses import Witness, recheck
 
 SLOW = {"six legs on a circle", "six legs, no circle", "miura flat", "miura flat, four columns", "five-bar, collinear"}
 

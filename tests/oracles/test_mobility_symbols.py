@@ -13,8 +13,8 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import findings
 from symscrew.mobility.analysis import analyse_mobility
 from symscrew.mobility.checks import verify
-from symscrew.mobility.limb_poses import LimbPose, limb_pose
-from symscrew.mobility.symbolic_loops import SymbolicLoops, symbolic_loops
+from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
+from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 
 R, L, theta = sympy.symbols("R L theta", real=True)
 

@@ -82,7 +82,7 @@ def test_drives_of_the_delta_by_method_b() -> None:
 
 
 def test_angles_of_thin_rods_are_not_read() -> None:
-    found = model("rotary_hexapod")
+    found = model("hung_platform")
     q, v, a = found.system.states(3, 5)
     (before,), _ = found("inverse_dynamics", q, v, a)
     for k, coordinate in enumerate(found.system.tree.q):

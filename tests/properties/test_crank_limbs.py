@@ -7,6 +7,7 @@ import pytest
 import sympy
 from support.marks import slow
 from support.model_states import relative
+from support.operation_counts import rise
 from support.rod_mechanisms import MECHANISMS, RADIUS, Q, delta_of_half_spacing, hexapod, model
 
 from symscrew.description.mechanism import Mechanism
@@ -16,8 +17,15 @@ from symscrew.model import Model, derive
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.program.numpy_evaluation import evaluate
 
-QUICK = ("delta", "hexapod", "rod_on_the_ground")
-FURTHER = ("delta_second_rods_first", "delta_thick_rods", "hexapod_inwards", "hexapod_up", "hexapod_thick_rods")
+QUICK = ("delta", "hexapod")
+FURTHER = (
+    "rod_on_the_ground",
+    "delta_second_rods_first",
+    "delta_thick_rods",
+    "hexapod_inwards",
+    "hexapod_up",
+    "hexapod_thick_rods",
+)
 PLATFORM = ("inverse_kinematics", "inverse_velocity", "inverse_dynamics_platform")
 
 
@@ -64,7 +72,7 @@ def test_angles_enter_by_cosine_and_sine(name: str) -> None:
     assert [operations[function]["trig"] for function in PLATFORM] == [angles, 0, 0]  # atan2 of every angle
     cranks = {"delta": 3, "hexapod": 6}[name]
     assert operations["inverse_dynamics_platform"]["sqrt"] == cranks  # of thin rods no angle is needed
-    assert operations["inverse_dynamics_platform"]["total"] < {"delta": 1200, "hexapod": 1480}[name]
+    assert rise("plain" if name == "delta" else "rods", name, model(name)) == {}
 
 
 @pytest.mark.parametrize("name", ["delta", "hexapod"])
@@ -122,7 +130,7 @@ def evaluate_at(equations: PointEquations, q: np.ndarray) -> tuple:
     return evaluate(equations.closure, [q[:, list(equations.layout.y)], q[:, list(equations.layout.z)]])
 
 
-@pytest.mark.parametrize("name", ["delta", slow("hexapod")])
+@pytest.mark.parametrize("name", [slow("delta"), slow("hexapod")])
 def test_run_time_parameters_equal_baked_ones(name: str) -> None:
     nominal = {"delta": Q(1, 25), "hexapod": RADIUS}[name]
 

@@ -13,8 +13,9 @@ from sympy import Rational, cos, pi, sin, sqrt
 
 from symscrew import catalogue
 from symscrew.mobility.analysis import analyse_mobility
-from symscrew.mobility.exact import exact_rank, null_vectors, rank_modulo
-from symscrew.mobility.exact_field import Field, NotDecidableError, Number, expression, inverse, value
+from symscrew.mobility.symbols.exact_field import Field
+from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number, expression, inverse, value
+from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, rank_modulo
 
 ZEROS = (
     sqrt(2) * sqrt(3) - sqrt(6),

@@ -9,15 +9,15 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from support.model_states import model
 
 import symscrew
-from symscrew import catalogue
 from symscrew.algebra.nodes import Symbol
-from symscrew.model import derive
 
 PACKAGE = Path(symscrew.__file__).parent
 
 
+@cache
 def the_map(package: Path = PACKAGE) -> list[str]:
     """Rooms in the order in which the package's docstring lists them, as dotted names without the package's."""
     text = ast.get_docstring(ast.parse((package / "__init__.py").read_text())) or ""
@@ -42,11 +42,21 @@ def room_of(module: str, package: Path = PACKAGE) -> str:
 
 
 @cache
+def parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text())
+
+
+@cache
+def modules_of(package: Path) -> frozenset[str]:
+    return frozenset(module_of(p, package) for p in files(package))
+
+
+@cache
 def imports(path: Path, package: Path = PACKAGE) -> tuple[tuple[str, str], ...]:
     """(module, name) of everything of the package that a file imports, in functions and for type checkers too."""
-    modules = {module_of(p, package) for p in files(package)}
+    modules = modules_of(package)
     found = []
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(parsed(path)):
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: imports are absolute"
             if (node.module or "").split(".")[0] == "symscrew":
@@ -117,6 +127,7 @@ def test_imports_point_one_way_and_go_through_doors(path: Path) -> None:
     assert broken_rule(path) == []
 
 
+@cache
 def holder(module: str, name: str) -> str:
     """The file that holds a name which a folder's `__init__` hands on."""
     while is_folder(module):
@@ -152,7 +163,7 @@ def test_no_module_name_stands_for_two_things() -> None:
 @pytest.mark.parametrize("face", [p for p in files() if p.name == "__init__.py"], ids=module_of)
 def test_faces_only_hand_on(face: Path) -> None:
     """What others may use is in `__all__`, comes from the inside, and has no part's name (which would hide it)."""
-    tree = ast.parse(face.read_text())
+    tree = parsed(face)
     handed = {
         alias.asname or alias.name
         for node in ast.walk(tree)
@@ -176,7 +187,7 @@ def test_faces_only_hand_on(face: Path) -> None:
 )
 def test_heavy_libraries_stay_in_their_rooms(library: str, allowed: set[str]) -> None:
     for path in files():
-        for node in ast.walk(ast.parse(path.read_text())):
+        for node in ast.walk(parsed(path)):
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
             names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             if library in names:
@@ -186,7 +197,7 @@ def test_heavy_libraries_stay_in_their_rooms(library: str, allowed: set[str]) ->
 def test_nothing_evaluates_text() -> None:
     forbidden = {"eval", "exec", "sympify", "parse_expr", "compile", "system", "popen"}
     for path in files():
-        for node in ast.walk(ast.parse(path.read_text())):
+        for node in ast.walk(parsed(path)):
             if isinstance(node, ast.Call):
                 name = getattr(node.func, "id", getattr(node.func, "attr", ""))
                 of_a_library = isinstance(node.func, ast.Attribute) and getattr(node.func.value, "id", "") == "re"
@@ -196,7 +207,7 @@ def test_nothing_evaluates_text() -> None:
 
 @pytest.mark.parametrize("name", ["three_ups_upu_s", "delta", "ur5"])
 def test_every_symbol_has_unit_description_and_assumptions(name: str) -> None:
-    symbols = [node.args[0] for node in derive(catalogue.load(name)).system.tape.symbols.values()]
+    symbols = [node.args[0] for node in model(name).system.tape.symbols.values()]
     assert symbols
     for symbol in symbols:
         assert isinstance(symbol, Symbol)

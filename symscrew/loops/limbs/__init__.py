@@ -10,13 +10,11 @@ from symscrew.loops.limbs.closed_forms import (
 )
 from symscrew.loops.limbs.crank_limbs import CrankLimb, RodLimb, rod_limb
 from symscrew.loops.limbs.crank_rates import LengthRow, length_rows
-from symscrew.loops.limbs.planar_limbs import Turn
 
 __all__ = [
     "CrankLimb",
     "LengthRow",
     "RodLimb",
-    "Turn",
     "any_rods",
     "closed_limbs",
     "hub_links",

@@ -6,16 +6,23 @@ two signs: those of a guess, so that the limb stays on the guess's branch.
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
 
-from symscrew.algebra import ZERO, Node, Vector
-from symscrew.kinematics import GROUND, Cut, Link, Linkage, System
-from symscrew.loops.limbs.crank_limbs import CrankLimb, RodLimb, crank_limb, rod_limb
-from symscrew.loops.limbs.planar_limbs import PlanarLimb, Turn, planar_limb
-from symscrew.loops.limbs.spoke_limbs import SpokeLimb, spoke_limb
+from symscrew.algebra import ZERO, Node
+from symscrew.kinematics import GROUND, Cut, Link, System, Turn
+from symscrew.loops.limbs.crank_limbs import crank_limb, rod_limb
+from symscrew.loops.limbs.limb_form import LimbForm
+from symscrew.loops.limbs.planar_limbs import planar_limb
+from symscrew.loops.limbs.spoke_limbs import spoke_limb
 
-Limb = SpokeLimb | PlanarLimb | CrankLimb | RodLimb
+FORMS: tuple[Callable[[System, Cut], LimbForm | None], ...] = (
+    spoke_limb,
+    planar_limb,
+    crank_limb,
+    rod_limb,  # last: a rod is part of a crank's limb where there is one
+)
+"""The classes of limbs, in the order in which a limb is asked for its own. A further one is a file and a line here."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +42,7 @@ def hub_links(system: System) -> tuple[Link, ...] | None:
     return links if links and len({link.joint for link in links}) == 1 else None
 
 
-def closed_limbs(system: System) -> tuple[Limb, ...] | None:
+def closed_limbs(system: System) -> tuple[LimbForm, ...] | None:
     """All limbs, if the platform hangs on one joint and every other link belongs to a limb with a closed form.
 
     A limb comes after those that carry it: the further rods of a crank after the first, which turns the crank.
@@ -43,7 +50,7 @@ def closed_limbs(system: System) -> tuple[Limb, ...] | None:
     hub = hub_links(system)
     if hub is None:
         return None
-    limbs: list[Limb] = []
+    limbs: list[LimbForm] = []
     covered = {GROUND}
     for cut in system.cuts:
         limb = _limb(system, cut, covered)
@@ -56,28 +63,28 @@ def closed_limbs(system: System) -> tuple[Limb, ...] | None:
     return tuple(limbs) if free == {link.index for link in hub} else None
 
 
-def met_rows(limbs: Sequence[Limb]) -> frozenset[str]:
+def met_rows(limbs: Sequence[LimbForm]) -> frozenset[str]:
     """Labels of the rows of the closure that the closed forms meet whatever the platform's coordinates are."""
     forces = ((limb.left_open, [row for row in limb.cut.rows if row.unit == "N"]) for limb in limbs)
     return frozenset(row.label for left, rows in forces for k, row in enumerate(rows) if k not in left)
 
 
-def any_rods(limbs: Sequence[Limb]) -> bool:
+def any_rods(limbs: Sequence[LimbForm]) -> bool:
     """Whether there are rods among the limbs, with or without a crank."""
-    return any(isinstance(limb, CrankLimb | RodLimb) for limb in limbs)
+    return any(limb.through_rods for limb in limbs)
 
 
-def _limb(system: System, cut: Cut, covered: Set[int]) -> Limb | None:
+def _limb(system: System, cut: Cut, covered: Set[int]) -> LimbForm | None:
     """The cut joint's limb, all links of which are new and hang on one that is covered, if it has a closed form."""
-    ways = (way(system, cut) for way in (spoke_limb, planar_limb, crank_limb, rod_limb))
-    for limb in ways:
+    for form in FORMS:
+        limb = form(system, cut)
         if limb and limb.links[0].parent in covered and not covered & {link.index for link in limb.links}:
             return limb
     return None
 
 
 def limb_coordinates(
-    system: System, limbs: Sequence[Limb], hub_q: dict[int, Node], guess: Sequence[Node] | None = None
+    system: System, limbs: Sequence[LimbForm], hub_q: dict[int, Node], guess: Sequence[Node] | None = None
 ) -> LimbCoordinates:
     """q for given coordinates of the platform's joint (index into q -> node); limbs in closed form.
 
@@ -91,7 +98,7 @@ def limb_coordinates(
     turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
     for limb in limbs:
         linkage = system.structure.linkage(q, turns)
-        found, slides = limb.solve(system, _target(linkage, limb), near)
+        found, slides = limb.solve(system, limb.target(linkage), near)
         turns |= found
         for k, value in slides.items():
             q[k] = value
@@ -99,15 +106,6 @@ def limb_coordinates(
             link = system.tree.links[index]
             q[link.q.start] = _angle(system, link, turn, near)
     return LimbCoordinates(tuple(q), turns)
-
-
-def _target(linkage: Linkage, limb: Limb) -> Vector:
-    """Where the platform holds the limb's tip, in the coordinates of the link that carries the limb; a crank's as it
-    sees it."""
-    cut, first = limb.cut, limb.links[0]
-    if isinstance(limb, CrankLimb):
-        return linkage.seen_before(cut.hub, first.index, cut.hub_point)
-    return linkage.carry_point(cut.hub, first.parent, cut.hub_point)
 
 
 def reference_nodes(system: System) -> tuple[Node, ...]:

@@ -13,13 +13,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Node, Vector, add, dot, scale, subtract, transform, transpose
-from symscrew.kinematics import Cut, Link, System
-from symscrew.loops.limbs.planar_limbs import Turn, over, square, times
+from symscrew.kinematics import Cut, Link, Linkage, System, Turn
+from symscrew.loops.limbs.limb_form import LimbForm
+from symscrew.loops.limbs.planar_limbs import over, square, times
 from symscrew.loops.limbs.spoke_limbs import pointing, side_of_guess
 
 
 @dataclass(frozen=True)
-class RodLimb:
+class RodLimb(LimbForm):
     """A rod on two crossing rotations: `centre` in coordinates of the link that carries it, `tip` from there.
 
     The tip is in the second link's axes, across its own. `left_open`: the component of the tip's place, in these axes,
@@ -32,6 +33,8 @@ class RodLimb:
     centre: Vector
     tip: Vector
     left_open: tuple[int, ...]
+
+    through_rods = True
 
     @property
     def links(self) -> tuple[Link, ...]:
@@ -50,22 +53,23 @@ class RodLimb:
 
 
 @dataclass(frozen=True)
-class CrankLimb:
+class CrankLimb(LimbForm):
     """A crank and its rod."""
 
     cut: Cut
     crank: Link
     rod: RodLimb
 
+    through_rods = True
+
     @property
     def links(self) -> tuple[Link, ...]:
         """The limb's links, from the one that carries the crank."""
         return (self.crank, *self.rod.links)
 
-    @property
-    def left_open(self) -> tuple[int, ...]:
-        """Components of the tip's place, in its axes, that the closed form leaves to the closure: none."""
-        return ()
+    def target(self, linkage: Linkage) -> Vector:
+        """Where the platform holds the tip [m], as the crank sees it before its motion."""
+        return linkage.seen_before(self.cut.hub, self.crank.index, self.cut.hub_point)
 
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine by link, on the guess's side of the dead centre.

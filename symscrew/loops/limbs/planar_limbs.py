@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Node, Vector, add, dot, scale, subtract, transform, transpose
-from symscrew.kinematics import Cut, Link, System
+from symscrew.kinematics import Cut, Link, System, Turn
+from symscrew.loops.limbs.limb_form import LimbForm
 
-Turn = tuple[Node, Node]
 Complex = tuple[Node, Node]
 
 
@@ -39,7 +39,7 @@ def same_side(like: Node, sign_of: Node) -> Node:
 
 
 @dataclass(frozen=True)
-class PlanarLimb:
+class PlanarLimb(LimbForm):
     """A limb of two planar motions; `kinds` is "RR", "PR" or "RP"."""
 
     cut: Cut
@@ -47,15 +47,12 @@ class PlanarLimb:
     second: Link
     kinds: str
 
+    left_open = (2,)  # across the plane
+
     @property
     def links(self) -> tuple[Link, ...]:
         """The limb's links from the ground."""
         return (self.first, self.second)
-
-    @property
-    def left_open(self) -> tuple[int, ...]:
-        """Components of the tip's place, in its axes, that the closed form leaves to the closure: across the plane."""
-        return (2,)
 
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine by link, and slider coordinates by index into q, on the branch of the guess."""

@@ -7,12 +7,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Node, Vector, add, dot, scale, subtract, transform, transpose
-from symscrew.kinematics import Cut, Link, System
-from symscrew.loops.limbs.planar_limbs import Turn
+from symscrew.kinematics import Cut, Link, System, Turn
+from symscrew.loops.limbs.limb_form import LimbForm
 
 
 @dataclass(frozen=True)
-class SpokeLimb:
+class SpokeLimb(LimbForm):
     """A limb ground - R - R - P - tip with all axes and the tip on lines through one point of the ground."""
 
     cut: Cut
@@ -25,11 +25,6 @@ class SpokeLimb:
     def links(self) -> tuple[Link, ...]:
         """The limb's links from the ground."""
         return (self.first, self.second, self.slider)
-
-    @property
-    def left_open(self) -> tuple[int, ...]:
-        """Components of the tip's place, in its axes, that the closed form leaves to the closure: none."""
-        return ()
 
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine of both angles by link, the slide by its index into q; the length is positive."""

@@ -1,0 +1,66 @@
+"""What a file in another format keeps of a mechanism: the same names, joints and places, inertias to rounding.
+
+Mechanism --writer--> file --reader--> Mechanism --difference--> None, or the first thing that is not the same
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symscrew.description import Joint, Mechanism
+from symscrew.reference import NumericMechanism, numeric
+
+PLACES = 1e-14
+"""Of the mechanism's size, at least 1 m: what doubles in a file lose of a coordinate. More is another place."""
+INERTIA = 1.1e-9
+"""Of the whole: what MJCF raises bodies without inertia to (1e-9), and rounding. More is another inertia."""
+KEPT = ("R", "P", "fixed")
+"""Types of joints that every format has; others come back as chains of them where a format lacks them."""
+
+Array = NDArray[np.float64]
+
+
+def difference(written: Mechanism, read: Mechanism) -> str | None:
+    """The first thing in which a mechanism that was read back differs from the one that was written, or None.
+
+    Bodies that the format adds (copies at cut joints, the links of chains) are left out, as are joints between them.
+    """
+    missing = [body for body in written.bodies if body not in read.bodies]
+    if missing:
+        return f"body {missing[0]} is missing"
+    a, b = numeric(written), numeric(read)
+    whole = a.mass.sum() or 1.0
+    for name, body in written.bodies.items():
+        i, j = a.bodies.index(name), b.bodies.index(name)
+        if name == written.ground or body.mass is None:
+            continue
+        inertia = np.abs(a.inertia[i] - b.inertia[j]).max() / a.length**2
+        if max(abs(a.mass[i] - b.mass[j]), inertia) > INERTIA * whole or _apart(a.com[i], b.com[j], a.length):
+            return f"body {name} has another inertia"
+    for name, joint in written.joints.items():
+        other = read.joints.get(name)
+        if other is not None and {other.parent, other.child} == {joint.parent, joint.child}:
+            found = _joint(a, b, joint, other)
+            if found:
+                return f"joint {name}: {found}"
+        elif other is None and joint.type in KEPT:
+            return f"joint {name} is missing"
+    return None
+
+
+def _joint(a: NumericMechanism, b: NumericMechanism, one: Joint, other: Joint) -> str | None:
+    if (one.type, one.driven) != (other.type, other.driven):
+        return f"type and drives were {one.type} {one.driven}, came back as {other.type} {other.driven}"
+    i, j = a.joints.index(one.name), b.joints.index(one.name)
+    if _apart(a.points[i], b.points[j], a.length):
+        return f"its point was {a.points[i]}, came back as {b.points[j]}"
+    turned = 1 if one.parent == other.parent or one.type not in KEPT else -1
+    axes = (a.axes[a.freedoms[i]], turned * b.axes[b.freedoms[j]])
+    if axes[0].shape != axes[1].shape or _apart(*axes, 1.0):
+        return f"its axes were {axes[0]}, came back as {axes[1]}"
+    return None
+
+
+def _apart(first: Array, second: Array, size: float) -> bool:
+    return bool(np.abs(first - second).max(initial=0.0) > PLACES * max(size, 1.0))

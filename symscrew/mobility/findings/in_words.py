@@ -1,0 +1,149 @@
+"""A mobility result in words: headings and lines, formulas between dollar signs.
+
+Mobility --sections--> [(heading, lines)] --documents--> text, Markdown, HTML, LaTeX
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy
+
+from symscrew.mobility.findings.typeset import inline
+from symscrew.mobility.screw_text import describe_twist, describe_wrench
+from symscrew.mobility.singularities import as_lines
+
+if TYPE_CHECKING:
+    from symscrew.mobility.analysis import Mobility
+    from symscrew.mobility.symbols import Locus
+
+NOT_TRIED = "What was not tried"
+
+
+def sections(found: Mobility) -> list[tuple[str, list[str]]]:
+    """(heading, lines) of the whole report in words; formulas between dollar signs."""
+    result = [("Mobility", _summary(found))]
+    symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
+    limbs: dict[tuple[str, ...], list[str]] = {}
+    for limb in found.limbs:
+        lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
+        lines += [describe_wrench(w) for w in limb.constraints.basis]
+        if limb.name in symbolic and symbolic[limb.name].constraints:
+            lines.append(f"in symbols (f ; m): {inline(symbolic[limb.name].constraints)}")
+        limbs.setdefault((*lines, *_displaced(found, limb.name)), []).append(limb.name)
+    for facts, names in limbs.items():
+        result.append((f"{'Limbs' if len(names) > 1 else 'Limb'} {', '.join(names)}", list(facts)))
+    lines = [f"{_count(found.platform.dof, 'freedom')}, type {found.platform.type}"]
+    lines += [describe_twist(t) for t in found.platform.freedoms.basis]
+    if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
+        lines.append(f"in symbols (omega ; v): {inline(found.symbolic.freedoms)}")
+    if found.without_symbols:
+        lines.append(found.without_symbols)
+    result.append((f"Freedoms of {found.platform.body}", lines))
+    if not found.limbs and found.network.chords:
+        result.append(("Motions of the loops in symbols", _motions(found)))
+    if found.loci:
+        lines = [f"{_zero(locus)} ({locus.where}): {locus.meaning}" for locus in found.loci]
+        result.append(("Where it degenerates", lines))
+    if lines := as_lines(found.singularities):
+        result.append(("How far from singularities (0 at one)", lines))
+    if found.redundant.count:
+        result.append(("Redundant constraints", _redundant(found)))
+    if found.nearly_parallel:
+        result.append(("Almost parallel", list(found.nearly_parallel)))
+    if found.not_tried:
+        result.append((NOT_TRIED, list(found.not_tried)))
+    result.append(("How it was decided", [found.method, *found.finite.evidence]))
+    return result
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number or 'no'} {what}{'' if number == 1 else 's'}"
+
+
+def key_figures(found: Mobility) -> list[tuple[str, str]]:
+    """(what, value) for the table at the head of a report."""
+    finite = found.finite
+    branches = "smooth" if finite.branches is None else ", ".join(map(str, finite.branches)) or "isolated"
+    figures = [
+        ("instantaneous mobility", str(found.dof)),
+        ("finite mobility", "not decided" if finite.dof is None else str(finite.dof)),
+        ("branches", branches),
+        ("Kutzbach-Gruebler", str(found.kutzbach)),
+        ("redundant constraints", str(found.overconstraints)),
+        (f"freedoms of {found.platform.body}", f"{found.platform.dof} ({found.platform.type})"),
+        ("internal freedoms", str(found.internal_freedoms)),
+    ]
+    if found.dof_drives_locked is not None:
+        figures.append(("with drives locked", str(found.dof_drives_locked)))
+    return [*figures, ("ranks", "exact" if found.decisions.exact else "certified numeric")]
+
+
+def _summary(found: Mobility) -> list[str]:
+    finite = found.finite
+    lines = [f"{_count(found.dof, 'instantaneous freedom')}; Kutzbach-Gruebler counts {found.kutzbach}"]
+    if found.overconstraints:
+        lines.append(
+            f"The count is {found.overconstraints} too low, because {found.overconstraints} of the "
+            f"{6 * len(found.network.chords)} closure equations follow from the others"
+        )
+    if found.internal_freedoms:
+        lines.append(f"{_count(found.internal_freedoms, 'freedom')} with {found.platform.body} at rest (internal)")
+    if found.dof and not found.platform.dof and finite.dof:
+        lines.append(
+            f"{found.platform.body} is at rest for an instant while the mechanism moves (a dead point for it), "
+            "or it does not move at all; --body shows another body"
+        )
+    if finite.smooth:
+        lines.append(f"Finite mobility {finite.dof}: a smooth point of the configuration space")
+    elif finite.dof is None:
+        lines.append("A singular point of the configuration space; the finite mobility is not decided")
+    elif not finite.branches:
+        lines.append("No finite mobility: the configuration is isolated, its freedoms are infinitesimal (shaky)")
+    else:
+        lines.append(
+            f"Finite mobility {finite.dof}: a singular point ({finite.kind}); dimensions of the branches through it: "
+            + ", ".join(map(str, finite.branches))
+        )
+    if found.dof_drives_locked is not None:
+        lines.append(f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked")
+    return lines
+
+
+def _displaced(found: Mobility, limb: str) -> list[str]:
+    """The constraints of a limb with symbols for its own joints, or the sentence why not."""
+    pose = found.limb_poses.get(limb)
+    if pose is None or isinstance(pose, str):
+        return [f"away from the reference configuration: {pose}"] if pose else []
+    names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
+    lines = [f"displaced by {names}, in axes that move with {pose.carried_by} (f ; m): {inline(pose.constraints)}"]
+    return lines + [f"{locus.meaning} where ${sympy.latex(locus.expression)} = 0$" for locus in pose.loci]
+
+
+def _motions(found: Mobility) -> list[str]:
+    """Joint rates of a mechanism without limbs, or the sentence why not."""
+    loops = found.loops
+    if isinstance(loops, str):
+        return [loops]
+    lines = []
+    for rates in loops.rates:
+        moving = [(joint, rate) for joint, rate in zip(loops.joints, rates, strict=True) if rate != 0]
+        lines.append("rates " + ", ".join(f"{joint} ${sympy.latex(rate)}$" for joint, rate in moving))
+        if resting := [joint for joint, rate in zip(loops.joints, rates, strict=True) if rate == 0]:
+            lines.append(f"at rest in it: {', '.join(resting)}")
+    if loops.freedoms:
+        lines.append(f"{loops.body} moves by (omega ; v): {inline(loops.freedoms)}")
+    return lines
+
+
+def _redundant(found: Mobility) -> list[str]:
+    joints = ", ".join(found.redundant.statically_indeterminate)
+    return [
+        f"The reactions of {joints} are not unique",
+        "One change for each redundant constraint:",
+        *found.redundant.cure,
+    ]
+
+
+def _zero(locus: Locus) -> str:
+    return f"${sympy.latex(locus.expression)} = 0$" if locus.expression != 0 else "always"

@@ -1,0 +1,76 @@
+"""A mobility result as JSON values: numbers, with exact forms as strings beside them, six components a screw."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from symscrew.mobility.singularities import as_values
+
+if TYPE_CHECKING:
+    from symscrew.mobility.analysis import Mobility
+
+
+def mobility_values(found: Mobility) -> dict[str, Any]:
+    """The result as JSON values; exact forms as strings beside the numbers."""
+    finite, platform, symbolic = found.finite, found.platform, found.symbolic
+    exact = {limb.name: limb.constraints for limb in symbolic.limbs} if symbolic else {}
+    return {
+        "mechanism": found.mechanism.name,
+        "kutzbach": found.kutzbach,
+        "dof": found.dof,
+        "dof_finite": finite.dof,
+        "smooth": finite.smooth,
+        "branches": None if finite.branches is None else list(finite.branches),
+        "overconstraints": found.overconstraints,
+        "internal_freedoms": found.internal_freedoms,
+        "platform": {
+            "body": platform.body,
+            "dof": platform.dof,
+            "type": platform.type,
+            "freedoms": [[float(c) for c in twist] for twist in platform.freedoms.basis],
+            "freedoms_exact": [[str(c) for c in t] for t in symbolic.freedoms] if symbolic else None,
+        },
+        "limbs": [
+            {
+                "name": limb.name,
+                "constraints": [[float(c) for c in wrench] for wrench in limb.constraints.basis],
+                "constraints_exact": [[str(c) for c in w] for w in exact[limb.name]] if limb.name in exact else None,
+                "constraints_displaced": _pose(found, limb.name),
+            }
+            for limb in found.limbs
+        ],
+        "dof_drives_locked": found.dof_drives_locked,
+        "loci": [
+            {"kind": locus.kind, "where": locus.where, "zero": str(locus.expression), "meaning": locus.meaning}
+            for locus in found.loci
+        ],
+        "singularities": as_values(found.singularities),
+        "motions_exact": _rates(found),
+        "overconstraint_joints": list(found.redundant.statically_indeterminate),
+        "method": found.method,
+        "exact": found.decisions.exact,
+        "field": found.decisions.field,
+        "ranks": [{"claim": d.claim, "rank": d.numeric, "exact": d.exact} for d in found.decisions.ranks],
+        "singular_values": list(found.decisions.singular_values),
+        "nearly_parallel": list(found.nearly_parallel),
+        "evidence": list(finite.evidence),
+        "proved": finite.proved,
+    }
+
+
+def _pose(found: Mobility, limb: str) -> dict[str, Any] | None:
+    pose = found.limb_poses.get(limb)
+    if pose is None or isinstance(pose, str):
+        return {"reason": pose} if pose else None
+    return {
+        "displacements": {str(symbol): joint for symbol, joint in zip(pose.displacements, pose.of, strict=True)},
+        "constraints": [[str(c) for c in w] for w in pose.constraints],
+        "loci": [{"kind": locus.kind, "zero": str(locus.expression)} for locus in pose.loci],
+    }
+
+
+def _rates(found: Mobility) -> list[dict[str, str]] | None:
+    if found.limbs or not found.network.chords or isinstance(found.loops, str):
+        return None
+    joints = found.loops.joints
+    return [{j: str(r) for j, r in zip(joints, rates, strict=True)} for rates in found.loops.rates]

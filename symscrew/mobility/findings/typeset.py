@@ -1,0 +1,107 @@
+"""The formulas of a mobility result: as LaTeX, and from there as MathML and as they are typed.
+
+Mobility --expressions--> LaTeX between dollar signs in every line --formulas, typed--> MathML, plain text
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import sympy
+
+if TYPE_CHECKING:
+    from symscrew.mobility.analysis import Mobility
+    from symscrew.mobility.symbols import Vector
+
+LONG = 100
+"""Letters of LaTeX that fit a line of a document: a longer screw is written as a column, a longer sum in pieces between
+which a line may end."""
+
+
+def inline(vectors: Sequence[Vector]) -> str:
+    """Screws as LaTeX between dollar signs."""
+    return ", ".join("$" + screw_latex(vector) + "$" for vector in vectors)
+
+
+def screw_latex(vector: Vector) -> str:
+    """One screw: (omega ; v) or (f ; m) in a row, or in a column where it is long."""
+    texts = [sympy.latex(c) for c in vector]
+    if sum(map(len, texts)) > LONG:
+        return r"\begin{pmatrix}" + r" \\ ".join(texts) + r"\end{pmatrix}"
+    return r"\left(" + ", ".join(texts[:3]) + r";\; " + ", ".join(texts[3:]) + r"\right)"
+
+
+def _expressions(found: Mobility) -> tuple[list[Vector], list[sympy.Expr], list[sympy.Expr]]:
+    """(screws, loci, single expressions) that the report shows."""
+    vectors: list[Vector] = []
+    loci = [locus.expression for locus in found.loci]
+    single: list[sympy.Expr] = []
+    if found.symbolic is not None:
+        vectors += [*(w for limb in found.symbolic.limbs for w in limb.constraints), *found.symbolic.freedoms]
+    for pose in found.limb_poses.values():
+        if not isinstance(pose, str):
+            vectors += pose.constraints
+            loci += [locus.expression for locus in pose.loci]
+            single += pose.displacements
+    if not found.limbs and not isinstance(found.loops, str):
+        vectors += found.loops.freedoms
+        single += [rate for motion in found.loops.rates for rate in motion]
+    return vectors, loci, single
+
+
+def typed_formulas(found: Mobility) -> dict[str, str]:
+    """LaTeX of every formula of the report -> as it is typed."""
+    vectors, loci, single = _expressions(found)
+
+    def typed(expression: sympy.Expr) -> str:
+        return str(expression).replace("**", "^")
+
+    result = {screw_latex(v): f"({', '.join(map(typed, v[:3]))}; {', '.join(map(typed, v[3:]))})" for v in vectors}
+    result.update({f"{sympy.latex(e)} = 0": f"{typed(e)} = 0" for e in loci})
+    result.update({sympy.latex(e): typed(e) for e in single})
+    return result
+
+
+def mathml(expression: sympy.Expr) -> str:
+    """An expression as MathML."""
+    return f"<math>{_presented(expression)}</math>"
+
+
+def _presented(expression: sympy.Expr) -> str:
+    from sympy.printing.mathml import mathml as printed
+
+    text = str(printed(expression, printer="presentation")).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
+    for function in ("sin", "cos"):
+        text = text.replace(f"<mi>{function}</mi>", f'<mspace width="0.15em"/><mi>{function}</mi>')
+    return text
+
+
+def formulas(found: Mobility) -> dict[str, str]:
+    """LaTeX of every formula of the report -> MathML."""
+    vectors, loci, single = _expressions(found)
+    result: dict[str, str] = {}
+    for vector in vectors:
+        cells = [_presented(c) for c in vector]
+        if sum(len(sympy.latex(c)) for c in vector) > LONG:
+            rows = "".join(f"<mtr><mtd>{cell}</mtd></mtr>" for cell in cells)
+            result[screw_latex(vector)] = f"<math><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></math>"
+            continue
+        inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
+        result[screw_latex(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
+    for expression in loci:
+        result[f"{sympy.latex(expression)} = 0"] = _equation(expression)
+    result.update({sympy.latex(e): f"<math>{_presented(e)}</math>" for e in single})
+    return result
+
+
+def _equation(expression: sympy.Expr) -> str:
+    """MathML of expression = 0; a long sum in pieces, between which a line may end."""
+    if len(sympy.latex(expression)) <= LONG or not expression.is_Add:
+        return f"<math>{_presented(expression)}<mo>=</mo><mn>0</mn></math>"
+    pieces = []
+    for k, term in enumerate(expression.as_ordered_terms()):
+        negative = term.could_extract_minus_sign()
+        sign = f'<mo form="infix">{"&#x2212;" if negative else "+"}</mo>' if k or negative else ""
+        pieces.append(f"<math>{sign}{_presented(-term if negative else term)}</math>")
+    return " ".join([*pieces, '<math><mo form="infix">=</mo><mn>0</mn></math>'])

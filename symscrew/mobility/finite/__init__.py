@@ -1,0 +1,31 @@
+"""What really moves: finite displacements through a configuration, against the instantaneous ones.
+
+    Network --independent_parts--> blocks --passive_spins--> fewer unknowns --finite_motion--> FiniteMobility
+
+`finite_motion` decides, block by block, from cheap and proved to sampled:
+
+    variety          joint displacements that close all loops, by exponentials of the screws
+    closure_residual the same residual with 60 digits in fixed-point integers
+    local_solutions  range, null space and self-stresses at one configuration
+    tangent_cone     series of the loops in powers of t, by screw brackets only
+    reduced_closure  the redundant equations g(u) = 0 that are left once the others are solved
+    quadric_cone     directions in which g vanishes to second order: where branches are looked for
+    branches         dimensions of the branches through a singular configuration
+    witnesses        what every claim rests on, checked again by another of these routes
+"""
+
+from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility
+from symscrew.mobility.finite.local_solutions import CLOSED
+from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
+from symscrew.mobility.finite.witnesses import recheck
+
+__all__ = [
+    "CLOSED",
+    "DIGITS_60",
+    "Array",
+    "ClosureVariety",
+    "FiniteMobility",
+    "finite_mobility",
+    "moved",
+    "recheck",
+]

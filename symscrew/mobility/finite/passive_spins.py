@@ -1,0 +1,84 @@
+"""Passive spins split off: a chain of links between two spherical joints turns about the line of their centres.
+
+    S --links with two joints each-- S   =>   one spin about the line of centres + the network without it
+
+The spin acts freely on the configuration space near the reference, so the space is locally the product of a line
+and of the space without the spin, with the same dimension of the rest, branches and smooth points. Without spins
+there are fewer unknowns. The spherical joint at one end keeps the two rotations across the line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symscrew.algebra import CONTEXT, IDENTITY, Vector, cross, dot, revolute, scale, subtract
+from symscrew.description import rotation
+from symscrew.mobility.finite.independent_parts import shifted
+from symscrew.mobility.joint_network import Edge, Network
+
+COINCIDE = CONTEXT.mpf(10) ** -12
+"""Two spherical joints closer together than this, in units of the mechanism's size, have no line of centres to spin
+about; the links between them keep all their freedoms, which is right and costs unknowns only."""
+
+
+def without_spins(network: Network) -> tuple[Network, int]:
+    """(the network with one freedom less for every passive spin, number of spins)."""
+    spins = _spins(network)
+    if not spins:
+        return network, 0
+    edges: dict[str, Edge] = {}
+    start = 0
+    for name, edge in network.edges.items():
+        edges[name] = _across(edge, spins[name], start) if name in spins else shifted(edge, start)
+        start += len(edges[name].screws)
+    return replace(network, edges=edges, driven=()), len(spins)
+
+
+def _spins(network: Network) -> dict[str, Vector]:
+    """Spherical joint -> direction of the line about which the chain of links behind it spins."""
+    at: dict[str, list[Edge]] = {body: [] for body in network.bodies}
+    for edge in network.edges.values():
+        at[edge.parent].append(edge)
+        at[edge.child].append(edge)
+    spins: dict[str, Vector] = {}
+    done: set[str] = set()
+    for edge in network.edges.values():
+        if not _spherical(edge):
+            continue
+        for body in (edge.parent, edge.child):
+            end, passed = _other_end(network, at, edge, body)
+            if end is None or passed & done or {edge.name, end.name} & set(spins):
+                continue
+            line = subtract(end.point, edge.point)
+            size = CONTEXT.sqrt(dot(line, line))
+            if size > COINCIDE:
+                spins[edge.name] = scale(1 / size, line)
+                done |= passed
+    return spins
+
+
+def _other_end(network: Network, at: dict[str, list[Edge]], edge: Edge, body: str) -> tuple[Edge | None, set[str]]:
+    """The spherical joint at the other end of a chain of links with two joints each, and the links."""
+    passed: set[str] = set()
+    while body != network.ground and body not in passed and len(at[body]) == 2:
+        passed.add(body)
+        edge = next(other for other in at[body] if other.name != edge.name)
+        if _spherical(edge):
+            return edge, passed
+        body = edge.child if edge.parent == body else edge.parent
+    return None, passed
+
+
+def _spherical(edge: Edge) -> bool:
+    return [motion.spherical for motion, _ in edge.motions] == [True]
+
+
+def _across(edge: Edge, line: Vector, start: int) -> Edge:
+    """The two rotations across the line; which side of them the spin was on does not matter in a group."""
+    nearest = IDENTITY[min(range(3), key=lambda k: abs(line[k]))]
+    first = subtract(nearest, scale(dot(nearest, line), line))
+    first = scale(1 / CONTEXT.sqrt(dot(first, first)), first)
+    screws = tuple(
+        tuple(CONTEXT.mpf(c) for c in revolute(axis, edge.point).components) for axis in (first, cross(line, first))
+    )
+    return replace(edge, motions=((rotation(), start), (rotation(), start + 1)), screws=screws, start=start)

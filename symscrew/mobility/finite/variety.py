@@ -1,0 +1,284 @@
+"""The closure variety: joint displacements that close all loops, evaluated for many points at once.
+
+    displacements q --exponentials of the screws--> poses --chords--> residual f(q) [6 per loop], Jacobian df/dq
+
+Every joint moves by the exponential of its reference screw, in absolute axes (product of exponentials), so no
+body frames are needed. A spherical joint's three coordinates are a rotation vector. The same code runs in double
+precision on a batch of points and in 60 digits on one: only the arithmetic differs.
+
+Residual of a loop: the displacement by which the chord fails to close, as a small twist (omega ; v). Its
+derivative at a point of the variety are the signed screws of the displaced joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from symscrew.algebra import CONTEXT, IDENTITY, revolute
+from symscrew.description import Motion as JointMotion
+from symscrew.mobility.finite.closure_residual import ClosureResidual
+from symscrew.mobility.joint_network import Edge, Network
+from symscrew.mobility.screw_systems import Real, Row, Screw
+
+Array = np.ndarray[Any, Any]
+"""Doubles, or objects that are numbers of 60 digits."""
+Pose = tuple[Array, Array]
+Step = tuple[Array, Array, Array | None]
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """The scalars of an evaluation: how to read a 60-digit number, sine, cosine and square root."""
+
+    dtype: Any
+    read: Callable[[Any], Any]
+    sin: Callable[[Array], Array]
+    cos: Callable[[Array], Array]
+    sqrt: Callable[[Array], Array]
+    tiny: Any
+    """Square of an angle below which a rotation counts as none, so that nothing is divided by zero."""
+
+    def array(self, values: Any) -> Array:
+        """`values`, nested lists of 60-digit numbers or integers, as an array of these scalars."""
+        given = np.array(values, dtype=object)
+        result = np.empty(given.shape, dtype=self.dtype)
+        for index in np.ndindex(given.shape):
+            result[index] = self.read(given[index])
+        return result
+
+
+def _elementwise(function: Callable[[Any], Any]) -> Callable[[Array], Array]:
+    def applied(values: Array) -> Array:
+        return np.asarray(np.frompyfunc(function, 1, 1)(values))
+
+    return applied
+
+
+DOUBLE = Arithmetic(float, float, np.sin, np.cos, np.sqrt, 1e-290)
+DIGITS_60 = Arithmetic(
+    object, CONTEXT.mpf, _elementwise(CONTEXT.sin), _elementwise(CONTEXT.cos), _elementwise(CONTEXT.sqrt),
+    CONTEXT.mpf(10) ** -200,
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One elementary motion of a joint in the arithmetic: what it is, first column, screws and point.
+
+    `hat`, `square`: the cross-product matrix of the axis and its square; `pitch`: the advance along the axis.
+    """
+
+    motion: JointMotion
+    column: int
+    screws: Array
+    point: Array
+    hat: Array
+    square: Array
+    pitch: Any
+
+
+class ClosureVariety:
+    """Closure residuals and Jacobians of a mechanism; coordinates are displacements from the reference.
+
+    Lengths are in units of the mechanism's size about the centre of its joints.
+    """
+
+    def __init__(self, network: Network, arithmetic: Arithmetic = DOUBLE) -> None:
+        self.network, self.arithmetic = network, arithmetic
+        edges = list(network.edges.values())
+        self.centre = centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
+        self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
+        self.columns = network.freedoms
+        self.rows = 6 * len(network.chords)
+        self._fixed = None if arithmetic is DOUBLE else ClosureResidual(network, centre)
+
+    def evaluate(self, q: Array) -> tuple[Array, Array]:
+        """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
+        screws, poses = self.forward(q)
+        residuals = self._zeros(len(q), self.rows)
+        for k, name in enumerate(self.network.chords):
+            edge = self.network.edges[name]
+            gap = _product(poses[f"{name} closed"], _inverse(poses[edge.child]))
+            residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
+        return residuals, self._jacobian(screws)
+
+    def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
+        """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
+        count = len(q)
+        screws = self._zeros(count, self.columns, 6)
+        poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
+        for name, sign in self.network.tree:
+            edge = self.network.edges[name]
+            steps = [self._step(motion, q) for motion in self._motions[name]]
+            if sign > 0:
+                poses[edge.child] = self._fill(name, steps, poses[edge.parent], screws)
+            else:
+                total = poses[edge.child]
+                for step in reversed(steps):
+                    total = _product(total, _inverse((step[0], step[1])))
+                poses[edge.parent] = total
+                self._fill(name, steps, total, screws)
+        for name in self.network.chords:
+            edge = self.network.edges[name]
+            steps = [self._step(motion, q) for motion in self._motions[name]]
+            poses[f"{name} closed"] = self._fill(name, steps, poses[edge.parent], screws)
+        return screws, poses
+
+    def residual(self, q: Array) -> Array:
+        """The residual at one point."""
+        if self._fixed is not None:
+            return np.array(self._fixed(list(q)), dtype=object)
+        return np.asarray(self.evaluate(q[None])[0][0])
+
+    def _jacobian(self, screws: Array) -> Array:
+        result = self._zeros(len(screws), self.rows, self.columns)
+        for k, loop in enumerate(self.network.loops()):
+            for name, sign in loop:
+                for column in self.network.edges[name].columns:
+                    result[:, 6 * k : 6 * k + 6, column] = sign * screws[:, column]
+        return result
+
+    def _fill(self, name: str, steps: list[Step], start: Pose, screws: Array) -> Pose:
+        """The displaced screws of a joint whose parent body has the displacement `start`; that of the child body."""
+        for motion, (rotation, translation, jacobian) in zip(self._motions[name], steps, strict=True):
+            local = motion.screws if jacobian is None else np.swapaxes(jacobian, 1, 2) @ motion.screws
+            turned = np.swapaxes(start[0], 1, 2)
+            angular = local[..., :3] @ turned
+            linear = local[..., 3:] @ turned + _cross(start[1][:, None, :], angular)
+            columns = slice(motion.column, motion.column + len(motion.screws))
+            screws[:, columns, :3], screws[:, columns, 3:] = angular, linear
+            start = _product(start, (rotation, translation))
+        return start
+
+    def _step(self, motion: Motion, q: Array) -> Step:
+        """(rotation, translation, left Jacobian of a spherical motion) of one elementary motion."""
+        if motion.motion.prismatic:
+            return self._identity(len(q)), q[:, motion.column, None] * motion.screws[0, 3:], None
+        if motion.motion.spherical:
+            rotation, jacobian = self._rotation_vector(q[:, motion.column : motion.column + 3])
+            return rotation, motion.point - rotation @ motion.point, jacobian
+        angle = q[:, motion.column]
+        sine, versine = self.arithmetic.sin(angle), 1 - self.arithmetic.cos(angle)
+        rotation = self._identity(len(q)) + sine[:, None, None] * motion.hat + versine[:, None, None] * motion.square
+        moved = motion.point - rotation @ motion.point
+        if motion.motion.helical:
+            moved = moved + angle[:, None] * (motion.pitch * motion.screws[0, :3])
+        return rotation, moved, None
+
+    def _rotation_vector(self, vector: Array) -> tuple[Array, Array]:
+        """(rotation, left Jacobian) of rotation vectors: omega = J_l(w) dw/dt."""
+        square = (vector * vector).sum(axis=1)
+        small = np.array([bool(s < self.arithmetic.tiny) for s in square])
+        safe = np.where(small, 1 + 0 * square, square)
+        angle = self.arithmetic.sqrt(safe)
+        half = self.arithmetic.sin(angle / 2) / angle
+        a = np.where(small, 1 + 0 * square, self.arithmetic.sin(angle) / angle)
+        b = np.where(small, (1 + 0 * square) / 2, 2 * half * half)
+        c = np.where(small, (1 + 0 * square) / 6, (1 - a) / safe)
+        hat = _hat(vector)
+        square_hat = hat @ hat
+        one = self._identity(len(vector))
+        rotation = one + a[:, None, None] * hat + b[:, None, None] * square_hat
+        jacobian = one + b[:, None, None] * hat + c[:, None, None] * square_hat
+        return rotation, jacobian
+
+    def _zeros(self, *shape: int) -> Array:
+        result = np.empty(shape, dtype=self.arithmetic.dtype)
+        result[...] = self.arithmetic.read(0)
+        return result
+
+    def _identity(self, count: int) -> Array:
+        result = self._zeros(count, 3, 3)
+        for k in range(3):
+            result[:, k, k] = self.arithmetic.read(1)
+        return result
+
+
+def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
+    """The network in the configuration with the displacements `point`, in 60 digits."""
+    screws, poses = fine.forward(point[None])
+    centre = fine.centre
+    edges: dict[str, Edge] = {}
+    for edge in network.edges.values():
+        rotation, translation = (part[0] for part in poses[edge.child])
+        local = np.array([edge.point[k] - centre[k] for k in range(3)], dtype=object)
+        moved = rotation @ local + translation
+        place = (moved[0] + centre[0], moved[1] + centre[1], moved[2] + centre[2])
+        rows = []
+        for motion, column in edge.motions:
+            if motion.spherical:
+                rows += [tuple(CONTEXT.mpf(c) for c in revolute(axis, place).components) for axis in IDENTITY]
+            else:
+                w, v = screws[0, column, :3], screws[0, column, 3:]
+                shift = (centre[1] * w[2] - centre[2] * w[1], centre[2] * w[0] - centre[0] * w[2],
+                         centre[0] * w[1] - centre[1] * w[0])  # fmt: skip
+                rows.append((*w, *(a + b for a, b in zip(v, shift, strict=True))))
+        edges[edge.name] = replace(edge, point=place, screws=tuple(rows))
+    return replace(network, edges=edges)
+
+
+def _motions(edge: Edge, centre: Sequence[Real], arithmetic: Arithmetic) -> tuple[Motion, ...]:
+    """The joint's motions with their screws moved to the centre."""
+    point = [edge.point[k] - centre[k] for k in range(3)]
+    result = []
+    for motion, column in edge.motions:
+        local = edge.screws[column - edge.start : column - edge.start + motion.freedom]
+        moved = [_moved(screw, centre) for screw in local]
+        screws = arithmetic.array(moved)
+        axis = screws[0, :3]
+        hat = _hat(axis[None])[0]
+        # the part of the screw's linear velocity along its axis is the pitch
+        pitch = axis @ screws[0, 3:]
+        result.append(Motion(motion, column, screws, arithmetic.array(point), hat, hat @ hat, pitch))
+    return tuple(result)
+
+
+def _moved(screw: Screw, centre: Sequence[Real]) -> Row:
+    """The same screw with its moment about `centre` instead of O: v - r x omega."""
+    w, v, r = screw[:3], screw[3:], centre
+    return [
+        *w,
+        v[0] - (r[1] * w[2] - r[2] * w[1]),
+        v[1] - (r[2] * w[0] - r[0] * w[2]),
+        v[2] - (r[0] * w[1] - r[1] * w[0]),
+    ]
+
+
+def _product(a: tuple[Array, Array], b: tuple[Array, Array]) -> tuple[Array, Array]:
+    return a[0] @ b[0], (a[0] @ b[1][..., None])[..., 0] + a[1]
+
+
+def _inverse(a: tuple[Array, Array]) -> tuple[Array, Array]:
+    back = np.swapaxes(a[0], 1, 2)
+    return back, -(back @ a[1][..., None])[..., 0]
+
+
+def _small_twist(gap: tuple[Array, Array]) -> Array:
+    rotation, translation = gap
+    half = [
+        (rotation[:, 2, 1] - rotation[:, 1, 2]) / 2,
+        (rotation[:, 0, 2] - rotation[:, 2, 0]) / 2,
+        (rotation[:, 1, 0] - rotation[:, 0, 1]) / 2,
+    ]
+    return np.concatenate([np.stack(half, axis=1), translation], axis=1)
+
+
+def _hat(vector: Array) -> Array:
+    x, y, z = vector[:, 0], vector[:, 1], vector[:, 2]
+    result = np.empty((len(vector), 3, 3), dtype=vector.dtype)
+    result[:, 0, 0] = result[:, 1, 1] = result[:, 2, 2] = 0 * x
+    result[:, 0, 1], result[:, 0, 2], result[:, 1, 2] = -z, y, -x
+    result[:, 1, 0], result[:, 2, 0], result[:, 2, 1] = z, -y, x
+    return result
+
+
+def _cross(a: Array, b: Array) -> Array:
+    result = np.empty(np.broadcast_shapes(a.shape, b.shape), dtype=b.dtype)
+    result[..., 0] = a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1]
+    result[..., 1] = a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2]
+    result[..., 2] = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    return result

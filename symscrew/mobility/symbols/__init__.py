@@ -1,0 +1,51 @@
+"""Mobility without rounding: exact numbers, and formulas in the description's parameters.
+
+    expressions --exact_field--> numbers in which zero is decidable --exact_screws, exact_ranks--> proved ranks
+    expressions --generators--> polynomials --polynomial_screws--> constraints, freedoms and loci of limbs
+                                            --loop_motions--> joint rates of closed loops
+                                            --limb_poses--> constraints of a limb in its own displacements
+                                            --drive_loci--> where drives lose their hold
+
+What is not of reasonable size is given up with a sentence (`EliminationTooLongError`, `FormulaTooLargeError`,
+`NotPolynomialError`, `NotDecidableError`), which the result repeats.
+"""
+
+from symscrew.mobility.symbols.drive_loci import ActuationLoci, actuation_loci
+from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError
+from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors
+from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, exact_system, loop_rows
+from symscrew.mobility.symbols.generators import NotPolynomialError
+from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
+from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
+from symscrew.mobility.symbols.polynomial_screws import (
+    Locus,
+    SymbolicMobility,
+    Vector,
+    numbers_at,
+    symbolic_mobility,
+    symbolic_screws,
+)
+
+__all__ = [
+    "ActuationLoci",
+    "Exact",
+    "ExactSystem",
+    "LimbPose",
+    "Locus",
+    "NotDecidableError",
+    "NotPolynomialError",
+    "Row",
+    "SymbolicLoops",
+    "SymbolicMobility",
+    "Vector",
+    "actuation_loci",
+    "exact_rank",
+    "exact_system",
+    "limb_pose",
+    "loop_rows",
+    "null_vectors",
+    "numbers_at",
+    "symbolic_loops",
+    "symbolic_mobility",
+    "symbolic_screws",
+]

@@ -1,0 +1,275 @@
+"""Constraints and freedoms of limbs and platform in the description's parameters, eqs. (11)-(18) with symbols.
+
+    limb --screws--> polynomials S --Cramer--> wrenches (S^T N w = 0) --union, Cramer--> freedoms of the platform
+
+Null vectors come from minors (Cramer), so they are polynomial in the generators and have no poles; common factors
+are taken out. What the factors mean is reported as loci: where a limb's screws become dependent (limb
+singularity), where the union of the constraints loses rank (constraint singularity), where a force becomes a
+couple. Rows and columns of the minors are chosen at random values of the parameters, so ranks are generic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+import sympy
+
+from symscrew.algebra import IDENTITY, as_vector, high_precision
+from symscrew.description import Joint, Mechanism
+from symscrew.kinematics import motion_screws
+from symscrew.mobility.screw_systems import Screw, eliminate
+from symscrew.mobility.symbols.exact_screws import across
+from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly, Quotient
+
+Vector = tuple[sympy.Expr, ...]
+SEED = 840
+"""Of the place in general position at which rows and columns are chosen: always the same, so that results repeat."""
+
+
+@dataclass(frozen=True)
+class Locus:
+    """Parameter values where something degenerates: `expression` = 0. `kind`: limb, constraint, couple, through O."""
+
+    kind: str
+    where: str
+    expression: sympy.Expr
+    meaning: str
+
+
+@dataclass(frozen=True)
+class SymbolicLimb:
+    """Screws (omega ; v) as columns without their scale, constraints (f ; m) and their number for generic values."""
+
+    name: str
+    screws: tuple[Vector, ...]
+    constraints: tuple[Vector, ...]
+
+
+@dataclass(frozen=True)
+class SymbolicMobility:
+    """Constraints and freedoms in the parameters; `loci` where they degenerate."""
+
+    parameters: tuple[sympy.Symbol, ...]
+    limbs: tuple[SymbolicLimb, ...]
+    constraints: tuple[Vector, ...]
+    freedoms: tuple[Vector, ...]
+    loci: tuple[Locus, ...]
+
+
+def symbolic_mobility(mechanism: Mechanism) -> SymbolicMobility | None:
+    """The limbs and the platform with symbols; None without limbs or where an expression has no exact ring."""
+    if not mechanism.limbs or mechanism.platform is None:
+        return None
+    chains = {name: [mechanism.joints[j] for j in limb.joints] for name, limb in mechanism.limbs.items()}
+    try:
+        return symbolic_screws(mechanism).run(chains)
+    except NotPolynomialError:
+        return None
+
+
+def symbolic_screws(mechanism: Mechanism) -> SymbolicScrews:
+    """The ring of the limbs' geometry, without limbs of all joints; raises NotPolynomialError where there is none."""
+    joints = [mechanism.joints[j] for limb in mechanism.limbs.values() for j in limb.joints]
+    given = [e for joint in joints or mechanism.joints.values() for e in expressions_of(joint)]
+    return SymbolicScrews(mechanism, Generators(mechanism, given))
+
+
+def expressions_of(joint: Joint) -> list[sympy.Expr]:
+    """The expressions that a joint's screws are made of."""
+    pitch = [] if joint.pitch is None else [joint.pitch]
+    return [*joint.point, *(c for axis in joint.axes for c in axis), *pitch]
+
+
+class SymbolicScrews:
+    """Screws, wrenches and where they degenerate, over one ring."""
+
+    def __init__(self, mechanism: Mechanism, ring: Generators) -> None:
+        self.mechanism, self.ring = mechanism, ring
+        random = np.random.default_rng(SEED)
+        # near the given values, where square roots stay real, but in general position
+        self.somewhere = {
+            symbol: sympy.N(ring.values[symbol], 60) * (1 + sympy.Rational(int(random.integers(1, 900)), 50021))
+            + sympy.Rational(int(random.integers(1, 900)), 100003)
+            for symbol in ring.parameters
+        }
+        self.loci: list[Locus] = []
+
+    def run(self, chains: dict[str, list[Joint]]) -> SymbolicMobility:
+        """Limbs, their constraints, the platform's freedoms and where they degenerate."""
+        limbs, union = [], []
+        for name, joints in chains.items():
+            screws = [screw for joint in joints for screw in self.screws(joint)]
+            wrenches, dependent = self.reciprocal(screws)
+            self._note("limb", name, dependent, "the screws of the limb become dependent")
+            for wrench in wrenches:
+                self._note_wrench(name, wrench)
+            limbs.append(SymbolicLimb(name, self._vectors(screws), self._vectors(wrenches)))
+            union += wrenches
+        freedoms, dependent = self.reciprocal(union)
+        meaning = "the constraints of the limbs become dependent"
+        self._note("constraint", self.mechanism.platform or "", dependent, meaning)
+        return SymbolicMobility(
+            tuple(self.ring.parameters), tuple(limbs), self._vectors(union), self._vectors(freedoms), tuple(self.loci)
+        )
+
+    def screws(self, joint: Joint) -> list[list[Poly]]:
+        """Screws of a joint as polynomials: each times its common denominator."""
+        return [screw for screw, _ in self.scaled_screws(joint)]
+
+    def scaled_screws(self, joint: Joint) -> list[tuple[list[Poly], Quotient]]:
+        """(screw as polynomials, what the unit screw was multiplied by) for each freedom of the joint."""
+        return [self.scalars().cleared(screw) for screw in self.unit_screws(joint)]
+
+    def scalars(self) -> Scalars:
+        """Fractions over the ring, with arithmetic."""
+        return Scalars(self.ring)
+
+    def unit_screws(self, joint: Joint) -> list[tuple[Any, ...]]:
+        """Screws of the joint as fractions, as long as its axes are (a planar joint's are completed without roots)."""
+        scalars = self.scalars()
+        point = tuple(scalars.read(c) for c in joint.point)
+        axes = tuple(as_vector([scalars.read(c) for c in axis]) for axis in joint.axes)
+        present = [self.mechanism.number(c) != 0 for axis in joint.axes[:1] for c in axis]
+        axes = joint.kind.motion_axes(axes, IDENTITY, lambda normal: across(normal, present)[:2])
+        pitch = scalars.read(joint.pitch) if joint.pitch is not None else None
+        made = motion_screws(joint.kind, axes, point, pitch)
+        return [twist.components for _, twists in made for twist in twists]
+
+    def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:
+        """(null vectors of the reciprocal product, common factor of all maximal minors of the screws)."""
+        ring = self.ring
+        rows = [[*screws[i][3:], *screws[i][:3]] for i in self.independent(screws)]
+        rank = len(rows)
+        if rank == 0:
+            return [[ring.ring.one if i == j else ring.ring.zero for i in range(6)] for j in range(6)], ring.ring.one
+        minors = {columns: ring.determinant([[row[j] for j in columns] for row in rows])
+                  for columns in combinations(range(6), rank)}  # fmt: skip
+        common = ring.common_factor(minor for minor in minors.values() if minor)
+        used = max(
+            (columns for columns, minor in minors.items() if minor),
+            key=lambda columns: (-len(minors[columns].terms()), abs(ring.number(minors[columns], self.somewhere))),
+        )
+        vectors = [self._cramer(minors, used, free) for free in range(6) if free not in used]
+        return [self._primitive(vector) for vector in vectors], common
+
+    def independent_rows(self, rows: Sequence[Sequence[Poly]], columns: int) -> list[int]:
+        """Indices of the first rows that are linearly independent for generic values of the parameters."""
+        return _independent([[self.ring.number(c, self.somewhere) if c else 0 for c in row] for row in rows], columns)
+
+    def independent(self, screws: Sequence[Sequence[Poly]]) -> list[int]:
+        """Indices of the first screws that are linearly independent for generic values of the parameters."""
+        return _independent([[self.ring.number(c, self.somewhere) for c in screw] for screw in screws])
+
+    def _cramer(self, minors: dict[tuple[int, ...], Poly], used: tuple[int, ...], free: int) -> list[Poly]:
+        """x_free = det(used), x_j = -+ det(used with j replaced by free): rows x = 0."""
+        zero = self.ring.ring.zero
+        vector = [zero] * 6
+        vector[free] = minors[used]
+        for place, j in enumerate(used):
+            replaced = [free if k == j else k for k in used]
+            order = tuple(sorted(replaced))
+            sign = (-1) ** (place + order.index(free))
+            vector[j] = -sign * minors[order]
+        return vector
+
+    def _primitive(self, vector: list[Poly]) -> list[Poly]:
+        """The vector with the common factor of its components taken out, first coefficient positive."""
+        common = self.ring.common_factor(c for c in vector if c)
+        divided = [c.exquo(common) if c else c for c in vector]
+        first = next(c for c in divided if c)
+        return [-c if first.LC < 0 else c for c in divided]
+
+    def _note(self, kind: str, where: str, factor: Poly, meaning: str) -> None:
+        for part in self.ring.factors(factor):
+            locus = Locus(kind, where, self.ring.expression(part), meaning)
+            if locus not in self.loci:
+                self.loci.append(locus)
+
+    def _note_wrench(self, limb: str, wrench: list[Poly]) -> None:
+        """Where a wrench with a force becomes a couple, and where one with a moment passes through O."""
+        force = self.ring.common_factor(c for c in wrench[:3] if c)
+        moment = self.ring.common_factor(c for c in wrench[3:] if c)
+        if any(wrench[:3]) and any(wrench[3:]):
+            self._note("couple", limb, force, "the constraint force becomes a couple")
+            self._note("through O", limb, moment, "the constraint is a force through O")
+
+    def _vectors(self, screws: Sequence[Sequence[Poly]]) -> tuple[Vector, ...]:
+        return tuple(tuple(self.ring.expression(c) for c in screw) for screw in screws)
+
+
+class Scalars:
+    """Fractions with + - *, for the generic screw functions."""
+
+    def __init__(self, ring: Generators) -> None:
+        self.ring = ring
+
+    def read(self, expression: sympy.Expr) -> Any:
+        """The expression as a fraction with arithmetic."""
+        return _Scalar(self.ring, self.ring.read(expression))
+
+    def cleared(self, components: Sequence[Any]) -> tuple[list[Poly], Quotient]:
+        """(the components times their common denominator, without common factors; what they were multiplied by)."""
+        ring = self.ring
+        one = ring.ring.one
+        given = [c.value if isinstance(c, _Scalar) else Quotient(one * c, one) for c in components]
+        denominators: list[Poly] = []
+        for fraction in given:
+            if fraction.numerator and fraction.denominator not in denominators and fraction.denominator != 1:
+                denominators.append(fraction.denominator)
+        multiple = one
+        for denominator in denominators:
+            multiple = multiple.lcm(denominator)
+        cleared = [
+            ring.product(f.numerator, multiple.exquo(f.denominator)) if f.numerator else ring.ring.zero for f in given
+        ]
+        common = ring.common_factor(c for c in cleared if c)
+        return [c.exquo(common) if c else c for c in cleared], Quotient(multiple, common)
+
+
+class _Scalar:
+    def __init__(self, ring: Generators, value: Quotient) -> None:
+        self.ring, self.value = ring, value
+
+    def _other(self, other: Any) -> Quotient:
+        one = self.ring.ring.one
+        return other.value if isinstance(other, _Scalar) else Quotient(one * other, one)
+
+    def __add__(self, other: Any) -> _Scalar:
+        a, b = self.value, self._other(other)
+        if a.denominator == b.denominator:
+            return _Scalar(self.ring, self.ring.cancelled(self.ring.normal(a.numerator + b.numerator), a.denominator))
+        top = self.ring.product(a.numerator, b.denominator) + self.ring.product(b.numerator, a.denominator)
+        return _Scalar(self.ring, self.ring.cancelled(top, self.ring.product(a.denominator, b.denominator)))
+
+    __radd__ = __add__
+
+    def __mul__(self, other: Any) -> _Scalar:
+        a, b = self.value, self._other(other)
+        top = self.ring.product(a.numerator, b.numerator)
+        return _Scalar(self.ring, self.ring.cancelled(top, self.ring.product(a.denominator, b.denominator)))
+
+    __rmul__ = __mul__
+
+    def __sub__(self, other: Any) -> _Scalar:
+        return self + _Scalar(self.ring, self._other(other)) * -1
+
+    def __rsub__(self, other: Any) -> _Scalar:
+        return _Scalar(self.ring, self._other(other)) + self * -1
+
+
+def _independent(rows: Sequence[Sequence[Any]], columns: int = 6) -> list[int]:
+    """Indices of the first rows that are linearly independent."""
+    chosen: list[int] = []
+    for i in range(len(rows)):
+        if eliminate([rows[k] for k in (*chosen, i)], columns).rank == len(chosen) + 1:
+            chosen.append(i)
+    return chosen
+
+
+def numbers_at(vectors: Sequence[Vector], mechanism: Mechanism) -> list[Screw]:
+    """Symbolic vectors at the parameters' values, 60 digits."""
+    return [tuple(high_precision(mechanism.number(c)) for c in vector) for vector in vectors]
