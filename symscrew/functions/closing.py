@@ -13,8 +13,8 @@ from symscrew.program import Function, Iteration, Port, lower
 # A pivot below this, without units, is reported as near-singular: seven digits of a result are left there. Above it the
 # status is 0 and nothing is said.
 THRESHOLD = 1e-9
-# The same for a step of the assembly: it passes near singular configurations on its way, where a step is only worse, and
-# the result is judged by its residual; below this a step has no digit left.
+# The same for a step of the assembly: it passes near singular configurations on its way, where a step is only worse,
+# and the result is judged by its residual; below this a step has no digit left.
 NEWTON_THRESHOLD = 1e-12
 # Largest Newton step [rad, or characteristic lengths]: a longer one is scaled down to it, as beyond about half a radian
 # the linear model of a rotation points to another assembly mode.
