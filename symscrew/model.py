@@ -30,6 +30,7 @@ from symscrew.functions import (
     fewest_operations,
     forward_functions,
     kinematic_functions,
+    loop_notes,
     margin_functions,
     momentum_functions,
     moves_mass,
@@ -133,7 +134,7 @@ def derive(
     motion = Motion(system)
     functions = [
         *kinematic_functions(system, motion),
-        *closure_functions(system, ways.rates),
+        *closure_functions(system, ways.rates, loop_notes(loops)),
         *momentum_functions(system, motion, tuple(effects)),
         *dynamic_functions(system, effects, ways.rates),
         *forward_functions(system, effects, ways.dynamics),

@@ -126,8 +126,9 @@ def _of_angle(tape: Tape, node: Node, y: Node, x: Node) -> Sequence[tuple[Node, 
     return ((y, x * scale), (x, -(y * scale)))
 
 
-def _of_choice(tape: Tape, node: Node, condition: Node, one: Node, other: Node) -> Sequence[tuple[Node, Node]]:
-    """What is not chosen has the derivative 0."""
+def _of_choice(tape: Tape, node: Node, *args: Node) -> Sequence[tuple[Node, Node]]:
+    """What is not chosen has the derivative 0; there is none by the condition."""
+    condition, one, other = args
     chosen = tape.function("select", condition, 1, 0)
     return ((one, chosen), (other, tape.function("select", condition, 0, 1)))
 

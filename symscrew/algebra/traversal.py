@@ -13,6 +13,9 @@ WAITS = frozenset(("reciprocal", "sqrt"))
 # Operations that a machine does while a division waits for another one: a division or root takes 13 to 20 cycles, and
 # about every second one finds something else to do. With 0, `cost` would prefer few operations in one long chain.
 WAIT = 8
+# Operations that a sine and a cosine of one angle take in a vector of four. With 0, `cost` would prefer ways that read
+# angles which others do not need at all, as rods by their ends do not.
+ANGLE = 10
 
 
 def evaluation_order(outputs: Sequence[Node], given: Mapping[int, object]) -> list[Node]:
@@ -56,11 +59,15 @@ def count_operations(results: Sequence[Node]) -> int:
 
 
 def cost(results: Sequence[Node]) -> int:
-    """Operations of the results, and `WAIT` for each division or root in the longest chain of them."""
+    """What results take, in operations: the one measure by which equal ways to the same numbers are compared.
+
+    Operations, `WAIT` for each division or root in the longest chain of them, and `ANGLE` for each angle.
+    """
     chain: dict[Node, int] = {}
     for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
         chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
-    return len(chain) + WAIT * max(chain.values(), default=0)
+    angles = {node.args[0] for node in chain if node.op in ("sin", "cos")}
+    return len(chain) + WAIT * max(chain.values(), default=0) + ANGLE * len(angles)
 
 
 def uses(roots: Sequence[Node]) -> dict[int, int]:

@@ -16,6 +16,8 @@ from symscrew.algebra import (
     Guard,
     Matrix,
     Node,
+    Tape,
+    Twist,
     Vector,
     add,
     cross,
@@ -28,9 +30,7 @@ from symscrew.algebra import (
     transpose,
 )
 from symscrew.effects import Acting
-from symscrew.kinematics import GROUND, Inertia, Link, Placement, System
-
-Screw = tuple[Vector, Vector]  # (angular ; linear)
+from symscrew.kinematics import GROUND, Inertia, Placement, System
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,9 @@ class Articulated:
     mixed: Matrix  # B
     angular: Matrix  # D
 
-    def wrench(self, screw: Screw) -> tuple[Vector, Vector]:
+    def wrench(self, screw: Twist) -> tuple[Vector, Vector]:
         """Force and moment for an acceleration screw (alpha ; a)."""
-        alpha, a = screw
+        alpha, a = screw.angular, screw.linear
         force = add(transform(self.linear, a), transform(self.mixed, alpha))
         return force, add(transform(transpose(self.mixed), a), transform(self.angular, alpha))
 
@@ -78,6 +78,16 @@ class Articulated:
         return Articulated(a, mixed, angular)
 
 
+@dataclass(frozen=True)
+class _Yielded:
+    """A freedom that yields: its unit screw, the wrench that answers it, 1 / its stiffness, its effort over that."""
+
+    screw: Twist
+    answer: tuple[Vector, Vector]
+    inverse: Node
+    effort: Node
+
+
 def rigid(inertia: Inertia) -> Articulated:
     """A body by itself."""
     x, y, z = inertia.first
@@ -100,18 +110,18 @@ def articulated_accelerations(system: System, acting: Acting) -> tuple[list[Node
     biases = _biases(system, acting)
     forces = acting.known_forces(zeros)
     known = system.tree_rates([forces.get(k, tape.zero) for k in range(len(tree.v))])
-    kept: list[list[tuple[Screw, tuple[Vector, Vector], Node, Node]]] = [[] for _ in tree.links]
+    kept: list[list[_Yielded]] = [[] for _ in tree.links]
     guards: list[Guard] = []
     for link in reversed(tree.links[1:]):
         body, (force, moment) = bodies[link.index], biases[link.index]
-        for k, screw in enumerate(own_screws(system, link)):
+        for k, screw in enumerate(link.pair.unit_screws(system.frames[link.index])):
             answer = body.wrench(screw)
             stiffness = _pairing(tape, answer, screw) + acting.reflected_inertia.get(link.v.start + k, tape.zero)
             inverse = 1 / stiffness
             effort = inverse * (known[link.v.start + k] - _pairing(tape, (force, moment), screw))
             body = body.less(*answer, inverse)
             force, moment = add(force, scale(effort, answer[0])), add(moment, scale(effort, answer[1]))
-            kept[link.index].append((screw, answer, inverse, effort))
+            kept[link.index].append(_Yielded(screw, answer, inverse, effort))
             guards.append(Guard(stiffness, 1.0 / max(1e-300, magnitude(tape, stiffness, 1.0)[1])))
         if link.parent != GROUND:
             placed = system.placed[link.index]
@@ -120,18 +130,6 @@ def articulated_accelerations(system: System, acting: Acting) -> tuple[list[Node
             waiting = biases[link.parent]
             biases[link.parent] = add(waiting[0], f), add(add(waiting[1], m), cross(placed.offset, f))
     return _outwards(system, kept), guards
-
-
-def own_screws(system: System, link: Link) -> list[Screw]:
-    """Unit screws (angular ; linear) of a link's joint, link axes, at its origin, one per entry of v."""
-    frame, placed = system.frames[link.index], system.placed[link.index]
-    if link.motion.kind == "F":
-        return []
-    if link.motion.kind == "S":
-        return [((1, 0, 0), ZERO), ((0, 1, 0), ZERO), ((0, 0, 1), ZERO)]
-    if link.motion.kind == "P":
-        return [(ZERO, placed.outwards(frame.axis))]
-    return [((0, 0, 1), (0, 0, frame.pitch) if frame.pitch is not None else ZERO)]
 
 
 def _biases(system: System, acting: Acting) -> list[tuple[Vector, Vector]]:
@@ -148,25 +146,25 @@ def _biases(system: System, acting: Acting) -> list[tuple[Vector, Vector]]:
     return result
 
 
-def _outwards(system: System, kept: Sequence[Sequence[tuple]]) -> list[Node]:
+def _outwards(system: System, kept: Sequence[Sequence[_Yielded]]) -> list[Node]:
     """Joint accelerations from the ground to the tips."""
     tape, tree = system.tape, system.tree
     result = [tape.zero] * len(tree.v)
-    moving: list[Screw] = [(ZERO, ZERO)] * len(tree.links)
+    moving = [Twist(ZERO, ZERO)] * len(tree.links)
     for link in tree.links[1:]:
-        placed = system.placed[link.index]
-        alpha, a = moving[link.parent]
-        alpha, a = placed.outwards(alpha), placed.outwards(add(a, cross(alpha, placed.offset)))
-        for k, (screw, answer, inverse, effort) in reversed(list(enumerate(kept[link.index]))):
-            value = effort - inverse * _pairing(tape, answer, (alpha, a))
+        placed, parent = system.placed[link.index], moving[link.parent]
+        alpha = placed.outwards(parent.angular)
+        a = placed.outwards(add(parent.linear, cross(parent.angular, placed.offset)))
+        for k, freedom in reversed(list(enumerate(kept[link.index]))):
+            value = freedom.effort - freedom.inverse * _pairing(tape, freedom.answer, Twist(alpha, a))
             result[link.v.start + k] = value
-            alpha, a = add(alpha, scale(value, screw[0])), add(a, scale(value, screw[1]))
-        moving[link.index] = (alpha, a)
+            alpha, a = add(alpha, scale(value, freedom.screw.angular)), add(a, scale(value, freedom.screw.linear))
+        moving[link.index] = Twist(alpha, a)
     return result
 
 
-def _pairing(tape: object, wrench: tuple[Vector, Vector], screw: Screw) -> Node:
-    return tape.node(dot(wrench[0], screw[1]) + dot(wrench[1], screw[0]))  # type: ignore[attr-defined]
+def _pairing(tape: Tape, wrench: tuple[Vector, Vector], screw: Twist) -> Node:
+    return tape.node(dot(wrench[0], screw.linear) + dot(wrench[1], screw.angular))
 
 
 def _minus(matrix: Matrix, left: Vector, right: Vector, *, symmetric: bool = False) -> Matrix:

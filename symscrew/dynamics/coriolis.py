@@ -52,7 +52,7 @@ def _branches(system: System) -> list[list[int]]:
     for link in system.tree.links[1:]:
         root = system.tree.path(link.index)[-1]
         places.setdefault(root, []).extend(range(link.v.start, link.v.stop))
-        plain[root] = plain.get(root, True) and link.motion.kind != "S"
+        plain[root] = plain.get(root, True) and not link.motion.spherical
     return [places[root] for root in places if plain[root] and 0 < len(places[root]) <= SHORT]
 
 

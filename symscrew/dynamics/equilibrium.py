@@ -243,13 +243,7 @@ class _Elimination:
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
-        frame = self.setting.frames[link.index]
-        if link.motion.kind == "S":
-            return self.setting.tape.node(m[k])
-        if link.motion.kind == "P":
-            return self.setting.tape.node(dot(frame.axis, f))
-        value = m[2]
-        return self.setting.tape.node(value + frame.pitch * f[2] if link.motion.kind == "H" else value)
+        return self.setting.tape.node(link.pair.powers(self.setting.frames[link.index], f, m)[k])
 
     def _cut_wrench(self, c: int) -> Wrenches:
         """The cut joint's wrench on its tip at its point, tip axes, per column that is still unknown."""

@@ -75,7 +75,7 @@ class Admissible:
 
         Of the `ways`, equal but for rounding, the one with the fewest operations.
         """
-        return min(self.ways(acting), key=lambda way: self.loops.operations(way[1]))
+        return min(self.ways(acting), key=lambda way: self.loops.cost(way[1]))
 
     def ways(self, acting: Acting) -> list[Accelerations]:
         """By the columns of N and handed on from rate to rate; both again with thin rods as masses at their ends.

@@ -26,7 +26,6 @@ from symscrew.algebra import (
     cross,
     magnitude,
     scale,
-    subtract,
     transform,
 )
 from symscrew.dynamics.drives import solve_symmetric
@@ -118,15 +117,8 @@ def _tree_reaction(
     sign = -1 if link.inverted else 1
     columns: Wrenches = {}
     for column, (force, moment) in before.items():
-        f, m = list(force), list(moment)
-        if link.motion.kind == "R":
-            m[2] = setting.tape.zero
-        elif link.motion.kind == "S":
-            m = [setting.tape.zero] * 3
-        elif link.motion.kind == "P":
-            along = frame.axis[0] * f[0] + frame.axis[1] * f[1] + frame.axis[2] * f[2]
-            f = list(subtract(force, scale(along, frame.axis)))
-        columns[column] = (scale(sign, (f[0], f[1], f[2])), scale(sign, (m[0], m[1], m[2])))
+        f, m = link.pair.cleared(frame, force, moment)
+        columns[column] = scale(sign, f), scale(sign, m)
     rotation = Pose(parent.rotation) @ Pose(placed.rotation)
     place = Pose(rotation.rotation, pose[link.index].translation)
     _remove_other_drives(setting, pose, link, columns, place, u)
@@ -139,15 +131,14 @@ def _remove_other_drives(
     """Take the shares of drives and known forces on a joint's other motions (compound, helical) out of column 1."""
     sign = -1 if last.inverted else 1
     for link in setting.tree.links_of(last.joint):
-        cleared = link is last and link.motion.kind != "H"
-        if cleared or link.motion.kind == "S" or link.v.stop == link.v.start:
+        if not link.motion.single or (link is last and not link.motion.helical):
             continue
         drive, known = setting.drives.get(link.v.start), setting.joint_forces.get(link.v.start)
         if drive is None and known is None:
             continue
         share = setting.tape.zero if drive is None else u[drive]
         share = share if known is None else share + known
-        if link.motion.kind == "P":
+        if link.motion.prismatic:
             axis, part = pose[link.parent].direction(setting.frames[link.index].axis), "force"
         else:
             axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"  # type: ignore[assignment]

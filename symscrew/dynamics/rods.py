@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from itertools import product as pairs_of
 
 from symscrew.algebra import (
-    IDENTITY,
     ZERO,
     Matrix,
     Node,
@@ -69,7 +68,7 @@ def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
 def _rod(system: System, cut: Cut) -> Rod | None:
     """The limb's last body, if it is a thin rod between crossing rotations and a cut spherical joint."""
     limb, tree, settle = rod_limb(system, cut), system.tree, system.tape.settle
-    if limb is None or cut.joint.type != "S":
+    if limb is None or not cut.joint.kind.ball:
         return None
     inside = {limb.first.index, limb.second.index}
     others = [link.parent for link in tree.links[1:] if link.index != limb.second.index]
@@ -192,7 +191,8 @@ def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vec
     own, placed = moving[link], system.placed[link]
     if link == GROUND:
         return own.at(point)
-    if system.tree.links[link].motion.kind not in "RS":
+    motion = system.tree.links[link].motion
+    if motion.slides or not motion.turns:
         return placed.before(own.at(point))
     carried = transform(transpose(placed.rotation), moving[system.tree.links[link].parent].at(placed.offset))
     turned: Matrix = product(placed.turn, own.matrix)
@@ -223,13 +223,11 @@ def _velocities(system: System, index: int, point: Vector) -> dict[int, Vector]:
     while index != GROUND:
         link, frame, placed = system.tree.links[index], system.frames[index], system.placed[index]
         before = placed.before(point)
-        velocities: list[Vector] = []
-        if link.motion.kind == "S":
-            velocities = [placed.before(cross(axis, point)) for axis in IDENTITY]
-        elif link.motion.kind == "P":
-            velocities = [frame.axis]
-        elif link.motion.kind != "F":
-            velocities = [add(cross((0, 0, 1), before), (0, 0, frame.pitch or 0))]
+        screws = link.pair.unit_screws(frame)
+        if link.motion.spherical:
+            velocities = [placed.before(cross(screw.angular, point)) for screw in screws]
+        else:  # its axis has the same components before the motion
+            velocities = [add(cross(screw.angular, before), screw.linear) for screw in screws]
         for k, velocity in enumerate(velocities, start=link.v.start):
             found[k] = _across(system, index, GROUND, velocity)
         point = add(transform(placed.rotation, before), placed.offset)

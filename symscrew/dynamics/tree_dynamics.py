@@ -49,7 +49,7 @@ def balanced_forces(
                 add(force, scale(-1, transform(back, f))),
                 add(moment, scale(-1, transform(back, m))),
             )
-        for k, value in enumerate(projected(link, frame, force, moment), start=link.v.start):
+        for k, value in enumerate(link.pair.powers(frame, force, moment), start=link.v.start):
             result[k] = tape.node(value)
         if link.parent != GROUND:
             force, moment = placed.inwards(force), placed.inwards(moment)
@@ -59,19 +59,6 @@ def balanced_forces(
     forces = acting.known_forces(a)
     known = [forces.get(k, tape.zero) for k in range(len(tree.v))]
     return [value - force for value, force in zip(result, system.tree_rates(known), strict=True)]
-
-
-def projected(link: Link, frame: object, force: Vector, moment: Vector) -> tuple:
-    """S . W of the link's freedoms for v, link axes."""
-    if link.motion.kind == "F":
-        return ()
-    if link.motion.kind == "S":
-        return moment
-    if link.motion.kind == "P":
-        return (dot(frame.axis, force),)  # type: ignore[attr-defined]
-    if link.motion.kind == "H":
-        return (moment[2] + frame.pitch * force[2],)  # type: ignore[attr-defined]
-    return (moment[2],)
 
 
 def mass_matrix(
@@ -111,7 +98,7 @@ def in_joint_rates(system: System, inertia: Sequence[Sequence[Node]]) -> list[li
     matrix = [list(row) for row in inertia]
     commons: dict[int, Node] = {}
     for link in system.tree.links[1:]:
-        if link.motion.kind == "S":
+        if link.motion.spherical:
             places = range(link.v.start, link.v.stop)
             diagonal = [matrix[k][k] for k in places]
             common = max(diagonal, key=diagonal.count)
@@ -127,18 +114,8 @@ def in_joint_rates(system: System, inertia: Sequence[Sequence[Node]]) -> list[li
 
 def _unit_wrench(system: System, link: Link, k: int, inertia: Inertia) -> tuple[Vector, Vector]:
     """Inertial wrench of a composite body at rest under a unit acceleration of one freedom of its joint."""
-    frame = system.frames[link.index]
-    alpha: Vector = ZERO
-    origin: Vector = ZERO
-    if link.motion.kind == "S":
-        alpha = (int(k == 0), int(k == 1), int(k == 2))
-    elif link.motion.kind == "P":
-        origin = frame.axis
-    else:
-        alpha = (0, 0, 1)
-        if frame.pitch is not None:
-            origin = (0, 0, frame.pitch)
-    return inertial_wrench(inertia, Rates(ZERO, alpha, origin, acceleration_matrix(ZERO, alpha)))
+    screw = link.pair.unit_screws(system.frames[link.index])[k]
+    return inertial_wrench(inertia, Rates(ZERO, screw.angular, screw.linear, acceleration_matrix(ZERO, screw.angular)))
 
 
 def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[tuple[int, Node]]:
@@ -146,7 +123,7 @@ def _pushed(system: System, link: Link, wrench: tuple[Vector, Vector]) -> list[t
     force, moment = wrench
     result = []
     while True:
-        for k, value in enumerate(projected(link, system.frames[link.index], force, moment)):
+        for k, value in enumerate(link.pair.powers(system.frames[link.index], force, moment)):
             result.append((link.v.start + k, system.tape.node(value)))
         placed = system.placed[link.index]
         force, moment = placed.inwards(force), placed.inwards(moment)

@@ -17,7 +17,8 @@ from symscrew.program import Instruction
 
 NEAR = 60  # operands from so many instructions back must be equally far back; from farther they wait in an array
 WINDOW = 6  # instructions that are compared to find how far apart equal ones are: fewer are alike everywhere
-FARTHEST = 3000  # longest period, more than a joint or a row of a matrix takes; what repeats farther apart stays
+# Longest period, more than a joint or a row of a matrix takes; what repeats farther apart is written out.
+FARTHEST = 3000
 # A run becomes a loop if it saves so many instructions and has so many iterations: arrays and indices of a shorter one
 # take as much text and time as they save. Shorter runs are written out.
 SAVED = 60

@@ -1,6 +1,6 @@
 """The functions of a model, by subject: each module turns a `System` into `Function`s with named ports."""
 
-from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, moved_by
+from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, loop_notes, moved_by
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
@@ -8,8 +8,6 @@ from symscrew.functions.forward import (
     MASSLESS_NOTE,
     closing_functions,
     driven,
-    fewest_in_mode,
-    fewest_operations,
     forward_functions,
     moves_mass,
     second_paths,
@@ -22,6 +20,7 @@ from symscrew.functions.kinematic import (
     kinematic_functions,
     moving_bodies,
 )
+from symscrew.functions.loop_choice import fewest_in_mode, fewest_operations
 from symscrew.functions.margin import margin_functions
 from symscrew.functions.momenta import mass_properties, momentum_functions
 from symscrew.functions.platform import platform_functions
@@ -71,6 +70,7 @@ __all__ = [
     "inertial_parameters",
     "joint_freedom_labels",
     "kinematic_functions",
+    "loop_notes",
     "margin_functions",
     "mass_properties",
     "momentum_functions",

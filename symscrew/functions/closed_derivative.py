@@ -281,7 +281,7 @@ class ClosedMotion:
         """x x y at spherical joints, else zero."""
         tape, result = self.system.tape, self._still()
         for link in self.system.tree.links[1:]:
-            if link.motion.kind == "S":
+            if link.motion.spherical:
                 result[link.v] = [tape.node(c) for c in cross(three(x, link), three(y, link))]
         return result
 

@@ -20,13 +20,15 @@ def guarded(guards: Sequence[Guard], threshold: float = THRESHOLD) -> list[tuple
     return [(guard.pivot, threshold / guard.scale) for guard in guards]
 
 
-def closure_functions(system: System, loops: Loops) -> list[Function]:
-    """Closure residual, Jacobian and bias; rates and accelerations from the independent ones."""
+def closure_functions(system: System, loops: Loops, notes: Sequence[str]) -> list[Function]:
+    """Closure residual, Jacobian and bias; rates and accelerations from the independent ones.
+
+    `notes`: what is said of functions that solve the loops, `loop_notes`.
+    """
     q = (q_port(system), system.inputs.q)
     v = (v_port(system), system.inputs.v)
     rates = loops.rates_from(loops.inputs("ydot"))
     functions = []
-    notes = _notes(system, loops)
     if system.cuts:
         functions += _residual_functions(system)
     functions.append(
@@ -40,7 +42,7 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
             notes,
         )
     )
-    functions.append(_null_space(system, loops, q))
+    functions.append(_null_space(system, loops, notes))
     gains = loops.accelerations_from(loops.inputs("yddot"), loops.bias(system))
     functions.append(
         function(
@@ -56,7 +58,7 @@ def closure_functions(system: System, loops: Loops) -> list[Function]:
     return functions
 
 
-def _null_space(system: System, loops: Loops, q: tuple) -> Function:
+def _null_space(system: System, loops: Loops, notes: Sequence[str]) -> Function:
     tape, count, n = system.tape, len(loops.entries), len(system.tree.v)
     values = []
     for k in range(count):
@@ -65,10 +67,12 @@ def _null_space(system: System, loops: Loops, q: tuple) -> Function:
     labels = tuple(f"{c.label}|{y}" for y in loops.labels for c in system.tree.v)
     port = Port("null_space", (n, count), ("1",) * (n * count), labels, "columns: v for a unit rate of each y")
     text = "Null space of the closure: v = null_space y_dot."
-    return function(system, "null_space", text, [q], [(port, values)], guarded(loops.guards), _notes(system, loops))
+    q = (q_port(system), system.inputs.q)
+    return function(system, "null_space", text, [q], [(port, values)], guarded(loops.guards), notes)
 
 
-def _notes(system: System, loops: Loops) -> tuple[str, ...]:
+def loop_notes(loops: Loops) -> tuple[str, ...]:
+    """What a user of functions that solve the loops must know; `loops` by the system's own rows."""
     notes = [f"independent coordinates y: {', '.join(loops.labels) or 'none'}"]
     if loops.redundant:
         notes.append(f"redundant closure constraints (satisfied by the others): {', '.join(loops.redundant)}")
@@ -107,7 +111,7 @@ def jacobian_in_v(system: System) -> list[list[Node]]:
     tape = system.tape
     columns = [[row.get(k, tape.zero) for row in system.jacobian] for k in range(len(system.tree.v))]
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             continue
         turn = system.placed[link.index].turn
         old = columns[link.v]
@@ -169,7 +173,7 @@ def assembly(system: System, loops: Loops) -> Iteration:
         (q_port(system),),
         lower(newton),
         tuple(entry.q for entry in loops.entries),
-        notes=_notes(system, loops),
+        notes=loop_notes(loops),
     )
 
 
@@ -192,7 +196,7 @@ def moved_by(system: System, step: Sequence[Node]) -> list[Node]:
     q = list(system.inputs.q)
     half = system.tape.reciprocal(system.tape.node(2))
     for link in system.tree.links[1:]:
-        if link.motion.kind != "S":
+        if not link.motion.spherical:
             for i, k in zip(range(link.q.start, link.q.stop), range(link.v.start, link.v.stop), strict=True):
                 q[i] = q[i] + step[k]
             continue

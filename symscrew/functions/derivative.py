@@ -99,8 +99,7 @@ def _of_tree(
         v, a = (tuple(system.tree_rates(loops.rates_from(loops.inputs(x)))) for x in ("ydot", "yddot"))
     acting = Acting(system.at(system.inputs.q, {}, v, a), effects)
     drives = system.drive_rows()
-    spheres = (link for link in system.tree.links if link.index and link.motion.kind == "S")
-    turning = any(k in drives for link in spheres for k in range(link.v.start, link.v.stop))
+    turning = any(k in drives for _, first in system.tree.spheres for k in range(first, first + 3))
     if turning or loops.small.steps or not tree_derivative.covers(acting):
         return straight
     rows = sorted(drives, key=drives.__getitem__)
@@ -345,8 +344,7 @@ def _units(tape: Tape, count: int) -> list[list[Node]]:
 
 
 def _text(system: System) -> str:
-    spherical = any(link.motion.kind == "S" for link in system.tree.links[1:])
-    return "steps of q along the entries of v" + (f" ({TREE_TEXT})" if spherical else "")
+    return "steps of q along the entries of v" + (f" ({TREE_TEXT})" if system.tree.spheres else "")
 
 
 def independent_directions(system: System, loops: Loops) -> Directions:

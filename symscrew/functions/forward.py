@@ -12,7 +12,7 @@ from symscrew.functions.closing import THRESHOLD, guarded, jacobian_in_v, moved_
 from symscrew.functions.dynamic import Equations, Loads, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.kinematics import System
-from symscrew.loops import SMALL, Loops, Mode, has_rod_rows
+from symscrew.loops import Loops
 from symscrew.program import SWITCH, Function, Iteration, Port, Program, RankRevealing, lower
 
 
@@ -61,77 +61,6 @@ def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool
 def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
     """Whether every motion that the loops allow moves mass."""
     return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
-
-
-@dataclass(frozen=True)
-class Ways:
-    """The loops in the forms that take the fewest operations; their independent coordinates are the same.
-
-    `rates`: for rates and accelerations from the independent ones; `dynamics`: for accelerations from the drives.
-    `plain`: by rows of the system, for what reads the system's residual or changes of its rows as well.
-    """
-
-    rates: Loops
-    dynamics: Loops
-    plain: Loops
-
-
-def fewest_operations(system: System, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
-    """The loops by their plain rows, by the velocities of their contacts, or by the ends of their rods."""
-    plain = Loops(system, independent)
-    if len(system.tree.v) > SMALL:
-        return Ways(plain, plain, plain)
-    found = _chosen([plain, Loops(system, independent, by_contacts=True)], effects)
-    if not has_rod_rows(system):
-        return found
-    return _with_rods(found, Loops(system, independent, by_rods=True, general=found.plain), effects)
-
-
-def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
-    """Likewise in an operation mode; as they are where nothing follows, or where other rates would be free."""
-    loops = found.plain
-    if not mode.q or not mode.rows:
-        return found
-
-    def way(**rows: bool) -> Loops:
-        return Loops(loops.system, independent, general=loops, mode=mode, **rows)
-
-    ways = [x for x in (way(), way(by_contacts=True)) if x.free == loops.free]
-    if not ways:
-        return found
-    chosen = _chosen(ways, effects)
-    return _with_rods(chosen, way(by_rods=True), effects) if has_rod_rows(loops.system) else chosen
-
-
-def _chosen(ways: Sequence[Loops], effects: Sequence[Effect]) -> Ways:
-    """Of loops with different rows those with the fewest operations, for rates and for dynamics."""
-    ways = [way for k, way in enumerate(ways) if all(way.rows != other.rows for other in ways[:k])]
-    if len(ways) == 1:
-        return Ways(ways[0], ways[0], ways[0])
-    rates = min(ways, key=_of_rates)
-    if not accelerates(rates.system, effects, rates):
-        return Ways(rates, rates, rates)
-    dynamics = min((way for way in ways if way.free == rates.free), key=lambda way: _of_dynamics(way, effects))
-    return Ways(rates, dynamics, dynamics)
-
-
-def _with_rods(found: Ways, rods: Loops, effects: Sequence[Effect]) -> Ways:
-    """The same, or by the ends of rods where this is shorter."""
-    if rods.free != found.plain.free:
-        return found
-    dynamics = found.dynamics
-    if accelerates(rods.system, effects, found.plain):
-        dynamics = min((dynamics, rods), key=lambda way: _of_dynamics(way, effects))
-    return Ways(min((found.rates, rods), key=_of_rates), dynamics, found.plain)
-
-
-def _of_rates(loops: Loops) -> int:
-    gains = loops.accelerations_from(loops.inputs("yddot"), loops.bias(loops.system))
-    return loops.time([*loops.rates_from(loops.inputs("ydot")), *gains])
-
-
-def _of_dynamics(loops: Loops, effects: Sequence[Effect]) -> int:
-    return loops.time(solved(loops.system, effects, loops).a)
 
 
 def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, Twist, Vector, add, cross, dot, helical, prismatic, revolute, transpose
-from symscrew.description import JOINT_TYPES, Joint
+from symscrew.algebra import Node, Twist, Vector, add, cross, dot, revolute, transpose
+from symscrew.description import Joint
 from symscrew.functions.ports import (
     TWIST_LABELS,
     TWIST_RATE_UNITS,
@@ -13,7 +13,6 @@ from symscrew.functions.ports import (
     a_port,
     columns_port,
     function,
-    joint_freedom_names,
     q_port,
     u_port,
     v_port,
@@ -27,6 +26,7 @@ from symscrew.kinematics import (
     cut_displacement,
     displacement,
     joint_screws,
+    pair_of,
     tree_displacement,
 )
 from symscrew.program import Function, Port, lower
@@ -193,33 +193,28 @@ def _cut_screws(system: System, cut: Cut) -> tuple[Twist, ...]:
     parent, child = (tip, hub) if cut.tip_is_parent else (hub, tip)
     parent_axes, child_axes = (cut.tip_axes, cut.hub_axes) if cut.tip_is_parent else (cut.hub_axes, cut.tip_axes)
     at = tip.point(cut.tip_point)
-    motions = JOINT_TYPES[cut.joint.type].motions
-    screws = []
+    pitch = system.geometry.scalar(cut.joint.pitch) if cut.joint.kind.helical else system.tape.zero
+    screws: list[Twist] = []
     turns = 0
-    for m in motions:
-        if m.kind == "S":
+    for motion in cut.joint.kind.motions:
+        if motion.spherical:
             link = cut.tip if cut.tip_is_parent else cut.hub
             carried = displacement(system.frames[link], system.pose[link]).rotation
             screws += [revolute(axis, at) for axis in transpose(carried)]
             continue
-        second = m.kind == "R" and turns == 1
-        axis = child.direction(child_axes[m.axis or 0]) if second else parent.direction(parent_axes[m.axis or 0])
-        turns += m.kind == "R"
-        if m.kind == "P":
-            screws.append(prismatic(axis))
-        elif m.kind == "H":
-            screws.append(helical(axis, at, system.geometry.scalar(cut.joint.pitch)))
-        else:
-            screws.append(revolute(axis, at))
+        index, second = motion.axis or 0, motion.revolute and turns == 1
+        axis = child.direction(child_axes[index]) if second else parent.direction(parent_axes[index])
+        turns += motion.revolute
+        screws += pair_of(motion).screws(axis, at, pitch)
     return tuple(screws)
 
 
 def joint_freedom_labels(system: System) -> list[tuple[str, str, str]]:
     """(label, kind, joint) of every freedom of every joint of the description."""
     return [
-        (label, "length" if m.kind == "P" else "angle", name)
+        (label, "length" if motion.prismatic else "angle", name)
         for name, joint in system.mechanism.joints.items()
-        for label, m in zip(joint_freedom_names(joint), JOINT_TYPES[joint.type].freedoms, strict=True)
+        for label, motion in zip(joint.kind.freedom_names(name), joint.kind.freedoms, strict=True)
     ]
 
 
@@ -255,7 +250,7 @@ def _jacobians(system: System, motion: Motion) -> list[Function]:
     for index in tree.path(tree.link_of_body[body]):
         link = tree.links[index]
         screws = motion.screws[index]
-        if link.motion.kind == "S":
+        if link.motion.spherical:
             # columns for v (child axes): the screws along the parent's axes combined by the rotation
             turn = system.placed[index].turn
             for k, column in enumerate(transpose(turn)):
@@ -325,10 +320,9 @@ def _cut_rates(system: System, motion: Motion, cut: Cut) -> list[Node]:
     child = motion.links[cut.hub if cut.tip_is_parent else cut.tip].twist
     relative = child - parent
     screws = _cut_screws(system, cut)
-    kinds = ["R" if m.kind in "RH" else m.kind for m in JOINT_TYPES[cut.joint.type].motions]
-    if kinds == ["S"]:
+    if cut.joint.kind.ball:
         return [dot(screw.angular, relative.angular) for screw in screws]
-    if kinds.count("R") == 2:
+    if len(cut.joint.kind.turning) == 2:
         e1, e2 = screws[0].angular, screws[1].angular
         skew = dot(e1, e2)
         one, two = dot(e1, relative.angular), dot(e2, relative.angular)
@@ -337,6 +331,6 @@ def _cut_rates(system: System, motion: Motion, cut: Cut) -> list[Node]:
     at = system.pose[cut.tip].point(cut.tip_point)
     slide = relative.velocity_at(at)
     return [
-        dot(screw.linear, slide) if kind == "P" else dot(screw.angular, relative.angular)
-        for kind, screw in zip(kinds, screws, strict=True)
+        dot(screw.linear, slide) if motion.prismatic else dot(screw.angular, relative.angular)
+        for motion, screw in zip(cut.joint.kind.motions, screws, strict=True)
     ]

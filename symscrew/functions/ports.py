@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.algebra import Node
-from symscrew.description import JOINT_TYPES, Joint
 from symscrew.kinematics import System
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
@@ -40,22 +39,8 @@ def a_port(system: System, name: str = "a", description: str = "accelerations of
 
 def drive_label(system: System, index: int) -> str:
     """Name of a drive: its joint, with the freedom where the joint has several."""
-    joint, freedom = system.drives[index]
-    kinds = [m.kind for m in JOINT_TYPES[system.mechanism.joints[joint].type].motions]
-    single = len(kinds) == 1 and kinds != ["S"]
-    return joint if single else joint_freedom_names(system.mechanism.joints[joint])[freedom]
-
-
-def joint_freedom_names(joint: Joint) -> list[str]:
-    """A label for every freedom of a joint: `name`, `name.i`, or `name.x` ... for a spherical motion."""
-    motions = JOINT_TYPES[joint.type].motions
-    labels: list[str] = []
-    for position, m in enumerate(motions):
-        if m.kind == "S":
-            labels += [f"{joint.name}.{c}" for c in "xyz"]
-        else:
-            labels.append(joint.name if len(motions) == 1 else f"{joint.name}.{position}")
-    return labels
+    name, freedom = system.drives[index]
+    return system.mechanism.joints[name].kind.freedom_names(name)[freedom]
 
 
 def u_port(system: System, name: str = "u", description: str = "drive forces and torques") -> Port:
@@ -68,7 +53,7 @@ def u_port(system: System, name: str = "u", description: str = "drive forces and
 def drive_is_force(system: System, index: int) -> bool:
     """Whether a drive acts on a sliding freedom."""
     joint, freedom = system.drives[index]
-    return JOINT_TYPES[system.mechanism.joints[joint].type].freedoms[freedom].kind == "P"
+    return system.mechanism.joints[joint].kind.freedoms[freedom].prismatic
 
 
 def y_port(loops: Loops, name: str, order: int) -> Port:

@@ -18,7 +18,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from symscrew.algebra import (
-    IDENTITY,
     ZERO,
     Guard,
     Node,
@@ -28,7 +27,6 @@ from symscrew.algebra import (
     differentiate,
     dot,
     magnitude,
-    scale,
     transform,
 )
 from symscrew.dynamics import Admissible, solve_symmetric
@@ -214,15 +212,7 @@ def _screws(system: System, link: Link, inner: Mapping[int, tuple[Vector, Vector
         k: (placed.outwards(angular), placed.outwards(add(linear, cross(angular, placed.offset))))
         for k, (angular, linear) in inner.items()
     }
-    kind = link.motion.kind
-    if kind == "S":
-        own: list[tuple[Vector, Vector]] = [(axis, ZERO) for axis in IDENTITY]
-    elif kind == "P":
-        own = [(ZERO, placed.outwards(frame.axis))]
-    elif kind == "F":
-        own = []
-    else:
-        own = [((0, 0, 1), scale(frame.pitch, (0, 0, 1)) if frame.pitch is not None else ZERO)]
+    own = [(screw.angular, screw.linear) for screw in link.pair.unit_screws(frame)]
     return {**result, **dict(zip(range(link.v.start, link.v.stop), own, strict=True))}
 
 

@@ -1,9 +1,10 @@
 """Closed loops: the rows that cut joints contribute, and the rates that depend on the independent ones.
 
-System --closure_rows, contact_rows, rod_rows--> rows of every cut joint --dependent_rates--> `Loops`
+System --formulations--> rows of every cut joint --closure--> `Closure` --dependent_rates--> `Loops`
        --modes--> what holds in one operation mode --limbs--> joint positions in closed form
 """
 
+from symscrew.loops.closure import Closure, closures
 from symscrew.loops.dependent_rates import SMALL, Loops
 from symscrew.loops.limbs import (
     CrankLimb,
@@ -18,17 +19,17 @@ from symscrew.loops.limbs import (
     rod_limb,
 )
 from symscrew.loops.modes import Mode, operation_mode
-from symscrew.loops.rod_rows import has_rod_rows
 
 __all__ = [
     "SMALL",
+    "Closure",
     "CrankLimb",
     "LengthRow",
     "Loops",
     "Mode",
     "any_rods",
     "closed_limbs",
-    "has_rod_rows",
+    "closures",
     "hub_links",
     "length_rows",
     "limb_coordinates",

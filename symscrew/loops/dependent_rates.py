@@ -7,35 +7,27 @@ entries of q: a spherical joint contributes components of its quaternion's vecto
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from symscrew.algebra import (
     NEGLIGIBLE,
-    Affine,
-    Column,
     Elimination,
     Guard,
     Node,
     Vector,
     add,
-    cost,
-    count_operations,
     cross,
     dot,
     eliminate,
-    needed,
     scale,
-    substitute,
 )
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import Link, System
-from symscrew.loops.closure_rows import closure_rows, closure_rows_bias
-from symscrew.loops.modes import Mode
+from symscrew.loops.closure import Closure, closures
 
-ANGLE = 10  # operations that a sine and a cosine of one angle take in a vector of four
 SMALL = 60  # freedoms of a tree up to which equal ways are built and counted
 
 
@@ -52,38 +44,26 @@ class Independent:
 class Loops:
     """The closure of a system, solved for the rates that depend on the independent ones.
 
-    `general`: the same loops by the system's own rows, if these are others. `mode`: an operation mode; what follows
-    there are further rows.
+    `closure`: the rows that are solved, by default the first of `closures`. `independent`: labels of q.
+
+    Raises:
+        DescriptionError: `independent` are no labels of q, or do not determine all others.
     """
 
     def __init__(
-        self,
-        system: System,
-        independent: Sequence[str] | None = None,
-        *,
-        by_contacts: bool = False,
-        by_rods: bool = False,
-        general: Loops | None = None,
-        mode: Mode | None = None,
+        self, system: System, independent: Sequence[str] | None = None, closure: Closure | None = None
     ) -> None:
         self.system = system
-        self.general, self.mode = general or self, mode
+        self.closure = closure or next(closures(system))
+        self.rows = self.closure.rows
         tree = system.tree
         n = len(tree.v)
-        unknowns: dict[Column, float] = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(tree.v)}
-        self.closure = closure = closure_rows(system, by_contacts=by_contacts, by_rods=by_rods)
-        self.rows, scales = closure.rows, list(closure.scales)
-        unknowns |= dict.fromkeys(closure.defined.values(), 1.0)
-        defined = dict(closure.defined)
-        if self.mode:
-            self.rows = [self._substituted(row) for row in self.rows]
-            for column, row in self.mode.rows:
-                defined[len(self.rows)] = column
-                self.rows.append(row)
-                scales.append(1.0 / unknowns[column])
 
         def eliminated(preferred: Sequence[int]) -> Elimination:
-            return eliminate(system.tape, self.rows, unknowns, scales, last=preferred, defined=defined)
+            given = self.closure
+            return eliminate(
+                system.tape, self.rows, given.unknowns, given.scales, last=preferred, defined=given.defined
+            )
 
         preferred = self._named(independent) if independent else self._preferred()
         self.elimination = eliminated(preferred)
@@ -109,8 +89,7 @@ class Loops:
         entries = []
         for k in free:
             link = next(link for link in self.system.tree.links[1:] if link.v.start <= k < link.v.stop)
-            spherical = link.motion.kind == "S"
-            component = k - link.v.start if spherical else None
+            component = k - link.v.start if link.motion.spherical else None
             q = link.q.start + (1 + component if component is not None else 0)
             entries.append(Independent(q, k, link, component))
         return entries
@@ -136,7 +115,7 @@ class Loops:
         if platform is not None and platform in tree.link_of_body:
             path = tree.path(tree.link_of_body[platform])
             joints = {tree.links[i].joint for i in path}
-            if len(joints) == 1 and any(tree.links[i].motion.kind == "S" for i in path if tree.links[i].motion):
+            if len(joints) == 1 and any(tree.links[i].motion.spherical for i in path):
                 return [k for i in sorted(path) for k in range(tree.links[i].v.start, tree.links[i].v.stop)]
         return list(self.system.drive_rows())
 
@@ -157,29 +136,9 @@ class Loops:
             for e in self.entries
         )
 
-    # -- operation modes ---------------------------------------------------------------------------------
-
-    def _substituted(self, row: Mapping[Column, Node]) -> Affine:
-        """A row in the operation mode."""
-        assert self.mode is not None
-        entries = substitute(self.system.tape, list(row.values()), self.mode.nodes)
-        return {k: entry for k, entry in zip(row, entries, strict=True) if entry is not self.system.tape.zero}
-
-    def operations(self, nodes: Sequence[Node]) -> int:
-        """How many operations it takes to compute nodes, in the operation mode if there is one."""
-        return count_operations(self._in_mode(nodes))
-
     def cost(self, nodes: Sequence[Node]) -> int:
-        """The same, and what divisions take that wait for each other."""
-        return cost(self._in_mode(nodes))
-
-    def time(self, nodes: Sequence[Node]) -> int:
-        """The operations, and what the angles take whose sines or cosines are among them."""
-        found = needed(self._in_mode(nodes))
-        return len(found) + ANGLE * len({node.args[0] for node in found if node.op in ("sin", "cos")})
-
-    def _in_mode(self, nodes: Sequence[Node]) -> Sequence[Node]:
-        return substitute(self.system.tape, nodes, self.mode.nodes) if self.mode else nodes
+        """What it takes to compute nodes: see `Closure.cost`."""
+        return self.closure.cost(nodes)
 
     # -- linear solutions --------------------------------------------------------------------------------
 
@@ -200,7 +159,7 @@ class Loops:
         if len(self.system.tree.v) <= SMALL:
             ways.append(self.elimination.solve(values, known))
         found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
-        return min(found, key=self.operations)
+        return min(found, key=self.cost)
 
     def with_rates(self, particular: Sequence[Node], wanted: Sequence[Node]) -> list[Node]:
         """w = particular + N f, with f such that the independent coordinates change at the wanted rates.
@@ -302,7 +261,7 @@ class Loops:
 
     def bias(self, moving: System) -> list[Node]:
         """(dJ/dt) v per row, for the system with rates that keep the loops closed."""
-        return closure_rows_bias(self.closure, moving)
+        return self.closure.bias(moving)
 
     @property
     def rank(self) -> int:
@@ -332,6 +291,10 @@ class Loops:
 
     @property
     def redundant(self) -> tuple[str, ...]:
-        """Labels of the constraint rows that depend on the others on the closure manifold."""
+        """Labels of the constraint rows that depend on the others on the closure manifold.
+
+        Of the system's own rows: those of rods are others, and a mode adds rows.
+        """
+        assert self.closure.of_system and not self.closure.mode
         labels = [row.label for cut in self.system.cuts for row in cut.rows]
-        return tuple(labels[i] for i in self.general.elimination.redundant)
+        return tuple(labels[i] for i in self.elimination.redundant)

@@ -98,7 +98,7 @@ class Mode:
     def rows(self) -> list[tuple[int, dict[int, Node]]]:
         """Per joint rate that follows: its column, and a row of the closure that says so."""
         tape, found = self.system.tape, []
-        spheres = [range(x.v.start, x.v.stop) for x in self.system.tree.links if x.index and x.motion.kind == "S"]
+        spheres = [range(start, start + 3) for _, start in self.system.tree.spheres]
         still = {f.index for f in self.v if f.leader is None}
         turning = {k for sphere in spheres if not still >= set(sphere) for k in sphere}  # in other axes than v
         for f in self.v:

@@ -89,3 +89,13 @@ def test_the_loop_for_real_time_is_written(tmp_path: Path, capsys: pytest.Captur
     assert sorted(p.name for p in (tmp_path / "loop").iterdir()) == ["swing_loop.c", "swing_loop.h"]
     assert "int swing_step(" in (tmp_path / "loop" / "swing_loop.h").read_text()
     assert main(["simulate", str(EXAMPLES / "benchmarks" / "bricard.toml"), "--emit-c", str(tmp_path)]) == 2
+
+
+def test_without_a_file_for_the_motion_its_summary_is_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("scene.toml").write_text(SCENE)
+    assert main(["simulate", "scene.toml"]) == 0
+    assert "largest kinetic energy" in capsys.readouterr().out
+    assert [path.name for path in tmp_path.iterdir()] == ["scene.toml"]

@@ -20,6 +20,7 @@ from symscrew.effects.effect import Effect
 from symscrew.effects.gravity import Gravity
 from symscrew.functions.forward import driven
 from symscrew.kinematics.system import System
+from symscrew.loops.closure import closure_by
 from symscrew.loops.dependent_rates import Loops
 from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
 from symscrew.program.passes.reciprocals import shared_reciprocals
@@ -58,7 +59,10 @@ def system_of(name: str) -> System:
 
 @cache
 def loops_of(name: str, by_contacts: bool) -> Loops:
-    return Loops(system_of(name), by_contacts=by_contacts)
+    system = system_of(name)
+    return Loops(
+        system, closure=closure_by(system, ("seen", "contacts", "plain") if by_contacts else ("seen", "plain"))
+    )
 
 
 def sampled(system: System, nodes: Sequence[Node]) -> np.ndarray:

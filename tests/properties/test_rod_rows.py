@@ -25,7 +25,9 @@ from symscrew.algebra.traversal import inputs_of
 from symscrew.description import toml_file
 from symscrew.description.mechanism import Mechanism
 from symscrew.kinematics.system import System
+from symscrew.loops.closure import Closure, closure_by
 from symscrew.loops.dependent_rates import Loops
+from symscrew.loops.formulations.rod_rows import RodRows
 
 
 def from_the_rod() -> Mechanism:
@@ -60,13 +62,23 @@ def system_of(name: str) -> System:
     return system
 
 
+def by_rods(system: System) -> Closure:
+    return closure_by(system, ("rods", "seen", "plain"))
+
+
+def rods_of(closure: Closure) -> list[RodRows]:
+    return [part for part in closure.parts if isinstance(part, RodRows)]
+
+
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_rates_and_bias_are_those_of_the_plain_rows(name: str) -> None:
     system = system_of(name)
     tape, plain = system.tape, Loops(system)
-    rods = Loops(system, by_rods=True, general=plain)
-    assert len(rods.closure.rods) == MECHANISMS[name][1]
-    assert rods.free == plain.free and rods.rank == plain.rank and rods.redundant == plain.redundant
+    closure = by_rods(system)
+    rods = Loops(system, closure=closure)
+    assert len(rods_of(closure)) == MECHANISMS[name][1] and not closure.of_system and plain.closure.of_system
+    assert rods.free == plain.free and rods.rank == plain.rank
+    assert len(rods.elimination.redundant) == len(plain.redundant)
     zero, still = [tape.zero] * len(system.jacobian), [tape.zero] * len(plain.free)
     moving = [system.inputs.v[k] for k in plain.free]
     first, second = (sampled(system, loops.dependent(zero, moving))[:, 1:] for loops in (plain, rods))
@@ -80,7 +92,7 @@ def test_rates_and_bias_are_those_of_the_plain_rows(name: str) -> None:
 def test_a_rod_s_rows_hold_its_own_rates_one_by_one() -> None:
     """One for its length, and one for each of its angles, of which only the second one's cosine is read."""
     system = system_of("delta")
-    for rod in Loops(system, by_rods=True).closure.rods.values():
+    for rod in rods_of(by_rods(system)):
         first, second = (link.v.start for link in rod.limb.links)
         length, turn, tilt = rod.rows
         assert not {first, second} & set(length)

@@ -108,7 +108,7 @@ SANITIZED = (
     "four_bar",
     "pendulum",
     "ur5",
-    *(slow(name) for name in ("three_ups_upu_s", "delta", "stewart_6ups")),
+    *(slow(name) for name in ("three_ups_upu_s", "delta")),
 )
 
 

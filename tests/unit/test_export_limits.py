@@ -98,7 +98,7 @@ def of_kind(slot: int | float) -> object:
 @pytest.mark.parametrize(
     ("limit", "value", "found"),
     [
-        ("SAVED", 200, True),
+        ("SAVED", 100, True),
         ("SAVED", 300, False),
         ("SEVERAL", 29, True),
         ("SEVERAL", 31, False),

@@ -147,7 +147,3 @@ def test_the_command_line_refuses_and_writes_nothing(tmp_path: Path, capsys: pyt
     assert main(["simulate", str(scene), "--out", str(tmp_path / "no" / "run.npz")]) == 2
     assert main(["simulate", str(tmp_path / "none.toml"), "--json"]) == 2
     assert list(tmp_path.iterdir()) == [scene]
-    capsys.readouterr()
-    assert main(["simulate", str(scene)]) == 0  # without a file for the motion: its summary
-    assert "largest kinetic energy" in capsys.readouterr().out
-    assert list(tmp_path.iterdir()) == [scene]

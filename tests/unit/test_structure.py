@@ -9,10 +9,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from support.model_states import model
 
 import symscrew
-from symscrew.algebra.nodes import Symbol
 
 PACKAGE = Path(symscrew.__file__).parent
 
@@ -203,15 +201,6 @@ def test_nothing_evaluates_text() -> None:
                 of_a_library = isinstance(node.func, ast.Attribute) and getattr(node.func.value, "id", "") == "re"
                 assert name not in forbidden or of_a_library, (path, name)
                 assert not any(k.arg == "shell" for k in node.keywords), path
-
-
-@pytest.mark.parametrize("name", ["three_ups_upu_s", "delta", "ur5"])
-def test_every_symbol_has_unit_description_and_assumptions(name: str) -> None:
-    symbols = [node.args[0] for node in model(name).system.tape.symbols.values()]
-    assert symbols
-    for symbol in symbols:
-        assert isinstance(symbol, Symbol)
-        assert symbol.unit and symbol.description and symbol.sympy.is_real
 
 
 def test_files_stay_readable() -> None:

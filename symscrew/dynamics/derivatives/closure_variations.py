@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.algebra import Node, Vector, add, cross, differentiate, dot, scale, subtract, transform, transpose
-from symscrew.description import JOINT_TYPES
 from symscrew.dynamics.derivatives.motion_variations import (
     Variation,
     Varied,
@@ -37,7 +36,7 @@ def closure_rows(variation: Variation) -> list[list[Node]]:
     changes = variation.rate_changes(moving)
     by: list[list[Node]] = [[] for _ in variation.directions]
     for cut in system.cuts:
-        rows = (_sliding if slides(cut) else _meeting)(variation, cut, moving, changes)
+        rows = (_sliding if cut.joint.kind.slides else _meeting)(variation, cut, moving, changes)
         for column, more in zip(by, rows, strict=True):
             column += more
     return by
@@ -65,7 +64,7 @@ def _meeting(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
         at_hub = _seen(variation, cut, _contact(variation, cut, moving, changes), at_tip[0])
     linear = minus(at_hub, at_tip)
     alpha: Varied = linear
-    if any(row.unit != "N" for row in cut.rows) and not universal(cut):
+    if any(row.unit != "N" for row in cut.rows) and not cut.joint.kind.universal:
         spin = [_seen(variation, cut, x) for x in _spin(variation, cut, moving, changes)]
         omega = minus(spin[0], [rates.omega for rates in tip])
         alpha = minus(spin[1], [rates.alpha for rates in tip])
@@ -74,7 +73,7 @@ def _meeting(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
     for row in cut.rows:
         if row.unit == "N":
             values = [dot(row.force, x) for x in linear[1:]]
-        elif universal(cut):
+        elif cut.joint.kind.universal:
             values = _axes_rows(variation, cut, moving, changes)
         else:
             values = [dot(row.couple, x) for x in alpha[1:]]
@@ -130,19 +129,9 @@ def relative_turns(variation: Variation, cut: Cut) -> list[Vector]:
     return [subtract(x, n) for x, n in zip(seen, variation.turn(cut.tip), strict=True)]
 
 
-def slides(cut: Cut) -> bool:
-    """Whether the cut joint's points in tip and hub move against each other."""
-    return any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions)
-
-
-def universal(cut: Cut) -> bool:
-    """Whether a cut joint's couple stands on two axes, of which one turns with the hub."""
-    return sum(m.kind == "R" for m in JOINT_TYPES[cut.joint.type].motions) == 2
-
-
 def _before(variation: Variation, cut: Cut) -> bool:
     """Whether the hub's quantities are taken in the axes before its motion."""
-    return cut.hub != GROUND and variation.system.tree.links[cut.hub].motion.kind == "S"
+    return cut.hub != GROUND and variation.system.tree.links[cut.hub].motion.spherical
 
 
 def _seen(variation: Variation, cut: Cut, varied: Varied, known: Vector | None = None) -> Varied:

@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, product, scale, transform, transpose
-from symscrew.dynamics.tree_dynamics import moved_inertia, projected
+from symscrew.dynamics.tree_dynamics import moved_inertia
 from symscrew.effects import Acting
 from symscrew.kinematics import GROUND, Inertia, Link, Placement, Rates, System, acceleration_matrix, own_screws
 
@@ -120,7 +120,7 @@ def inertial_derivatives(acting: Acting, a: Sequence[Node]) -> tuple[Table, Tabl
         force, moment = wrenches[k]
         body = bodies[k] = bodies[k].plus(Composite(_none(tape), ZERO, NOTHING, force, moment))
         for group, column, f, m in columns[k]:
-            for row, value in enumerate(projected(link, frame, f, m), start=link.v.start):
+            for row, value in enumerate(link.pair.powers(frame, f, m), start=link.v.start):
                 tables[group][row][column] = tape.node(value)
         for row, function in rows[k]:
             for column, freedom in enumerate(freedoms[k], start=link.v.start):
@@ -129,7 +129,7 @@ def inertial_derivatives(acting: Acting, a: Sequence[Node]) -> tuple[Table, Tabl
         for column, freedom in enumerate(freedoms[k], start=link.v.start):
             for group, change in enumerate(freedom.changes):
                 f, m = body.needed(change)
-                for row, value in enumerate(projected(link, frame, f, m), start=link.v.start):
+                for row, value in enumerate(link.pair.powers(frame, f, m), start=link.v.start):
                     tables[group][row][column] = tape.node(value)
                 if group == 0:
                     f = add(f, cross(freedom.angular, body.force))
@@ -151,21 +151,12 @@ def inertial_derivatives(acting: Acting, a: Sequence[Node]) -> tuple[Table, Tabl
 def _freedoms(system: System, link: Link, moving: Sequence[Rates]) -> list[_Freedom]:
     frame, here, placed = system.frames[link.index], moving[link.index], system.placed[link.index]
     parent = moving[link.parent]
-    before, kind = placed.outwards(parent.omega), link.motion.kind
-    if kind == "F":
-        return []
-    units: list[tuple[Vector, Vector]]
-    if kind == "S":
-        units = [((1, 0, 0), ZERO), ((0, 1, 0), ZERO), ((0, 0, 1), ZERO)]
+    before, matrix = placed.outwards(parent.omega), here.matrix  # of a single axis the product with U is the parent's
+    if link.motion.spherical:
         matrix = acceleration_matrix(before, placed.outwards(parent.alpha))
-    elif kind == "P":
-        units = [(ZERO, frame.axis)]
-        matrix = here.matrix
-    else:
-        units = [((0, 0, 1), (0, 0, frame.pitch) if frame.pitch is not None else ZERO)]
-        matrix = here.matrix  # its product with the joint's axis is the parent's
     result = []
-    for e, s in units:
+    for screw in link.pair.unit_screws(frame):
+        e, s = screw.angular, screw.linear
         turned = cross(before, e)
         by_q = Change(turned, transform(matrix, e), add(cross(here.origin, e), transform(matrix, s)))
         rate = add(turned, cross(here.omega, e))

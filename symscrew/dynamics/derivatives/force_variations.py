@@ -12,9 +12,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import ZERO, Node, Vector, add, cross, differentiate, dot, scale, subtract, transform
-from symscrew.dynamics.derivatives.closure_variations import relative_turns, slides, universal
+from symscrew.dynamics.derivatives.closure_variations import relative_turns
 from symscrew.dynamics.derivatives.motion_variations import Variation, link_rotations
-from symscrew.dynamics.tree_dynamics import projected
 from symscrew.effects import Acting
 from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, own_screws, twists, universal_axes
 
@@ -90,7 +89,7 @@ class _Powers:
     ) -> None:
         frame = self.variation.system.frames[link.index]
         for k, (f, m) in enumerate(wrench[1:]):
-            values = projected(link, frame, f, m)
+            values = link.pair.powers(frame, f, m)
             if forces:
                 values = tuple(x + y for x, y in zip(values, forces[k][link.v], strict=True))
             for i, column in enumerate(columns):
@@ -125,7 +124,7 @@ class _Powers:
     # -- cut joints -----------------------------------------------------------------------------------------------
 
     def _held_in_hub(self, cut: Cut) -> bool:
-        return cut.hub != GROUND and not slides(cut)
+        return cut.hub != GROUND and not cut.joint.kind.slides
 
     def _cut_wrenches(self) -> list[tuple[Cut, VariedWrench]]:
         """What every cut joint exerts on its tip, at its point, tip axes."""
@@ -140,7 +139,7 @@ class _Powers:
             if self._held_in_hub(cut):
                 turns = relative_turns(self.variation, cut)
             forces, couples = ([x, *(cross(turn, x) for turn in turns)] for x in (force, couple))
-            if universal(cut):
+            if cut.joint.kind.universal:
                 couples = [couple, *self._universal(cut, first)[0]]
             first += len(cut.rows)
             result.append((cut, list(zip(forces, couples, strict=True))))
@@ -175,7 +174,7 @@ class _Powers:
         system = self.variation.system
         force, couple = (system.linkage.carry(cut.tip, cut.hub, x) for x in wrench)
         couples: list[Vector] = [ZERO] * len(self.variation.directions)
-        if universal(cut):
+        if cut.joint.kind.universal:
             couples = self._universal(cut, first)[1]
         return [(force, add(couple, cross(cut.contact, force))), *((ZERO, c) for c in couples)]
 

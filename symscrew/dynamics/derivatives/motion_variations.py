@@ -67,7 +67,7 @@ class Variation:
         for direction in self.directions:
             step, rate, gain = (system.tree_rates(x) for x in (direction.step, direction.rate, direction.gain))
             for link in system.tree.links[1:]:
-                if link.motion.kind == "S":
+                if link.motion.spherical:
                     n = three(step, link)
                     rate[link.v] = _nodes(system, add(three(rate, link), cross(three(system.inputs.v, link), n)))
                     gain[link.v] = _nodes(system, add(three(gain, link), cross(three(system.inputs.a, link), n)))
@@ -93,7 +93,7 @@ class Variation:
     def own_turn(self, link: int) -> list[Vector]:
         """Virtual rotations of a link against its parent, in the axes before its motion."""
         system, joint = self.system, self.system.tree.links[link]
-        if joint.motion.kind == "S":
+        if joint.motion.spherical:
             return [three(direction.step, joint) for direction in self.directions]
         return [own_screws(joint, system.frames[link], direction.step).angular for direction in self.in_v]
 
@@ -115,7 +115,7 @@ class Variation:
             carried = add(carried, cross(change.omega, scale(2, speed.linear)))
             carried = add(add(carried, cross(scale(2, parent.omega), rate.linear)), gain.linear)
             carried = add(carried, change.origin)  # last: what gravity adds is all that its frame has of its own
-            if link.motion.kind in "PF":
+            if not link.motion.turns:
                 result.append(Rates(change.omega, change.alpha, carried, change.matrix))
                 continue
             before = here.outwards(parent.omega)

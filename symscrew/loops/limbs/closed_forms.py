@@ -93,7 +93,7 @@ def limb_coordinates(
     tape, zero = system.tape, system.tape.zero
     near = tuple(guess) if guess is not None else reference_nodes(system)
     q = [hub_q.get(k, zero) for k in range(len(system.tree.q))]
-    turning = [link.index for link in system.tree.links[1:] if link.motion.kind in "RH"]
+    turning = [link.index for link in system.tree.links[1:] if link.motion.single and link.motion.turns]
     own = {link.index for limb in limbs for link in limb.links}
     turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
     for limb in limbs:
@@ -112,7 +112,7 @@ def reference_nodes(system: System) -> tuple[Node, ...]:
     """q of the reference configuration as constants."""
     result = [system.tape.zero] * len(system.tree.q)
     for link, frame in zip(system.tree.links[1:], system.frames[1:], strict=True):
-        if link.motion.kind == "S":
+        if link.motion.spherical:
             result[link.q.start] = system.tape.one
         elif link.q.stop > link.q.start:
             result[link.q.start] = system.tape.node(frame.reference)

@@ -128,7 +128,7 @@ def rod_limb(system: System, cut: Cut) -> RodLimb | None:
     if len(path) < 2:
         return None
     second, first = (system.tree.links[i] for i in path[:2])
-    if (first.motion.kind, second.motion.kind) != ("R", "R"):
+    if not (first.motion.revolute and second.motion.revolute):
         return None
     inner, outer = system.frames[first.index], system.frames[second.index]
     settle = system.geometry.settle
@@ -147,7 +147,7 @@ def rod_limb(system: System, cut: Cut) -> RodLimb | None:
 def crank_limb(system: System, cut: Cut) -> CrankLimb | None:
     """The cut joint's limb if it is a crank with a rod, else None."""
     path, rod = system.tree.path(cut.tip), rod_limb(system, cut)
-    if rod is None or len(path) != 3 or system.tree.links[path[2]].motion.kind != "R":
+    if rod is None or len(path) != 3 or not system.tree.links[path[2]].motion.revolute:
         return None
     if _nothing(system, (rod.centre[0], rod.centre[1], 0)):
         return None

@@ -75,8 +75,7 @@ def spoke_limb(system: System, cut: Cut) -> SpokeLimb | None:
     if len(path) != 3:
         return None
     slider, second, first = (system.tree.links[i] for i in path)
-    kinds = [link.motion.kind for link in (first, second, slider)]
-    if kinds != ["R", "R", "P"]:
+    if not (first.motion.revolute and second.motion.revolute and slider.motion.prismatic):
         return None
     frames, settle = system.frames, system.geometry.settle
     tip = settle(add(frames[slider.index].offset, cut.tip_point))

@@ -30,7 +30,7 @@ from symscrew.simulation import (
     run_natively,
     table_code,
 )
-from symscrew.studies.accuracy.formulations import FORMULATIONS, TREE, Formulated, March, Start, formulated
+from symscrew.studies.accuracy.formulation_libraries import FORMULATIONS, TREE, Formulated, March, Start, formulated
 from symscrew.studies.accuracy.measuring import Point, Setup, Stopwatch, Study, measured
 from symscrew.studies.accuracy.run_history import Reference, read_reference
 from symscrew.studies.accuracy.states import Subject

@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew.scene import Scene
 from symscrew.simulation import Plant, PlantFunctions, RunError
-from symscrew.studies.accuracy.formulations import TREE, Start
+from symscrew.studies.accuracy.formulation_libraries import TREE, Start
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch
 
 Array = np.ndarray

@@ -9,36 +9,30 @@ hub through plane rotations and one lever arm.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
 
-from symscrew.algebra import IDENTITY, ZERO, Affine, Column, Matrix, Node, cross, is_zero, transpose
-from symscrew.description import JOINT_TYPES
+from symscrew.algebra import IDENTITY, ZERO, Affine, Matrix, Node, Tape, cross, transpose
 from symscrew.kinematics import GROUND, Cut, System, on_hub
+from symscrew.loops.formulations.cut_rows import CutRows, Definition, is_single, unit_scales, used_definitions
+from symscrew.loops.formulations.plain_rows import plain_rows
 
 
-@dataclass
-class ContactRows:
-    """Rows of one cut, and the components (name, row) that they use."""
+def contact_rows(system: System, cut: Cut) -> CutRows | None:
+    """The rows of a cut joint whose points do not slide; None where they are no sparser than the plain ones.
 
-    rows: list[Affine]
-    definitions: list[tuple[Column, Affine]]
-
-
-def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
-    """The rows of a cut joint whose points do not slide; None if a side carries the other, or a third carries both."""
-    slides = any(m.kind in "PH" for m in JOINT_TYPES[cut.joint.type].motions)
-    if cut.hub == GROUND or cut.tip == GROUND or slides or system.tree.common(cut.tip, cut.hub) != GROUND:
+    None also if one side of the joint carries the other, or a third link carries both.
+    """
+    apart = GROUND not in (cut.hub, cut.tip) and system.tree.common(cut.tip, cut.hub) == GROUND
+    if cut.joint.kind.slides or not apart:
         return None
     tape, placed = system.tape, system.placed
-    definitions: list[tuple[Column, Affine]] = []
+    definitions: list[Definition] = []
 
     def seen(entries: Affine) -> Affine:
         """A component with a name of its own where it has several entries."""
         entries = {k: e for k, e in entries.items() if e is not tape.zero}
         if len(entries) < 2:
             return entries
-        name = ("contact", index, len(definitions))
+        name = ("contact", cut.joint.name, len(definitions))
         definitions.append((name, {name: tape.one, **{k: -e for k, e in entries.items()}}))
         return {name: tape.one}
 
@@ -65,23 +59,16 @@ def contact_rows(system: System, index: int, cut: Cut) -> ContactRows | None:
             for k, entry in part.items():
                 total[k] = total[k] - entry if k in total else -entry
         rows.append({k: e for k, e in total.items() if e is not tape.zero})
-    return ContactRows(rows, used_definitions(rows, definitions))
+    found = CutRows(
+        cut=cut,
+        rows=tuple(rows),
+        scales=unit_scales(system, cut),
+        definitions=used_definitions(rows, definitions),
+    )
+    return found if found.products < plain_rows(system, cut).products else None
 
 
-def used_definitions(
-    rows: Sequence[Affine], definitions: Sequence[tuple[Column, Affine]]
-) -> list[tuple[Column, Affine]]:
-    """Those components that rows use, directly or through later components."""
-    used = {k for row in rows for k in row}
-    kept = []
-    for name, row in reversed(definitions):
-        if name in used:
-            kept.append((name, row))
-            used |= set(row)
-    return kept[::-1]
-
-
-def _combined(tape: Any, components: list[Affine], factors: Any) -> Affine:
+def _combined(tape: Tape, components: Sequence[Affine], factors: Sequence[Node | int]) -> Affine:
     total: Affine = {}
     for component, factor in zip(components, factors, strict=True):
         for k, entry in component.items():
@@ -89,8 +76,3 @@ def _combined(tape: Any, components: list[Affine], factors: Any) -> Affine:
             if product is not tape.zero:
                 total[k] = total[k] + product if k in total else product
     return total
-
-
-def is_single(row: Sequence[Node | int]) -> bool:
-    """Whether a row has one entry."""
-    return sum(not is_zero(entry) for entry in row) == 1

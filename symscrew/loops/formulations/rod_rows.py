@@ -13,35 +13,39 @@ axes of the rod's end, true for closed loops.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from symscrew.algebra import Affine, Node, Vector, add, cross, dot, scale, subtract, transform, transpose
 from symscrew.kinematics import GROUND, Cut, Rates, System
+from symscrew.loops.formulations.cut_rows import CutRows
 from symscrew.loops.limbs import RodLimb, rod_limb
 
 
-@dataclass(frozen=True)
-class RodRows:
-    """The rows of one rod; e, b and n in the axes that its carrier has before its motion, `aside` is s.
+@dataclass(frozen=True, kw_only=True)
+class RodRows(CutRows):
+    """The rows of one rod, for its length, its first and its second angle.
 
-    `length` [m] is the rod's in the reference configuration.
+    `axis`, `across` and `n` are e, b and n in the axes that the rod's carrier has before its motion, `aside` is s.
     """
 
     limb: RodLimb
-    axis: Vector
-    across: Vector
-    n: Vector
-    aside: Node
-    rows: tuple[Affine, Affine, Affine]
-    length: float
+    axis: Vector = field(repr=False)
+    across: Vector = field(repr=False)
+    n: Vector = field(repr=False)
+    aside: Node = field(repr=False)
+
+    @property
+    def of_system(self) -> bool:
+        """No: they are combinations of the system's rows, equal for closed loops only."""
+        return False
 
     @property
     def carrier(self) -> int:
         """The link that carries the rod."""
         return self.limb.first.parent
 
-    def bias(self, moving: System, still: Sequence[Rates]) -> list[Node]:
-        """(dJ/dt) v per row for a system whose rates keep the loops closed; `still`: rates of links at a = 0."""
+    def bias(self, moving: System, cut: Cut, still: Sequence[Rates]) -> Sequence[Node]:
+        """(dJ/dt) v per row, by the acceleration of the rod's tip seen from its carrier."""
         tape, placed, limb = moving.tape, moving.placed, self.limb
         at, hub, point = placed[self.carrier], limb.cut.hub, limb.cut.hub_point
         gain = moving.linkage.acceleration_across(still[hub], hub, self.carrier, point)
@@ -76,15 +80,10 @@ class RodRows:
         Both turn about one axis then, which is at rest.
         """
         link = system.tree.links[self.carrier]
-        if self.carrier == GROUND or link.parent != GROUND or link.motion.kind != "R":
+        if self.carrier == GROUND or link.parent != GROUND or not link.motion.revolute:
             return 0
         x, y, z = (system.tape.node(c).value for c in self.axis)
         return {(0, 0, 1): 1, (0, 0, -1): -1}.get((x, y, z), 0)
-
-
-def has_rod_rows(system: System) -> bool:
-    """Whether any cut joint has such rows."""
-    return any(_rod(system, cut) for cut in system.cuts)
 
 
 def rod_rows(system: System, cut: Cut) -> RodRows | None:
@@ -108,12 +107,21 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
         rows.append({k: e for k, e in row.items() if e is not system.tape.zero})
     size = system.tape.sqrt(system.tape.node(dot(limb.tip, limb.tip)))
     length = float(system.numeric([size], (system.inputs.q, system.reference))[0])
-    return RodRows(limb, axis, across, n, aside, (rows[0], rows[1], rows[2]), length)
+    return RodRows(
+        cut=cut,
+        rows=tuple(rows),
+        scales=tuple(1.0 / (system.length * one) for one in (length, 1.0, 1.0)),
+        limb=limb,
+        axis=axis,
+        across=across,
+        n=n,
+        aside=aside,
+    )
 
 
 def _rod(system: System, cut: Cut) -> RodLimb | None:
     limb = rod_limb(system, cut)
-    if limb is None or cut.joint.type != "S" or limb.first.parent == cut.hub or cut.arm is not None:
+    if limb is None or not cut.joint.kind.ball or limb.first.parent == cut.hub or cut.arm is not None:
         return None
     on_line = all(system.tape.settle(c) is system.tape.zero for c in subtract(limb.tip, cut.tip_point))
     return limb if on_line else None
