@@ -13,7 +13,7 @@ PACKAGE = Path(symscrew.__file__).parent
 ASKED = ("kind", "type", "kinds", "types", "letter", "letters")
 FOREIGN = {
     "formats/mjcf_reader.py",  # a slide and a hinge that an equality couples
-    "formats/outline.py",  # chains of elementary joints that are one joint here
+    "formats/merged_joints.py",  # chains of elementary joints that are one joint here
     "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
 }
 TO_COME = ("loops", "dynamics", "functions")  # whose files still compare letters
