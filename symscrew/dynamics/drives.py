@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import Affine, Guard, Node, Tape, eliminate, magnitude
+from symscrew.algebra import Affine, Column, Guard, Node, Tape, eliminate, magnitude
 from symscrew.dynamics.equilibrium import ONE
 
 
@@ -115,7 +115,7 @@ def _sum(tape: Tape, terms: object) -> Node:
     return total
 
 
-def _row_scale(row: Affine, columns: Mapping) -> float:
+def _row_scale(row: Affine, columns: Mapping[Column, float]) -> float:
     """The unit scale that makes the row's largest sampled entry about 1."""
     largest = 0.0
     for column, entry in row.items():

@@ -71,6 +71,7 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
 def joint_wrenches(
     setting: Setting,
     pose: Sequence[Pose],
+    *,
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
     multipliers: Mapping[Column, Affine],
@@ -101,7 +102,7 @@ def joint_wrenches(
         joint = tree.joints[link.joint]
         last = tree.links_of(joint.name)[-1]
         if link is last and joint.name != tree.virtual:
-            result[joint.name] = _tree_reaction(setting, pose, link, before, u)
+            result[joint.name] = _tree_reaction(setting, pose, link, before=before, u=u)
         for column, (f, m) in before.items():
             f, m = transform(placed.rotation, f), transform(placed.rotation, m)
             if link.parent != GROUND:
@@ -110,7 +111,7 @@ def joint_wrenches(
 
 
 def _tree_reaction(
-    setting: Setting, pose: Sequence[Pose], link: Link, before: Wrenches, u: Sequence[Node]
+    setting: Setting, pose: Sequence[Pose], link: Link, *, before: Wrenches, u: Sequence[Node]
 ) -> JointWrench:
     """What the joint transmits, its own freedoms cleared: passive ones carry nothing, driven ones the drive."""
     frame, placed, parent = setting.frames[link.index], setting.placed[link.index], pose[link.parent]
@@ -121,12 +122,12 @@ def _tree_reaction(
         columns[column] = scale(sign, f), scale(sign, m)
     rotation = Pose(parent.rotation) @ Pose(placed.rotation)
     place = Pose(rotation.rotation, pose[link.index].translation)
-    _remove_other_drives(setting, pose, link, columns, place, u)
+    _remove_other_drives(setting, pose, link, columns=columns, place=place, u=u)
     return JointWrench(link.joint, columns, place)
 
 
 def _remove_other_drives(
-    setting: Setting, pose: Sequence[Pose], last: Link, columns: Wrenches, place: Pose, u: Sequence[Node]
+    setting: Setting, pose: Sequence[Pose], last: Link, *, columns: Wrenches, place: Pose, u: Sequence[Node]
 ) -> None:
     """Take the shares of drives and known forces on a joint's other motions (compound, helical) out of column 1."""
     sign = -1 if last.inverted else 1
@@ -141,7 +142,7 @@ def _remove_other_drives(
         if link.motion.prismatic:
             axis, part = pose[link.parent].direction(setting.frames[link.index].axis), "force"
         else:
-            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"  # type: ignore[assignment]
+            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"
         back = tuple(zip(*place.rotation, strict=True))
         local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
         accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))

@@ -87,7 +87,8 @@ class Change:
     def of(self, other: Change) -> Node:
         """The function's value."""
         pairs = ((self.omega, other.omega), (self.alpha, other.alpha), (self.origin, other.origin))
-        return sum((dot(x, y) for x, y in pairs), start=0)
+        total: Node = sum((dot(x, y) for x, y in pairs), start=0)
+        return total
 
     def inwards(self, placed: Placement, twice: Vector) -> Change:
         """A function of the parent's state instead."""
