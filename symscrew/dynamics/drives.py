@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import Affine, Guard, Node, Tape, eliminate, magnitude
+from symscrew.algebra import Affine, Column, Guard, Node, Tape, eliminate, magnitude
 from symscrew.dynamics.equilibrium import ONE
 
 
@@ -108,14 +108,14 @@ def solve_symmetric(
     return x, tuple(guards)
 
 
-def _sum(tape: Tape, terms: object) -> Node:
+def _sum(tape: Tape, terms: Iterable[Node]) -> Node:
     total = tape.zero
-    for term in terms:  # type: ignore[attr-defined]
+    for term in terms:
         total = total + term
     return total
 
 
-def _row_scale(row: Affine, columns: Mapping) -> float:
+def _row_scale(row: Affine, columns: Mapping[Column, float]) -> float:
     """The unit scale that makes the row's largest sampled entry about 1."""
     largest = 0.0
     for column, entry in row.items():

@@ -27,6 +27,7 @@ from symscrew.algebra import (
     magnitude,
     scale,
     transform,
+    transpose,
 )
 from symscrew.dynamics.drives import solve_symmetric
 from symscrew.dynamics.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
@@ -70,6 +71,7 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
 
 def joint_wrenches(
     setting: Setting,
+    *,
     pose: Sequence[Pose],
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
@@ -101,7 +103,7 @@ def joint_wrenches(
         joint = tree.joints[link.joint]
         last = tree.links_of(joint.name)[-1]
         if link is last and joint.name != tree.virtual:
-            result[joint.name] = _tree_reaction(setting, pose, link, before, u)
+            result[joint.name] = _tree_reaction(setting, pose, link, before=before, u=u)
         for column, (f, m) in before.items():
             f, m = transform(placed.rotation, f), transform(placed.rotation, m)
             if link.parent != GROUND:
@@ -110,7 +112,7 @@ def joint_wrenches(
 
 
 def _tree_reaction(
-    setting: Setting, pose: Sequence[Pose], link: Link, before: Wrenches, u: Sequence[Node]
+    setting: Setting, pose: Sequence[Pose], link: Link, *, before: Wrenches, u: Sequence[Node]
 ) -> JointWrench:
     """What the joint transmits, its own freedoms cleared: passive ones carry nothing, driven ones the drive."""
     frame, placed, parent = setting.frames[link.index], setting.placed[link.index], pose[link.parent]
@@ -121,12 +123,12 @@ def _tree_reaction(
         columns[column] = scale(sign, f), scale(sign, m)
     rotation = Pose(parent.rotation) @ Pose(placed.rotation)
     place = Pose(rotation.rotation, pose[link.index].translation)
-    _remove_other_drives(setting, pose, link, columns, place, u)
+    _remove_other_drives(setting, pose, link, columns=columns, place=place, u=u)
     return JointWrench(link.joint, columns, place)
 
 
 def _remove_other_drives(
-    setting: Setting, pose: Sequence[Pose], last: Link, columns: Wrenches, place: Pose, u: Sequence[Node]
+    setting: Setting, pose: Sequence[Pose], last: Link, *, columns: Wrenches, place: Pose, u: Sequence[Node]
 ) -> None:
     """Take the shares of drives and known forces on a joint's other motions (compound, helical) out of column 1."""
     sign = -1 if last.inverted else 1
@@ -139,12 +141,11 @@ def _remove_other_drives(
         share = setting.tape.zero if drive is None else u[drive]
         share = share if known is None else share + known
         if link.motion.prismatic:
-            axis, part = pose[link.parent].direction(setting.frames[link.index].axis), "force"
+            axis = pose[link.parent].direction(setting.frames[link.index].axis)
         else:
-            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"  # type: ignore[assignment]
-        back = tuple(zip(*place.rotation, strict=True))
-        local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
-        accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))
+            axis = transpose(pose[link.index].rotation)[2]
+        local = scale(-sign * share, transform(transpose(place.rotation), axis))
+        accumulate(columns, ONE, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:

@@ -293,7 +293,7 @@ class ClosedMotion:
         tree = mass_matrix(system, acting.reflected_inertia)
         gains = [[inner(row, system.tree_rates(gain)) for row in tree] for gain in (*self.displaced, *self.following)]
         every = self._variation([*self.by_steps, *self.by_rates])
-        changes = power_changes(every, acting, multipliers, columns, gains)
+        changes = power_changes(every, acting, multipliers=multipliers, columns=columns, forces=gains)
         in_v = [system.tree_rates(column) for column in columns]
         momenta = [[inner(row, column) for row in tree] for column in in_v]
         inertia = [[inner(in_v[min(i, k)], momenta[max(i, k)]) for i in range(count)] for k in range(count)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Guard, Node, Vector, add, cross, dot, scale
+from symscrew.algebra import Guard, Node, Tape, Vector, add, cross, dot, scale
 from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
 from symscrew.kinematics import System
 from symscrew.loops import Loops, any_rods, closed_limbs, hub_links, limb_coordinates
@@ -37,9 +37,9 @@ def closure_functions(system: System, loops: Loops, notes: Sequence[str]) -> lis
             "velocity",
             "Rates of the tree from the rates of the independent coordinates.",
             [q, (y_port(loops, "y_dot", 1), loops.inputs("ydot"))],
-            [(v_port(system), system.tree_rates(rates))],
-            guarded(loops.guards),
-            notes,
+            outputs=[(v_port(system), system.tree_rates(rates))],
+            guards=guarded(loops.guards),
+            notes=notes,
         )
     )
     functions.append(_null_space(system, loops, notes))
@@ -50,9 +50,9 @@ def closure_functions(system: System, loops: Loops, notes: Sequence[str]) -> lis
             "acceleration",
             "Accelerations of the tree from the second rates of the independent coordinates.",
             [q, v, (y_port(loops, "y_ddot", 2), loops.inputs("yddot"))],
-            [(a_port(system), system.tree_rates(gains))],
-            guarded(loops.guards),
-            notes,
+            outputs=[(a_port(system), system.tree_rates(gains))],
+            guards=guarded(loops.guards),
+            notes=notes,
         )
     )
     return functions
@@ -68,7 +68,9 @@ def _null_space(system: System, loops: Loops, notes: Sequence[str]) -> Function:
     port = Port("null_space", (n, count), ("1",) * (n * count), labels, "columns: v for a unit rate of each y")
     text = "Null space of the closure: v = null_space y_dot."
     q = (q_port(system), system.inputs.q)
-    return function(system, "null_space", text, [q], [(port, values)], guarded(loops.guards), notes)
+    return function(
+        system, "null_space", text, [q], outputs=[(port, values)], guards=guarded(loops.guards), notes=notes
+    )
 
 
 def loop_notes(loops: Loops) -> tuple[str, ...]:
@@ -98,11 +100,12 @@ def _residual_functions(system: System) -> list[Function]:
     bias_port = Port("bias", (count,), tuple(f"{u}/s^2" for u in units), labels, "(dJ/dt) v")
     return [
         function(system, "closure", "How far the loops are open, in the cut joints' tip axes.", [q],
-                 [(residual, system.residual)]),
+                 outputs=[(residual, system.residual)]),
         function(system, "closure_jacobian",
                  "Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0.", [q],
-                 [(jacobian, entries)]),
-        function(system, "closure_bias", "Closure of accelerations: J a + bias = 0.", [q, v], [(bias_port, bias)]),
+                 outputs=[(jacobian, entries)]),
+        function(system, "closure_bias", "Closure of accelerations: J a + bias = 0.", [q, v],
+                 outputs=[(bias_port, bias)]),
     ]  # fmt: skip
 
 
@@ -158,11 +161,11 @@ def assembly(system: System, loops: Loops) -> Iteration:
         "assemble_step",
         "One Newton step of the assembly.",
         [(q_port(system), system.inputs.q), (ports[0], y)],
-        [
+        outputs=[
             (q_port(system, "q_next"), moved),
             *((p, [n]) for p, n in zip(single, (residual, size, orientation), strict=True)),
         ],
-        guarded(loops.guards, NEWTON_THRESHOLD),
+        guards=guarded(loops.guards, NEWTON_THRESHOLD),
     )
     parameter_ports, _ = system.parameter_ports()
     return Iteration(
@@ -184,11 +187,11 @@ def opening(system: System) -> Node:
     return _norm(tape, [g * tape.constant(f) for g, f in zip(system.residual, scales, strict=True)])
 
 
-def _norm(tape: object, values: Sequence[Node]) -> Node:
-    total = tape.zero  # type: ignore[attr-defined]
+def _norm(tape: Tape, values: Sequence[Node]) -> Node:
+    total = tape.zero
     for value in values:
         total = total + value * value
-    return tape.sqrt(total)  # type: ignore[attr-defined]
+    return tape.sqrt(total)
 
 
 def moved_by(system: System, step: Sequence[Node]) -> list[Node]:

@@ -69,11 +69,11 @@ def derivative_functions(
             text = f"Derivatives of the drives {text}."
             known = closed_derivative.inverse_derivatives(system, effects, loops) if independent and lean else None
             if known is not None:
-                result.append(_given(found[name], f"{name}_derivatives", groups, text, known, guards=closed))
+                result.append(_given(found[name], f"{name}_derivatives", groups, text=text, known=known, guards=closed))
                 continue
             guards = closed if independent else ()
             straight = differentiated(found[name], f"{name}_derivatives", groups, text, guards=guards)
-            result.append(min(straight, _of_tree(system, effects, loops, straight, groups), key=_size))
+            result.append(min(straight, _of_tree(system, effects, loops, straight=straight, groups=groups), key=_size))
     result += forward_derivatives(system, effects, loops, found)
     if system.parameters:
         result += _by_parameters(system, loops, found)
@@ -91,7 +91,7 @@ def _tree_text(system: System) -> str:
 
 
 def _of_tree(
-    system: System, effects: Sequence[Effect], loops: Loops, straight: Function, groups: Sequence[Directions]
+    system: System, effects: Sequence[Effect], loops: Loops, *, straight: Function, groups: Sequence[Directions]
 ) -> Function:
     """The derivatives of inverse dynamics from the equations of motion where no loop closes, else as they are."""
     v, a = system.inputs.v, system.inputs.a
@@ -114,7 +114,7 @@ def _force_changes(loops: Loops, acting: Acting, a: Sequence[Node], groups: Sequ
     system = acting.system
     steps = null_space(system, loops) if groups[0].name == "y" else _units(system.tape, len(a))
     keys = [key for group in groups for key in group.keys]
-    return tree_derivative.force_changes(acting, a, keys, steps, _merged(groups))
+    return tree_derivative.force_changes(acting, a, directions=keys, steps=steps, seeds=_merged(groups))
 
 
 def _groups(system: System, loops: Loops, function: Function, *, independent: bool) -> list[Directions]:
@@ -149,7 +149,7 @@ def forward_derivatives(
         function = found["forward_dynamics"]
         groups = _groups(system, loops, function, independent=False)
         straight = differentiated(function, "forward_dynamics_derivatives", groups, "Derivatives of the accelerations.")
-        implicit = _implicit(system, effects, loops, straight, groups, independent=False)
+        implicit = _implicit(system, effects, loops, straight=straight, groups=groups, independent=False)
         result.append(min(straight, implicit, key=_size))
     if "forward_dynamics_independent" in found:
         function = found["forward_dynamics_independent"]
@@ -158,10 +158,10 @@ def forward_derivatives(
         guards = guarded(loops.guards, LOSING)
         if closed_derivative.covers(system, Acting(system, effects)):
             name, known = "forward_dynamics_independent_derivatives", closed_derivative.forward_derivatives
-            lean = _given(function, name, groups, text, known(system, effects, loops), guards=guards)
+            lean = _given(function, name, groups, text=text, known=known(system, effects, loops), guards=guards)
             return [*result, lean, _linearisation(system, loops, lean)]
         straight = differentiated(function, "forward_dynamics_independent_derivatives", groups, text, guards=guards)
-        implicit = _implicit(system, effects, loops, straight, groups, independent=True)
+        implicit = _implicit(system, effects, loops, straight=straight, groups=groups, independent=True)
         chosen = min(straight, implicit, key=_size)
         result += [chosen, _linearisation(system, loops, chosen)]
     return result
@@ -175,9 +175,9 @@ def _implicit(
     system: System,
     effects: Sequence[Effect],
     loops: Loops,
+    *,
     straight: Function,
     groups: Sequence[Directions],
-    *,
     independent: bool,
 ) -> Function:
     """The same derivatives from the equations of motion instead of their solution.
@@ -274,9 +274,9 @@ def _given(
     function: Function,
     name: str,
     groups: Sequence[Directions],
+    *,
     text: str,
     known: closed_derivative.Derivatives,
-    *,
     guards: Sequence[tuple[Node, float]],
 ) -> Function:
     """The derivatives of a function's first output by each group, which are known."""
@@ -325,8 +325,7 @@ def quotient(unit: str, by: str) -> str:
 
 def plain_directions(name: str, port: Port, nodes: Sequence[Node]) -> Directions:
     """One direction per entry of an input."""
-    one = nodes[0].tape.one if nodes else None
-    seeds: Seeds = {n: {f"{name}|{label}": one} for n, label in zip(nodes, port.labels, strict=True)}  # type: ignore[dict-item]
+    seeds = {node: {f"{name}|{label}": node.tape.one} for node, label in zip(nodes, port.labels, strict=True)}
     return Directions(name, port.labels, port.units, seeds, port.description)
 
 

@@ -43,7 +43,10 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
     cranks = [limb for limb in limbs if isinstance(limb, CrankLimb)]
     choices = [(), length_rows(placed, cranks, reference_nodes(system))] if cranks else [()]
     hub_v, hub_a = ({k: nodes[k] for k in v_at} for nodes in (system.inputs.v, system.inputs.a))
-    ways = [_motion(placed, found.turns, hub[-1].index, hub_v, hub_a, lengths) for lengths in choices]
+    ways = [
+        _motion(placed, found.turns, hub=hub[-1].index, hub_v=hub_v, hub_a=hub_a, lengths=lengths)
+        for lengths in choices
+    ]
     shortest = min(ways, key=lambda way: loops.cost([*way.v, *(pivot for pivot, _ in way.guards)]))
     result = [
         function(
@@ -51,15 +54,15 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
             "inverse_kinematics",
             "Configuration of the tree from the platform's own coordinates, limbs in closed form.",
             [(pose, q_in)],
-            [(q_port(system), found.q)],
+            outputs=[(q_port(system), found.q)],
         ),
         function(
             system,
             "inverse_velocity",
             "Rates of the tree from the platform's own, limbs in closed form.",
             [(pose, q_in), (rate, v_in)],
-            [(v_port(system), shortest.v)],
-            shortest.guards,
+            outputs=[(v_port(system), shortest.v)],
+            guards=shortest.guards,
         ),
     ]
     if system.drives:
@@ -86,6 +89,7 @@ class _Motion:
 def _motion(
     placed: System,
     turns: dict[int, Turn],
+    *,
     hub: int,
     hub_v: dict[int, Node],
     hub_a: dict[int, Node],
@@ -116,7 +120,13 @@ def _drives(
     text = "Drives from the platform's own coordinates, rates and accelerations, limbs in closed form."
     ports = [*inputs, *equations.forces.inputs]
     return function(
-        equations.system, "inverse_dynamics_platform", text, ports, [(port, drives)], every, equations.notes
+        equations.system,
+        "inverse_dynamics_platform",
+        text,
+        ports,
+        outputs=[(port, drives)],
+        guards=every,
+        notes=equations.notes,
     )
 
 

@@ -45,6 +45,7 @@ UNITS = ("kg", *("kg m",) * 3, *("kg m^2",) * 6)
 PRODUCTS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 WHAT = "parameters of every body about O in absolute axes of the reference configuration"
 Columns = dict[int, list[Node]]  # index into v -> the ten entries of a body
+Input = tuple[Port, Sequence[Node]]
 
 
 def parameter_labels(system: System) -> tuple[str, ...]:
@@ -61,11 +62,11 @@ def regressor_functions(system: System, effects: Sequence[Effect], loops: Loops)
     units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
     text = "Generalised forces of the tree per inertial parameter: what inertia and gravity need on every freedom."
     made = [function(system, "regressor", text, _needed([*state, *acting.inputs], tree),
-                     [_output(system, "regressor", rows, units, tree)])]  # fmt: skip
+                     outputs=[_output(system, "regressor", rows=rows, units=units, entries=tree)])]  # fmt: skip
     if system.cuts:
         made.append(_independent(system, effects, loops))
     if system.drives:
-        made += _drives(system, acting, loops, tree, state)
+        made += _drives(system, acting, loops, tree=tree, state=state)
     return made
 
 
@@ -81,12 +82,14 @@ def _independent(system: System, effects: Sequence[Effect], loops: Loops) -> Fun
               (y_port(loops, "y_ddot", 2), y_ddot), *acting.inputs]  # fmt: skip
     units = tuple("N" if system.tree.q[e.q].unit == "m" else "N m" for e in loops.entries)
     text = "Generalised forces along the independent coordinates per inertial parameter: null_space^T regressor."
-    output = _output(system, "regressor", loops.labels, units, rows)
-    return function(system, "regressor_independent", text, _needed(inputs, rows), [output], guarded(loops.guards))
+    output = _output(system, "regressor", rows=loops.labels, units=units, entries=rows)
+    return function(
+        system, "regressor_independent", text, _needed(inputs, rows), outputs=[output], guards=guarded(loops.guards)
+    )
 
 
 def _drives(
-    system: System, acting: Acting, loops: Loops, tree: Sequence[Sequence[Node]], state: Sequence
+    system: System, acting: Acting, loops: Loops, *, tree: Sequence[Sequence[Node]], state: Sequence[Input]
 ) -> list[Function]:
     """Drives of smallest sum of squares per inertial parameter; nothing where freedoms carry no drive."""
     found = _distribution(system, loops)
@@ -97,9 +100,13 @@ def _drives(
     rows = [[_inner(system, row, column) for column in zip(*along, strict=True)] for row in distribution]
     labels = tuple(drive_label(system, k) for k in range(len(system.drives)))
     text = "Drives of smallest sum of squares per inertial parameter, from a consistent state."
-    output = _output(system, "regressor", labels, u_port(system).units, rows)
+    output = _output(system, "regressor", rows=labels, units=u_port(system).units, entries=rows)
     every = guarded((*loops.guards, *guards))
-    return [function(system, "regressor_drives", text, _needed([*state, *acting.inputs], rows), [output], every)]
+    return [
+        function(
+            system, "regressor_drives", text, _needed([*state, *acting.inputs], rows), outputs=[output], guards=every
+        )
+    ]
 
 
 def _distribution(system: System, loops: Loops) -> tuple[Admissible, list[list[Node]], list[Guard]] | None:
@@ -134,7 +141,7 @@ def _regular(system: System, rows: Sequence[Sequence[Node]]) -> bool:
 
 
 def _output(
-    system: System, name: str, rows: Sequence[str], units: Sequence[str], entries: Sequence[Sequence[Node]]
+    system: System, name: str, *, rows: Sequence[str], units: Sequence[str], entries: Sequence[Sequence[Node]]
 ) -> tuple[Port, list[Node]]:
     labels = parameter_labels(system)
     by = UNITS * (len(labels) // 10)
@@ -148,7 +155,7 @@ def _output(
     return port, [row[k] for k in range(len(labels)) for row in entries]
 
 
-def _needed(inputs: Sequence[tuple[Port, Sequence[Node]]], rows: Sequence[Sequence[Node]]) -> list:
+def _needed(inputs: Sequence[Input], rows: Sequence[Sequence[Node]]) -> list[Input]:
     """The state, and what else the entries depend on: loads are no part of a regressor."""
     seen: set[int] = set()
     stack = [node for row in rows for node in row]

@@ -22,7 +22,7 @@ def covers(acting: Acting) -> bool:
 
 
 def force_changes(
-    acting: Acting, a: Sequence[Node], directions: Sequence[str], steps: Sequence[Sequence[Node]], seeds: Seeds
+    acting: Acting, a: Sequence[Node], *, directions: Sequence[str], steps: Sequence[Sequence[Node]], seeds: Seeds
 ) -> list[list[Node]]:
     """Changes of the generalised forces (for v) that accelerations a of the tree take: [direction][freedom].
 

@@ -51,7 +51,7 @@ def test_changes_of_forces(name: str, effects: tuple[Effect, ...]) -> None:
     for group, nodes in (("v", system.inputs.v), ("a", system.inputs.a)):
         seeds.update({node: {f"{group}|{k}": tape.one} for k, node in enumerate(nodes)})
     keys = [f"{group}|{k}" for group in "qva" for k in labels]
-    found = force_changes(acting, system.inputs.a, keys, units, seeds)
+    found = force_changes(acting, system.inputs.a, directions=keys, steps=units, seeds=seeds)
     forces = generalised_forces(system, acting, system.inputs.a)
     expected = differentiate(tape, forces, seeds, keys, order="forward")
     for k, column in enumerate(found):

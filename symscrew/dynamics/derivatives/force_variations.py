@@ -23,7 +23,7 @@ Columns = Sequence[Sequence[Node]]
 
 
 def power_changes(
-    variation: Variation, acting: Acting, multipliers: Mapping[int, Node], columns: Columns, forces: Columns
+    variation: Variation, acting: Acting, *, multipliers: Mapping[int, Node], columns: Columns, forces: Columns
 ) -> list[list[Node]]:
     """Changes of S . W, summed over all freedoms with the rates of each column: [column][direction].
 
@@ -69,7 +69,7 @@ class _Powers:
                 turned.append((add(f, cross(step.angular, f0)), add(m, cross(step.angular, m0))))
             # All freedoms of a joint in the same axes, its child's if nothing stands in others: together they balance.
             apart = link.index in outer or not beside.isdisjoint(range(link.v.start, link.v.stop))
-            self._collect(total, in_v, link, turned if apart else own[link.index], self.forces)
+            self._collect(total, in_v, link, turned if apart else own[link.index], forces=self.forces)
             before = [(here.before(f), here.before(m)) for f, m in turned]
             if link.index in outer:
                 self._collect(total, self.columns, link, outer[link.index])
@@ -85,7 +85,7 @@ class _Powers:
         return total
 
     def _collect(
-        self, total: list[list[Node]], columns: Columns, link: Link, wrench: VariedWrench, forces: Columns = ()
+        self, total: list[list[Node]], columns: Columns, link: Link, wrench: VariedWrench, *, forces: Columns = ()
     ) -> None:
         frame = self.variation.system.frames[link.index]
         for k, (f, m) in enumerate(wrench[1:]):

@@ -103,7 +103,7 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
     own: tuple[Affine, ...] = ({}, {limb.first.v.start: aside}, {limb.second.v.start: -aside})
     rows = []
     for direction, tip, entries in zip((n, across, axis), (arm, far, far), own, strict=True):
-        row = _difference(system, cut, carrier, tip, direction) | entries
+        row = _difference(system, cut, carrier, at=tip, direction=direction) | entries
         rows.append({k: e for k, e in row.items() if e is not system.tape.zero})
     size = system.tape.sqrt(system.tape.node(dot(limb.tip, limb.tip)))
     length = float(system.numeric([size], (system.inputs.q, system.reference))[0])
@@ -136,7 +136,7 @@ def _aside(system: System, limb: RodLimb) -> Node:
     return system.tape.node(gx * py - gy * px)
 
 
-def _difference(system: System, cut: Cut, carrier: int, at: Vector, direction: Vector) -> Affine:
+def _difference(system: System, cut: Cut, carrier: int, *, at: Vector, direction: Vector) -> Affine:
     """Velocity along a direction of the rod's tip as a point of the carrier, at `at`, less that of the hub's point.
 
     Per joint rate; `at` from the carrier's origin, in the axes before the carrier's motion as the direction is.

@@ -91,12 +91,14 @@ def seen_rows(system: System, cut: Cut) -> SeenRows | None:
         moments = [_about(centre, wrenches[link]) for _, wrenches in pushed]
         columns = [system.linkage.carry_before(cut.hub, link, axis) for axis in IDENTITY]
         turn = transpose((columns[0], columns[1], columns[2]))
-        views.append(_from_link(system, cut, link, moments, limb, turn))
+        views.append(_from_link(system, cut, link, moments=moments, limb=limb, turn=turn))
     best = min(views, key=lambda view: view.products)
     return best if best.link != GROUND else None
 
 
-def _from_link(system: System, cut: Cut, link: int, moments, limb, turn: Matrix) -> SeenRows:
+def _from_link(
+    system: System, cut: Cut, link: int, *, moments: Sequence[Vector], limb: Sequence[Affine], turn: Matrix
+) -> SeenRows:
     tape, hub = system.tape, system.tree.links[cut.hub].v.start
     definitions: list[Definition] = []
     seen: list[Affine] = []
