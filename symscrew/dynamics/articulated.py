@@ -93,11 +93,11 @@ def rigid(inertia: Inertia) -> Articulated:
     x, y, z = inertia.first
     mass, second = inertia.mass, inertia.second
     trace = second[0][0] + second[1][1] + second[2][2]
-    rows = tuple(tuple((trace if i == j else 0) - second[i][j] for j in range(3)) for i in range(3))
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = second
     return Articulated(
         ((mass, 0, 0), (0, mass, 0), (0, 0, mass)),
         ((0, z, -y), (-z, 0, x), (y, -x, 0)),
-        rows,  # type: ignore[arg-type]
+        ((trace - xx, 0 - xy, 0 - xz), (0 - yx, trace - yy, 0 - yz), (0 - zx, 0 - zy, trace - zz)),
     )
 
 
@@ -172,19 +172,23 @@ def _minus(matrix: Matrix, left: Vector, right: Vector, *, symmetric: bool = Fal
     rows = [[matrix[i][j] - left[i] * right[j] for j in range(3)] for i in range(3)]
     if symmetric:
         rows = [[rows[min(i, j)][max(i, j)] for j in range(3)] for i in range(3)]
-    return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    return ((a, b, c), (d, e, f), (g, h, i))
 
 
 def _sum(x: Matrix, y: Matrix) -> Matrix:
-    return tuple(add(a, b) for a, b in zip(x, y, strict=True))  # type: ignore[return-value]
+    return (add(x[0], y[0]), add(x[1], y[1]), add(x[2], y[2]))
 
 
 def _negative(x: Matrix) -> Matrix:
-    return tuple(scale(-1, row) for row in x)  # type: ignore[return-value]
+    return (scale(-1, x[0]), scale(-1, x[1]), scale(-1, x[2]))
 
 
 def _turned(placed: Placement, matrix: Matrix) -> Matrix:
     """R matrix R^T with R from link axes to parent axes."""
-    rows = tuple(placed.inwards(row) for row in matrix)
-    columns = tuple(placed.inwards(column) for column in transpose(rows))  # type: ignore[arg-type]
-    return transpose(columns)  # type: ignore[arg-type]
+    half = _inwards(placed, matrix)
+    return transpose(_inwards(placed, transpose(half)))
+
+
+def _inwards(placed: Placement, rows: Matrix) -> Matrix:
+    return (placed.inwards(rows[0]), placed.inwards(rows[1]), placed.inwards(rows[2]))

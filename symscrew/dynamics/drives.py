@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Affine, Column, Guard, Node, Tape, eliminate, magnitude
@@ -108,9 +108,9 @@ def solve_symmetric(
     return x, tuple(guards)
 
 
-def _sum(tape: Tape, terms: object) -> Node:
+def _sum(tape: Tape, terms: Iterable[Node]) -> Node:
     total = tape.zero
-    for term in terms:  # type: ignore[attr-defined]
+    for term in terms:
         total = total + term
     return total
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from symscrew.algebra import (
     SAFE,
@@ -237,8 +238,7 @@ class _Elimination:
     def _virtual_rows(self) -> tuple[list[int | None], list[Projection]]:
         """A virtual joint transmits nothing: rows also for the wrenches that are reciprocal to it."""
         forces, couples = self.setting.virtual_directions
-        rows: list[Projection] = [lambda w, d=d: dot(d, w[0]) for d in forces]  # type: ignore[misc]
-        rows += [lambda w, d=d: dot(d, w[1]) for d in couples]  # type: ignore[misc]
+        rows: list[Projection] = [*(partial(_along, 0, d) for d in forces), *(partial(_along, 1, d) for d in couples)]
         return [None] * len(rows), rows
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
@@ -262,7 +262,8 @@ class _Elimination:
         while waiting:
             rows = {k: self._row(v, screw, before) for k, (v, screw) in waiting.items()}
             found = {k: self._pivot(rows[k], v) for k, (v, _) in waiting.items()}
-            best = max(waiting, key=lambda k: found[k].size if found[k] else -1.0)  # type: ignore[union-attr]
+            sizes = {k: pivot.size if pivot else -1.0 for k, pivot in found.items()}
+            best = max(waiting, key=sizes.__getitem__)
             pivot = found[best]
             if pivot is None or pivot.size < SAFE:
                 self.deferred += [(v, rows[k]) for k, (v, _) in waiting.items()]
@@ -387,6 +388,12 @@ class _Elimination:
             self.result.finals.append(known)
         elif known and v_index is not None:
             self.result.unbalanced.append(v_index)
+
+
+def _along(part: int, direction: Vector, wrench: Wrench) -> Node:
+    """A wrench's force (part 0) or moment (part 1) along a direction."""
+    component: Node = dot(direction, wrench[part])
+    return component
 
 
 def accumulate(here: Wrenches, column: Column, force: Vector, moment: Vector) -> None:

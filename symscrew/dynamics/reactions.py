@@ -27,6 +27,7 @@ from symscrew.algebra import (
     magnitude,
     scale,
     transform,
+    transpose,
 )
 from symscrew.dynamics.drives import solve_symmetric
 from symscrew.dynamics.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
@@ -70,8 +71,8 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
 
 def joint_wrenches(
     setting: Setting,
-    pose: Sequence[Pose],
     *,
+    pose: Sequence[Pose],
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
     multipliers: Mapping[Column, Affine],
@@ -140,12 +141,11 @@ def _remove_other_drives(
         share = setting.tape.zero if drive is None else u[drive]
         share = share if known is None else share + known
         if link.motion.prismatic:
-            axis, part = pose[link.parent].direction(setting.frames[link.index].axis), "force"
+            axis = pose[link.parent].direction(setting.frames[link.index].axis)
         else:
-            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"
-        back = tuple(zip(*place.rotation, strict=True))
-        local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
-        accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))
+            axis = transpose(pose[link.index].rotation)[2]
+        local = scale(-sign * share, transform(transpose(place.rotation), axis))
+        accumulate(columns, ONE, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:

@@ -80,11 +80,10 @@ def mass_matrix(
                 matrix[j][k] = matrix[k][j] = value
         if link.parent != GROUND:
             moved = moved_inertia(system.placed[link.index], composite[link.index])
-            composite[link.parent] = Inertia(
-                composite[link.parent].mass + moved.mass,
-                add(composite[link.parent].first, moved.first),
-                tuple(add(x, y) for x, y in zip(composite[link.parent].second, moved.second, strict=True)),  # type: ignore[arg-type]
-            )
+            inner = composite[link.parent]
+            (x, y, z), (u, v, w) = inner.second, moved.second
+            second = (add(x, u), add(y, v), add(z, w))
+            composite[link.parent] = Inertia(inner.mass + moved.mass, add(inner.first, moved.first), second)
     for k, further in (reflected or {}).items():
         matrix[k][k] = matrix[k][k] + further
     return matrix

@@ -325,8 +325,7 @@ def quotient(unit: str, by: str) -> str:
 
 def plain_directions(name: str, port: Port, nodes: Sequence[Node]) -> Directions:
     """One direction per entry of an input."""
-    one = nodes[0].tape.one if nodes else None
-    seeds: Seeds = {n: {f"{name}|{label}": one} for n, label in zip(nodes, port.labels, strict=True)}  # type: ignore[dict-item]
+    seeds = {node: {f"{name}|{label}": node.tape.one} for node, label in zip(nodes, port.labels, strict=True)}
     return Directions(name, port.labels, port.units, seeds, port.description)
 
 

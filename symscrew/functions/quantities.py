@@ -12,7 +12,7 @@ Matrix([[0, 1, 0, 0, 0, 0]])
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import sympy
@@ -22,7 +22,7 @@ from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions.kinematic import Motion, all_joint_screws
 from symscrew.functions.momenta import mass_properties
-from symscrew.kinematics import System, momentum_rate, momentum_screw
+from symscrew.kinematics import BodyMotion, MassProperties, System, momentum_rate, momentum_screw
 
 
 @dataclass(frozen=True)
@@ -114,11 +114,11 @@ class Quantities:
             columns.append((*force, *(c + m for c, m in zip(couple, arm, strict=True))))
         return self._quantity(rf"W_{{\mathrm{{{_plain(joint)}}}}}", columns)
 
-    def _motion(self, body: str):  # type: ignore[no-untyped-def]
+    def _motion(self, body: str) -> BodyMotion:
         _known(body, self.system.tree.link_of_body, "body")
         return self.motion.body(body)
 
-    def _mass(self, body: str):  # type: ignore[no-untyped-def]
+    def _mass(self, body: str) -> MassProperties:
         _known(body, self.mechanism.bodies, "body")
         properties = mass_properties(self.system, body)
         if properties is None:
@@ -177,6 +177,6 @@ def _plain(name: str) -> str:
     return name.replace("_", r"\_")
 
 
-def _known(name: str, known: object, what: str) -> None:
-    if name not in known:  # type: ignore[operator]
-        raise DescriptionError(f"expected the name of a {what}, got {name!r}{did_you_mean(name, known)}")  # type: ignore[arg-type]
+def _known(name: str, known: Collection[str], what: str) -> None:
+    if name not in known:
+        raise DescriptionError(f"expected the name of a {what}, got {name!r}{did_you_mean(name, known)}")

@@ -18,7 +18,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, product, scale, transform, transpose
+from symscrew.algebra import (
+    ZERO,
+    Matrix,
+    Node,
+    Scalar,
+    Tape,
+    Vector,
+    add,
+    cross,
+    dot,
+    product,
+    scale,
+    transform,
+    transpose,
+)
 from symscrew.dynamics.tree_dynamics import moved_inertia
 from symscrew.effects import Acting
 from symscrew.kinematics import GROUND, Inertia, Link, Placement, Rates, System, acceleration_matrix, own_screws
@@ -84,10 +98,10 @@ class Change:
     alpha: Vector
     origin: Vector
 
-    def of(self, other: Change) -> Node:
+    def of(self, other: Change) -> Scalar:
         """The function's value."""
         pairs = ((self.omega, other.omega), (self.alpha, other.alpha), (self.origin, other.origin))
-        total: Node = sum((dot(x, y) for x, y in pairs), start=0)
+        total: Scalar = sum((dot(x, y) for x, y in pairs), start=0)
         return total
 
     def inwards(self, placed: Placement, twice: Vector) -> Change:
@@ -112,7 +126,7 @@ def inertial_derivatives(acting: Acting, a: Sequence[Node]) -> tuple[Table, Tabl
     bodies = [_own(inertia, rates) for inertia, rates in zip(lean, moving, strict=True)]
     wrenches = acting.inertial_wrenches(a)
     size = len(tree.v)
-    tables: tuple[Table, Table, Table] = tuple([[tape.zero] * size for _ in range(size)] for _ in range(3))  # type: ignore[assignment]
+    tables = (_zeros(tape, size), _zeros(tape, size), _zeros(tape, size))
     freedoms = {link.index: _freedoms(system, link, moving) for link in tree.links[1:]}
     columns: dict[int, list[tuple[int, int, Vector, Vector]]] = {k: [] for k in range(len(tree.links))}
     rows: dict[int, list[tuple[int, Change]]] = {k: [] for k in range(len(tree.links))}
@@ -173,8 +187,12 @@ def _own(inertia: Inertia, rates: Rates) -> Composite:
     return Composite(inertia, cross(twice, inertia.first), transpose((columns[0], columns[1], columns[2])), ZERO, ZERO)
 
 
-def _none(tape: object) -> Inertia:
-    return Inertia(tape.zero, ZERO, NOTHING)  # type: ignore[attr-defined]
+def _none(tape: Tape) -> Inertia:
+    return Inertia(tape.zero, ZERO, NOTHING)
+
+
+def _zeros(tape: Tape, size: int) -> Table:
+    return [[tape.zero] * size for _ in range(size)]
 
 
 def _less_trace(matrix: Matrix, vector: Vector) -> Vector:

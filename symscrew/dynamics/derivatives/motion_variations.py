@@ -226,8 +226,3 @@ def times(a: Varied, b: Varied) -> Varied:
     """a x b."""
     changes = (add(cross(x, b[0]), cross(a[0], y)) for x, y in zip(a[1:], b[1:], strict=True))
     return [cross(a[0], b[0]), *changes]
-
-
-def along(a: Varied, b: Varied) -> list[Node]:
-    """a . b."""
-    return [dot(a[0], b[0]), *(dot(x, b[0]) + dot(a[0], y) for x, y in zip(a[1:], b[1:], strict=True))]
