@@ -26,7 +26,7 @@ from symscrew.errors import DescriptionError
 Point: TypeAlias = Any  # a sympy.Matrix of three entries
 R, r, H, b, l = sympy.symbols("R r H b l", positive=True)
 HALF = sympy.Rational(1, 2)
-LINK_MASS, PLATFORM_MASS = 1, 3
+LINK_MASS, PLATFORM_MASS = 1, 3  # [kg], of a proposal: round numbers that a reader sees are to be changed
 VALUES = {
     "parallel": {R: ("0.5", "radius of the base points"), r: ("0.25", "radius of the platform's points"),
                  H: ("0.6", "height of the platform"), b: ("0.15", "how far elbows stand out")},

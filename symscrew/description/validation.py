@@ -42,7 +42,7 @@ FAR = 100.0
 1000. It is a warning, since such a mechanism may be meant."""
 
 _CONTEXT = mpmath.mp.clone()
-_CONTEXT.dps = 50
+_CONTEXT.dps = 50  # digits: three times a double's, so that no tolerance here is near the rounding
 
 Numbers = tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf]
 

@@ -73,6 +73,7 @@ def joint_wrenches(
     setting: Setting,
     *,
     pose: Sequence[Pose],
+    *,
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
     multipliers: Mapping[Column, Affine],
@@ -143,9 +144,10 @@ def _remove_other_drives(
         if link.motion.prismatic:
             axis = pose[link.parent].direction(setting.frames[link.index].axis)
         else:
-            axis = transpose(pose[link.index].rotation)[2]
-        local = scale(-sign * share, transform(transpose(place.rotation), axis))
-        accumulate(columns, ONE, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
+            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"
+        back = tuple(zip(*place.rotation, strict=True))
+        local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
+        accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:

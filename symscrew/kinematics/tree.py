@@ -15,7 +15,7 @@ import sympy
 from symscrew.description import NO_MOTION, Joint, Mechanism, Motion, Vector
 from symscrew.kinematics.pairs import LowerPair, pair_of
 
-GROUND = 0
+GROUND = 0  # index of the ground among the links: the first of them, which all others hang on
 
 LIMBS_OF_HUB = 3
 """Joints that meet at a platform from which on it hangs on a joint of its own: its limbs are chains of their own then,

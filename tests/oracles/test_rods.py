@@ -49,7 +49,7 @@ def compare(found: Model, tolerance: float = 1e-10) -> None:
 
 @pytest.mark.parametrize(
     ("name", "count"),
-    [slow("rotary_hexapod", 6), ("hung_platform", 3), ("braced_arm", 1)],
+    [slow("rotary_hexapod", 6), slow("hung_platform", 3), ("braced_arm", 1)],
 )
 def test_rod_mechanisms_by_method_b(name: str, count: int) -> None:
     """Drives, and accelerations from them, by all ways."""
@@ -62,7 +62,7 @@ def test_rod_mechanisms_by_method_b(name: str, count: int) -> None:
     assert np.all(status == 0) and relative(back, a) < 1e-9
 
 
-@pytest.mark.parametrize("mechanism", [rotary_hexapod, hung_platform, braced_arm])
+@pytest.mark.parametrize("mechanism", [slow(rotary_hexapod), hung_platform, braced_arm])
 def test_all_ways_to_accelerations_are_equal(mechanism: Callable[[], Mechanism]) -> None:
     system = System(mechanism())
     system.use_samples()
@@ -82,7 +82,7 @@ def test_drives_of_the_delta_by_method_b() -> None:
 
 
 def test_angles_of_thin_rods_are_not_read() -> None:
-    found = model("hung_platform")
+    found = model("delta")
     q, v, a = found.system.states(3, 5)
     (before,), _ = found("inverse_dynamics", q, v, a)
     for k, coordinate in enumerate(found.system.tree.q):
@@ -90,7 +90,7 @@ def test_angles_of_thin_rods_are_not_read() -> None:
             q[:, k] += 0.3
     (after,), _ = found("inverse_dynamics", q, v, a)
     assert np.array_equal(before, after)
-    assert found.programs["inverse_dynamics"].operations["trig"] == 12
+    assert found.programs["inverse_dynamics"].operations["trig"] == 6  # of the three cranks
 
 
 @pytest.mark.parametrize("mechanism", [braced_arm, slow(rotary_hexapod)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -42,7 +43,10 @@ def is_number(node: ast.expr | None) -> bool:
 
 @pytest.mark.parametrize("path", FILES, ids=name_of)
 def test_every_number_has_its_reason_beside_it(path: Path) -> None:
-    """A constant of a module, one number or several at once, has a comment on its line, above it, or a text below."""
+    """A constant of a module, one number or several at once, has a comment on its line or a text below it.
+
+    Or a comment stands above it, or above the lines of constants that it is one of.
+    """
     lines = path.read_text().splitlines()
     body = ast.parse(path.read_text()).body
     for node, below in zip(body, [*body[1:], None], strict=True):
@@ -51,7 +55,12 @@ def test_every_number_has_its_reason_beside_it(path: Path) -> None:
         values = node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
         if not values or not all(is_number(value) for value in values):
             continue
-        said = "#" in lines[(node.end_lineno or 0) - 1] or lines[node.lineno - 2].startswith("#")
+        if not isinstance(node.targets[0] if isinstance(node, ast.Assign) else node.target, ast.Name | ast.Tuple):
+            continue
+        above = node.lineno - 2
+        while re.match(r"[A-Z_0-9]+ = ", lines[above]):
+            above -= 1
+        said = "#" in lines[(node.end_lineno or 0) - 1] or lines[above].startswith("#")
         text = (
             isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant) and isinstance(below.value.value, str)
         )
