@@ -71,7 +71,6 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
 
 def joint_wrenches(
     setting: Setting,
-    *,
     pose: Sequence[Pose],
     *,
     wrench: Callable[[Link], tuple[Vector, Vector]],
@@ -144,10 +143,9 @@ def _remove_other_drives(
         if link.motion.prismatic:
             axis = pose[link.parent].direction(setting.frames[link.index].axis)
         else:
-            axis, part = tuple(row[2] for row in pose[link.index].rotation), "moment"
-        back = tuple(zip(*place.rotation, strict=True))
-        local = scale(-sign * share, transform(back, axis))  # type: ignore[arg-type]
-        accumulate(columns, ONE, *((local, ZERO) if part == "force" else (ZERO, local)))
+            axis = transpose(pose[link.index].rotation)[2]
+        local = scale(-sign * share, transform(transpose(place.rotation), axis))
+        accumulate(columns, ONE, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:

@@ -88,7 +88,6 @@ class _Motion:
 def _motion(
     placed: System,
     turns: dict[int, Turn],
-    *,
     hub: int,
     *,
     hub_v: dict[int, Node],

@@ -83,7 +83,6 @@ def function(
     description: str,
     *,
     inputs: Sequence[tuple[Port, Sequence[Node]]],
-    *,
     outputs: Sequence[tuple[Port, Sequence[object]]],
     guards: Sequence[tuple[Node, float]] = (),
     notes: Sequence[str] = (),

@@ -45,7 +45,6 @@ UNITS = ("kg", *("kg m",) * 3, *("kg m^2",) * 6)
 PRODUCTS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 WHAT = "parameters of every body about O in absolute axes of the reference configuration"
 Columns = dict[int, list[Node]]  # index into v -> the ten entries of a body
-Input = tuple[Port, Sequence[Node]]
 
 
 def parameter_labels(system: System) -> tuple[str, ...]:

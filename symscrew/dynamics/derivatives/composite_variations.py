@@ -101,7 +101,7 @@ class Change:
     def of(self, other: Change) -> Scalar:
         """The function's value."""
         pairs = ((self.omega, other.omega), (self.alpha, other.alpha), (self.origin, other.origin))
-        total: Node = sum((dot(x, y) for x, y in pairs), start=0)
+        total: Scalar = sum((dot(x, y) for x, y in pairs), start=0)
         return total
 
     def inwards(self, placed: Placement, twice: Vector) -> Change:

@@ -39,7 +39,6 @@ class SpokeLimb(LimbForm):
 def pointing(
     system: System,
     links: tuple[Link, Link],
-    *,
     d: Vector,
     *,
     pointer: Turn,
