@@ -13,7 +13,7 @@ M_aa + M_bb, and with t = c (M_aa - M_bb) - 2 s M_ab they add M_bb + c t, M_aa -
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -49,7 +49,7 @@ class Projection:
                 left.setdefault(column, {})
         self.left = left
         self.rows = 1 + max((k for row, _, _, factors in elimination.steps for k in (row, *factors)), default=-1)
-        self.steps = [self._step(*step, row_entries=elimination.upper[step[0]]) for step in elimination.steps]
+        self.steps = [self._step(step, elimination.upper) for step in elimination.steps]
         partner = self._partners()
         waiting: set[Column] = set()
         for step in self.steps:
@@ -61,9 +61,10 @@ class Projection:
             else:
                 waiting.add(step.column)
 
-    def _step(self, row: int, column: Column, pivot: Node, factors: dict[int, Node], *, row_entries: Affine) -> _Step:
+    def _step(self, solved: tuple[int, Column, Node, dict[int, Node]], upper: Mapping[int, Affine]) -> _Step:
+        row, column, pivot, factors = solved
         over = 1 / pivot
-        follows = {c: -(entry * over) for c, entry in row_entries.items() if c != column}
+        follows = {c: -(entry * over) for c, entry in upper[row].items() if c != column}
         return _Step(row, column, factors, over, follows, self.tape.zero)
 
     def _partners(self) -> dict[Column, _Step]:

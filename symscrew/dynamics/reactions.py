@@ -71,7 +71,6 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
 
 def joint_wrenches(
     setting: Setting,
-    *,
     pose: Sequence[Pose],
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],

@@ -130,7 +130,7 @@ def bars(system: System, rods: Mapping[int, Rod], moving: Sequence[Rates]) -> di
             inertia = [_inertia(system, rods[k], moving) for k in cuts] if c == cuts[0] else []
             ends = {
                 link: (
-                    _pull(system, rods[c], first=first, line=line, link=link),
+                    _pull(system, rods[c], first, line=line, link=link),
                     _sum([wrenches[link] for wrenches in inertia]),
                 )
                 for link in sorted({first.parent, first.hub} - {GROUND})
@@ -152,7 +152,7 @@ def _line(system: System, rod: Rod) -> Vector:
     return subtract(far, _before(system, rod.parent, rod.near))
 
 
-def _pull(system: System, rod: Rod, *, first: Rod, line: Vector, link: int) -> Wrench:
+def _pull(system: System, rod: Rod, first: Rod, *, line: Vector, link: int) -> Wrench:
     """What a link must supply per unit of a rod's unknown, axes before its motion; `line` is that of the first rod."""
     sign = -1 if link == rod.parent else 1
     at, beside = (_before(system, link, x) for x in (_end(rod, link), subtract(_end(rod, link), _end(first, link))))

@@ -42,7 +42,7 @@ def closure_functions(system: System, loops: Loops, notes: Sequence[str]) -> lis
             system,
             "velocity",
             "Rates of the tree from the rates of the independent coordinates.",
-            [q, (y_port(loops, "y_dot", 1), loops.inputs("ydot"))],
+            inputs=[q, (y_port(loops, "y_dot", 1), loops.inputs("ydot"))],
             outputs=[(v_port(system), system.tree_rates(rates))],
             guards=guarded(loops.guards),
             notes=notes,
@@ -55,7 +55,7 @@ def closure_functions(system: System, loops: Loops, notes: Sequence[str]) -> lis
             system,
             "acceleration",
             "Accelerations of the tree from the second rates of the independent coordinates.",
-            [q, v, (y_port(loops, "y_ddot", 2), loops.inputs("yddot"))],
+            inputs=[q, v, (y_port(loops, "y_ddot", 2), loops.inputs("yddot"))],
             outputs=[(a_port(system), system.tree_rates(gains))],
             guards=guarded(loops.guards),
             notes=notes,
@@ -75,7 +75,7 @@ def _null_space(system: System, loops: Loops, notes: Sequence[str]) -> Function:
     text = "Null space of the closure: v = null_space y_dot."
     q = (q_port(system), system.inputs.q)
     return function(
-        system, "null_space", text, [q], outputs=[(port, values)], guards=guarded(loops.guards), notes=notes
+        system, "null_space", text, inputs=[q], outputs=[(port, values)], guards=guarded(loops.guards), notes=notes
     )
 
 
@@ -105,12 +105,12 @@ def _residual_functions(system: System) -> list[Function]:
     bias = system.bias(system.rates([system.tape.zero] * n))
     bias_port = Port("bias", (count,), tuple(f"{u}/s^2" for u in units), labels, "(dJ/dt) v")
     return [
-        function(system, "closure", "How far the loops are open, in the cut joints' tip axes.", [q],
+        function(system, "closure", "How far the loops are open, in the cut joints' tip axes.", inputs=[q],
                  outputs=[(residual, system.residual)]),
         function(system, "closure_jacobian",
-                 "Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0.", [q],
+                 "Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0.", inputs=[q],
                  outputs=[(jacobian, entries)]),
-        function(system, "closure_bias", "Closure of accelerations: J a + bias = 0.", [q, v],
+        function(system, "closure_bias", "Closure of accelerations: J a + bias = 0.", inputs=[q, v],
                  outputs=[(bias_port, bias)]),
     ]  # fmt: skip
 
@@ -166,7 +166,7 @@ def assembly(system: System, loops: Loops) -> Iteration:
         system,
         "assemble_step",
         "One Newton step of the assembly.",
-        [(q_port(system), system.inputs.q), (ports[0], y)],
+        inputs=[(q_port(system), system.inputs.q), (ports[0], y)],
         outputs=[
             (q_port(system, "q_next"), moved),
             *((p, [n]) for p, n in zip(single, (residual, size, orientation), strict=True)),

@@ -147,7 +147,7 @@ class Equations:
         multipliers = numeric_multipliers(self.balance, forces)
         found = joint_wrenches(
             self.setting,
-            pose=self.system.pose,
+            self.system.pose,
             wrench=self.true_wrench,
             loads=self.forces.loads,
             multipliers=multipliers,
@@ -222,7 +222,7 @@ def _inverse_dynamics(equations: Equations) -> Function:
         system,
         "inverse_dynamics",
         text,
-        _inputs(equations),
+        inputs=_inputs(equations),
         outputs=[equations.command(equations.lean_solution)],
         guards=guarded(equations.lean_guards),
         notes=equations.notes,
@@ -246,7 +246,13 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     text = "Drives from the configuration and the rates and second rates of the independent coordinates."
     output = [equations.command(equations.lean_solution)]
     return function(
-        system, "inverse_dynamics_independent", text, inputs, outputs=output, guards=guards, notes=equations.notes
+        system,
+        "inverse_dynamics_independent",
+        text,
+        inputs=inputs,
+        outputs=output,
+        guards=guards,
+        notes=equations.notes,
     )
 
 
@@ -278,7 +284,7 @@ def _with_preload(equations: Equations) -> Function:
         system,
         "inverse_dynamics_preload",
         text,
-        inputs,
+        inputs=inputs,
         outputs=[equations.command(solution)],
         guards=guards,
         notes=equations.notes,
@@ -294,7 +300,9 @@ def _joint_reactions(equations: Equations) -> Function:
     guards = guarded((*equations.balance.guards, *equations.solution.guards, *more))
     text = "Drives and all joint reactions at once, at O in absolute axes."
     every = (*equations.notes, *notes)
-    return function(system, "joint_reactions", text, _inputs(equations), outputs=outputs, guards=guards, notes=every)
+    return function(
+        system, "joint_reactions", text, inputs=_inputs(equations), outputs=outputs, guards=guards, notes=every
+    )
 
 
 def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[object], tuple[Guard, ...], list[str]]:
@@ -313,9 +321,7 @@ def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[o
 def reactions_port(system: System) -> Port:
     """Wrenches of all joints, in the order of the description."""
     text = "wrench (f ; m_O) from parent on child without the drive's share"
-    return columns_port(
-        "reactions", list(system.mechanism.joints), labels=WRENCH_LABELS, units=WRENCH_UNITS, description=text
-    )
+    return columns_port("reactions", list(system.mechanism.joints), WRENCH_LABELS, WRENCH_UNITS, description=text)
 
 
 def in_order(system: System, wrenches: Mapping[str, tuple[Vector, Vector]]) -> list[object]:
@@ -331,7 +337,7 @@ def _bias(system: System, effects: Sequence[Effect]) -> Function:
     port = Port("bias", (len(values),), units, tuple(c.label for c in system.tree.v), "generalised forces at a = 0")
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
     text = "Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers."
-    return function(system, "bias", text, inputs, outputs=[(port, values)])
+    return function(system, "bias", text, inputs=inputs, outputs=[(port, values)])
 
 
 def _mass_matrix(system: System, reflected: Mapping[int, Node]) -> Function:
@@ -343,4 +349,4 @@ def _mass_matrix(system: System, reflected: Mapping[int, Node]) -> Function:
     port = Port("mass_matrix", (n, n), units, labels, "symmetric; kinetic energy = v.M.v / 2")
     text = "Mass matrix of the tree (cut joints open)."
     values = [matrix[i][j] for j in range(n) for i in range(n)]
-    return function(system, "mass_matrix", text, [(q_port(system), system.inputs.q)], outputs=[(port, values)])
+    return function(system, "mass_matrix", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)])

@@ -48,13 +48,13 @@ def _power(system: System, effects: Sequence[Effect], acting: Acting, loops: Loo
     port = Port("power", (len(powers),), ("W",) * len(powers), tuple(powers), text)
     every = [*inputs, *acting.inputs]
     about = "Power of every effect that is not the rate of a stored energy."
-    return function(system, "effect_power", about, every, outputs=[(port, list(powers.values()))])
+    return function(system, "effect_power", about, inputs=every, outputs=[(port, list(powers.values()))])
 
 
 def _state_rates(system: System, acting: Acting) -> Function:
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
     text = "Rates of the effects' states."
-    return function(system, "effect_state_rates", text, inputs, outputs=acting.state_rate_output)
+    return function(system, "effect_state_rates", text, inputs=inputs, outputs=acting.state_rate_output)
 
 
 def _motor_rates(system: System, acting: Acting) -> Function:
@@ -68,4 +68,4 @@ def _motor_rates(system: System, acting: Acting) -> Function:
     ]
     text = "Rates of the drives, in the order of u: of the motors where a transmission stands between."
     state = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
-    return function(system, "drive_rates", text, state, outputs=[(rates, values)])
+    return function(system, "drive_rates", text, inputs=state, outputs=[(rates, values)])

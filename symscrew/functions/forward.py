@@ -142,7 +142,7 @@ def _dense(system: System, effects: Sequence[Effect]) -> Function:
         (_plain("curvature", m), still),
     ]
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
-    return function(system, "dense", "What the second path solves.", inputs, outputs=outputs)
+    return function(system, "dense", "What the second path solves.", inputs=inputs, outputs=outputs)
 
 
 def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
@@ -156,7 +156,7 @@ def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
     symbols = [tape.symbol(f"multiplier_{i}", unit, f"multiplier {i + 1}") for i, unit in enumerate(units)]
     known = {label: {ONE: symbol} for label, symbol in zip(labels, symbols, strict=True)}
     found = joint_wrenches(
-        setting, pose=system.pose, wrench=equations.true_wrench, loads=equations.forces.loads, multipliers=known, u=u
+        setting, system.pose, wrench=equations.true_wrench, loads=equations.forces.loads, multipliers=known, u=u
     )
     at_points = {joint.joint: joint.columns.get(ONE, (ZERO, ZERO)) for joint in found}
     absolute = {joint.joint: at_origin(joint.pose, *at_points[joint.joint]) for joint in found}
@@ -172,7 +172,9 @@ def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
     ]
     count = 6 * len(system.mechanism.joints)
     outputs = [(reactions_port(system), in_order(system, absolute)), (_plain("sized", count), in_order(system, sized))]
-    return function(system, "wrenches", "Reactions for given accelerations and multipliers.", inputs, outputs=outputs)
+    return function(
+        system, "wrenches", "Reactions for given accelerations and multipliers.", inputs=inputs, outputs=outputs
+    )
 
 
 def _plain(name: str, size: int) -> Port:
@@ -184,7 +186,12 @@ def _forward_dynamics(system: System, effects: Sequence[Effect], loops: Loops) -
     text = "Accelerations of the tree from a consistent state and the drives."
     every = guarded((*loops.elimination.guards, *found.guards), SWITCH if system.cuts else THRESHOLD)
     return function(
-        system, "forward_dynamics", text, _inputs(system, found), outputs=[(a_port(system), found.a)], guards=every
+        system,
+        "forward_dynamics",
+        text,
+        inputs=_inputs(system, found),
+        outputs=[(a_port(system), found.a)],
+        guards=every,
     )
 
 
@@ -205,7 +212,13 @@ def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> 
     every = guarded(guards, SWITCH if system.cuts else THRESHOLD)
     outputs: list[tuple[Port, Sequence[object]]] = [(a_port(system), found.a), (port, values)]
     return function(
-        system, "forward_dynamics_reactions", text, _inputs(system, found), outputs=outputs, guards=every, notes=notes
+        system,
+        "forward_dynamics_reactions",
+        text,
+        inputs=_inputs(system, found),
+        outputs=outputs,
+        guards=every,
+        notes=notes,
     )
 
 
@@ -221,7 +234,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
     text = "Second rates of the independent coordinates from the configuration, their rates and the drives."
     every = guarded((*loops.guards, *found.guards))
     output = [(y_port(loops, "y_ddot", 2), y_ddot)]
-    return function(system, "forward_dynamics_independent", text, inputs, outputs=output, guards=every)
+    return function(system, "forward_dynamics_independent", text, inputs=inputs, outputs=output, guards=every)
 
 
 def _scales(system: System) -> list[float]:
@@ -240,7 +253,7 @@ def _close_position(system: System, loops: Loops) -> Function:
         system,
         "close_position",
         "The shortest Newton step onto the closure: q_next closes the loops to second order in their opening at q.",
-        [(q_port(system), system.inputs.q)],
+        inputs=[(q_port(system), system.inputs.q)],
         outputs=[(q_port(system, "q_next"), moved_by(system, step)), (single, [opening(system)])],
         guards=guarded((*loops.elimination.guards, *guards)),
     )
@@ -254,7 +267,7 @@ def _close_velocity(system: System, loops: Loops) -> Function:
         system,
         "close_velocity",
         "The consistent rates nearest to v (lengths divided by the characteristic length).",
-        [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)],
+        inputs=[(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)],
         outputs=[(v_port(system, "v_next", "consistent rates of the tree"), system.tree_rates(closed))],
         guards=guarded((*loops.elimination.guards, *guards)),
     )

@@ -79,12 +79,12 @@ def _body_poses(system: System) -> Function:
     port = columns_port(
         "poses",
         bodies,
-        labels=labels,
-        units=("1",) * 9 + ("m",) * 3,
+        labels,
+        ("1",) * 9 + ("m",) * 3,
         description="per body: rotation (column-major) and translation",
     )
     text = "Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes."
-    return function(system, "body_poses", text, [(q_port(system), system.inputs.q)], outputs=[(port, values)])
+    return function(system, "body_poses", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)])
 
 
 def _state(system: System) -> list[tuple[Port, Sequence[Node]]]:
@@ -98,22 +98,18 @@ def _full_state(system: System) -> list[tuple[Port, Sequence[Node]]]:
 def _body_twists(system: System, motion: Motion) -> Function:
     bodies = moving_bodies(system)
     values = [c for name in bodies for c in motion.body(name).twist.components]
-    port = columns_port(
-        "twists", bodies, labels=TWIST_LABELS, units=TWIST_UNITS, description="twist (omega ; v_O) of every body"
-    )
+    port = columns_port("twists", bodies, TWIST_LABELS, TWIST_UNITS, description="twist (omega ; v_O) of every body")
     return function(
-        system, "body_twists", "Twists at O in absolute axes, eq. (6).", _state(system), outputs=[(port, values)]
+        system, "body_twists", "Twists at O in absolute axes, eq. (6).", inputs=_state(system), outputs=[(port, values)]
     )
 
 
 def _body_twist_rates(system: System, motion: Motion) -> Function:
     bodies = moving_bodies(system)
     values = [c for name in bodies for c in motion.body(name).rate.components]
-    port = columns_port(
-        "twist_rates", bodies, labels=TWIST_LABELS, units=TWIST_RATE_UNITS, description="rate of every body's twist"
-    )
+    port = columns_port("twist_rates", bodies, TWIST_LABELS, TWIST_RATE_UNITS, description="rate of every body's twist")
     text = "Componentwise time derivatives of the twists at O, by the screw bracket."
-    return function(system, "body_twist_rates", text, _full_state(system), outputs=[(port, values)])
+    return function(system, "body_twist_rates", text, inputs=_full_state(system), outputs=[(port, values)])
 
 
 def _points(system: System, motion: Motion) -> list[Function]:
@@ -126,11 +122,9 @@ def _points(system: System, motion: Motion) -> list[Function]:
         places.append((link, system.local_point(link, system.geometry.vector(point.at))))
     names = list(points)
     ports = (
-        columns_port(
-            "positions", names, labels="xyz", units=("m",) * 3, description="absolute positions of the named points"
-        ),
-        columns_port("velocities", names, labels="xyz", units=("m/s",) * 3, description="their velocities"),
-        columns_port("accelerations", names, labels="xyz", units=("m/s^2",) * 3, description="their accelerations"),
+        columns_port("positions", names, "xyz", ("m",) * 3, description="absolute positions of the named points"),
+        columns_port("velocities", names, "xyz", ("m/s",) * 3, description="their velocities"),
+        columns_port("accelerations", names, "xyz", ("m/s^2",) * 3, description="their accelerations"),
     )
     ways = [
         list(zip(ports, way, strict=True)) for way in (_by_bodies(system, motion, places), _carried(system, places))
@@ -139,8 +133,8 @@ def _points(system: System, motion: Motion) -> list[Function]:
     motions = "Positions, velocities and accelerations of the named points in absolute axes."
     q = [(q_port(system), system.inputs.q)]
     return [
-        _shortest([function(system, "forward_kinematics", positions, q, outputs=way[:1]) for way in ways]),
-        _shortest([function(system, "point_motion", motions, _full_state(system), outputs=way) for way in ways]),
+        _shortest([function(system, "forward_kinematics", positions, inputs=q, outputs=way[:1]) for way in ways]),
+        _shortest([function(system, "point_motion", motions, inputs=_full_state(system), outputs=way) for way in ways]),
     ]
 
 
@@ -235,10 +229,10 @@ def _joint_screws(system: System, motion: Motion) -> Function:
     labels = [label for label, _, _ in joint_freedom_labels(system)]
     units = ("1", "1", "1", "m", "m", "m")
     port = columns_port(
-        "screws", labels, labels=TWIST_LABELS, units=units, description="unit screw (e ; r x e) of every joint freedom"
+        "screws", labels, TWIST_LABELS, units, description="unit screw (e ; r x e) of every joint freedom"
     )
     text = "Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes."
-    return function(system, "joint_screws", text, [(q_port(system), system.inputs.q)], outputs=[(port, values)])
+    return function(system, "joint_screws", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)])
 
 
 def _joint_points(system: System) -> Function:
@@ -251,11 +245,9 @@ def _joint_points(system: System) -> Function:
         link = system.tree.link_of_body[joint.child]
         values += system.pose[link].point(system.local_point(link, system.geometry.vector(joint.point)))
     names = list(system.mechanism.joints)
-    port = columns_port(
-        "points", names, labels="xyz", units=("m",) * 3, description="absolute position of every joint's point"
-    )
+    port = columns_port("points", names, "xyz", ("m",) * 3, description="absolute position of every joint's point")
     text = "Positions of the joints' points, carried by the child body: where the joint reactions act."
-    return function(system, "joint_points", text, [(q_port(system), system.inputs.q)], outputs=[(port, values)])
+    return function(system, "joint_points", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)])
 
 
 def _jacobians(system: System, motion: Motion) -> list[Function]:
@@ -278,14 +270,14 @@ def _jacobians(system: System, motion: Motion) -> list[Function]:
     values = [c for k in range(len(tree.v)) for c in (columns[k].components if k in columns else zero)]
     labels = [c.label for c in tree.v]
     port = columns_port(
-        "jacobian",
-        labels,
-        labels=TWIST_LABELS,
-        units=("1",) * 6,
-        description=f"twist of {body} at O per rate of the tree",
+        "jacobian", labels, TWIST_LABELS, ("1",) * 6, description=f"twist of {body} at O per rate of the tree"
     )
     text = f"Screw Jacobian of {body}: twist at O = jacobian v."
-    return [function(system, "platform_jacobian", text, [(q_port(system), system.inputs.q)], outputs=[(port, values)])]
+    return [
+        function(
+            system, "platform_jacobian", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)]
+        )
+    ]
 
 
 # -- displacements and rates of all joints --------------------------------------------------------------
@@ -300,7 +292,9 @@ def _joint_displacements(system: System) -> Function:
     units = tuple("m" if kind == "length" else "rad" for _, kind, _ in labels)
     port = Port("displacements", (len(labels),), units, tuple(label for label, _, _ in labels), "all joints")
     text = "Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes."
-    return function(system, "joint_displacements", text, [(q_port(system), system.inputs.q)], outputs=[(port, values)])
+    return function(
+        system, "joint_displacements", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)]
+    )
 
 
 def rates_of_joints(system: System, motion: Motion) -> dict[str, list[Node]]:
@@ -324,7 +318,7 @@ def _drive_rates(system: System, motion: Motion) -> Function:
     port = Port("rates", force.shape, units, force.labels, "rates of the driven freedoms; power = u . rates")
     text = "Rates of the driven freedoms, in the order of u."
     values = [every[joint][freedom] for joint, freedom in system.drives]
-    return function(system, "drive_rates", text, _state(system), outputs=[(port, values)])
+    return function(system, "drive_rates", text, inputs=_state(system), outputs=[(port, values)])
 
 
 def _joint_rates(system: System, motion: Motion) -> Function:
@@ -333,7 +327,7 @@ def _joint_rates(system: System, motion: Motion) -> Function:
     units = tuple("m/s" if kind == "length" else "rad/s" for _, kind, _ in labels)
     port = Port("rates", (len(labels),), units, tuple(label for label, _, _ in labels), "all joints")
     text = "Rates of all joints, cut ones included; spherical joints along the parent's axes."
-    return function(system, "joint_rates", text, _state(system), outputs=[(port, values)])
+    return function(system, "joint_rates", text, inputs=_state(system), outputs=[(port, values)])
 
 
 def _cut_rates(system: System, motion: Motion, cut: Cut) -> list[Node]:

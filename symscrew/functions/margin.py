@@ -35,7 +35,7 @@ def _function(system: System, name: str, margins: Margins) -> Function:
     port = Port("margins", (count,), ("1",) * count, labels, _in_words(margins), forms)
     inputs = [(q_port(system), system.inputs.q)]
     outputs = [(port, [m.value for m in margins])]
-    return function(system, name, TEXTS[name], inputs, outputs=outputs, notes=margins.not_tried)
+    return function(system, name, TEXTS[name], inputs=inputs, outputs=outputs, notes=margins.not_tried)
 
 
 def _in_words(margins: Margins) -> str:

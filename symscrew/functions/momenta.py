@@ -51,22 +51,22 @@ def momentum_functions(system: System, motion: Motion, effects: tuple[Effect, ..
         rates += momentum_rate(body, moving).components
     q, v = (q_port(system), system.inputs.q), (v_port(system), system.inputs.v)
     momenta = columns_port(
-        "momenta", names, labels=MOMENTUM_LABELS, units=MOMENTUM_UNITS, description="momentum screw (p ; L_O) per body"
+        "momenta", names, MOMENTUM_LABELS, MOMENTUM_UNITS, description="momentum screw (p ; L_O) per body"
     )
     total = Port("total", (6,), MOMENTUM_UNITS, MOMENTUM_LABELS, "sum over all bodies")
     rate = columns_port(
-        "momentum_rates", names, labels=WRENCH_LABELS, units=WRENCH_UNITS, description="rate of every momentum screw"
+        "momentum_rates", names, WRENCH_LABELS, WRENCH_UNITS, description="rate of every momentum screw"
     )
     acting = Acting(system, effects)
     values = (_kinetic(system) + acting.kinetic, acting.potential)
     energy = Port("energy", (2,), ("J", "J"), ("kinetic", "potential"), "kinetic and potential energy")
     return [
-        function(system, "momentum_screws", "Momentum screws of all bodies at O, eq. (31).", [q, v],
+        function(system, "momentum_screws", "Momentum screws of all bodies at O, eq. (31).", inputs=[q, v],
                  outputs=[(momenta, screws), (total, (*total_linear, *total_angular))]),
         function(system, "momentum_rates", "Rates of the momentum screws: sums of all force screws, eq. (35).",
-                 [q, v, (a_port(system), system.inputs.a)], outputs=[(rate, rates)]),
+                 inputs=[q, v, (a_port(system), system.inputs.a)], outputs=[(rate, rates)]),
         function(system, "energy", "Kinetic energy and potential energy of the effects (gravity: zero at O).",
-                 [q, v, *acting.inputs_of(values)], outputs=[(energy, values)]),
+                 inputs=[q, v, *acting.inputs_of(values)], outputs=[(energy, values)]),
     ]  # fmt: skip
 
 

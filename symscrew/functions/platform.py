@@ -44,8 +44,7 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
     choices = [(), length_rows(placed, cranks, reference_nodes(system))] if cranks else [()]
     hub_v, hub_a = ({k: nodes[k] for k in v_at} for nodes in (system.inputs.v, system.inputs.a))
     ways = [
-        _motion(placed, found.turns, hub=hub[-1].index, hub_v=hub_v, hub_a=hub_a, lengths=lengths)
-        for lengths in choices
+        _motion(placed, found.turns, hub[-1].index, hub_v=hub_v, hub_a=hub_a, lengths=lengths) for lengths in choices
     ]
     shortest = min(ways, key=lambda way: loops.cost([*way.v, *(pivot for pivot, _ in way.guards)]))
     result = [
@@ -53,14 +52,14 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
             system,
             "inverse_kinematics",
             "Configuration of the tree from the platform's own coordinates, limbs in closed form.",
-            [(pose, q_in)],
+            inputs=[(pose, q_in)],
             outputs=[(q_port(system), found.q)],
         ),
         function(
             system,
             "inverse_velocity",
             "Rates of the tree from the platform's own, limbs in closed form.",
-            [(pose, q_in), (rate, v_in)],
+            inputs=[(pose, q_in), (rate, v_in)],
             outputs=[(v_port(system), shortest.v)],
             guards=shortest.guards,
         ),
@@ -89,8 +88,8 @@ class _Motion:
 def _motion(
     placed: System,
     turns: dict[int, Turn],
-    *,
     hub: int,
+    *,
     hub_v: dict[int, Node],
     hub_a: dict[int, Node],
     lengths: Sequence[LengthRow],
@@ -123,7 +122,7 @@ def _drives(
         equations.system,
         "inverse_dynamics_platform",
         text,
-        ports,
+        inputs=ports,
         outputs=[(port, drives)],
         guards=every,
         notes=equations.notes,

@@ -65,7 +65,7 @@ def y_port(loops: Loops, name: str, order: int) -> Port:
 
 
 def columns_port(
-    name: str, columns: Sequence[str], *, labels: Sequence[str], units: Sequence[str], description: str
+    name: str, columns: Sequence[str], labels: Sequence[str], units: Sequence[str], *, description: str
 ) -> Port:
     """A matrix with one column per named object (body, joint, point), column-major."""
     return Port(
@@ -81,8 +81,8 @@ def function(
     system: System,
     name: str,
     description: str,
-    inputs: Sequence[tuple[Port, Sequence[Node]]],
     *,
+    inputs: Sequence[tuple[Port, Sequence[Node]]],
     outputs: Sequence[tuple[Port, Sequence[object]]],
     guards: Sequence[tuple[Node, float]] = (),
     notes: Sequence[str] = (),

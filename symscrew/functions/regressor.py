@@ -45,7 +45,6 @@ UNITS = ("kg", *("kg m",) * 3, *("kg m^2",) * 6)
 PRODUCTS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 WHAT = "parameters of every body about O in absolute axes of the reference configuration"
 Columns = dict[int, list[Node]]  # index into v -> the ten entries of a body
-Input = tuple[Port, Sequence[Node]]
 
 
 def parameter_labels(system: System) -> tuple[str, ...]:
@@ -61,7 +60,7 @@ def regressor_functions(system: System, effects: Sequence[Effect], loops: Loops)
     rows = tuple(c.label for c in system.tree.v)
     units = tuple("N" if c.kind == "length" else "N m" for c in system.tree.v)
     text = "Generalised forces of the tree per inertial parameter: what inertia and gravity need on every freedom."
-    made = [function(system, "regressor", text, _needed([*state, *acting.inputs], tree),
+    made = [function(system, "regressor", text, inputs=_needed([*state, *acting.inputs], tree),
                      outputs=[_output(system, "regressor", rows=rows, units=units, entries=tree)])]  # fmt: skip
     if system.cuts:
         made.append(_independent(system, effects, loops))
@@ -84,12 +83,22 @@ def _independent(system: System, effects: Sequence[Effect], loops: Loops) -> Fun
     text = "Generalised forces along the independent coordinates per inertial parameter: null_space^T regressor."
     output = _output(system, "regressor", rows=loops.labels, units=units, entries=rows)
     return function(
-        system, "regressor_independent", text, _needed(inputs, rows), outputs=[output], guards=guarded(loops.guards)
+        system,
+        "regressor_independent",
+        text,
+        inputs=_needed(inputs, rows),
+        outputs=[output],
+        guards=guarded(loops.guards),
     )
 
 
 def _drives(
-    system: System, acting: Acting, loops: Loops, *, tree: Sequence[Sequence[Node]], state: Sequence[Input]
+    system: System,
+    acting: Acting,
+    loops: Loops,
+    *,
+    tree: Sequence[Sequence[Node]],
+    state: Sequence[tuple[Port, Sequence[Node]]],
 ) -> list[Function]:
     """Drives of smallest sum of squares per inertial parameter; nothing where freedoms carry no drive."""
     found = _distribution(system, loops)
@@ -104,7 +113,12 @@ def _drives(
     every = guarded((*loops.guards, *guards))
     return [
         function(
-            system, "regressor_drives", text, _needed([*state, *acting.inputs], rows), outputs=[output], guards=every
+            system,
+            "regressor_drives",
+            text,
+            inputs=_needed([*state, *acting.inputs], rows),
+            outputs=[output],
+            guards=every,
         )
     ]
 
@@ -155,7 +169,9 @@ def _output(
     return port, [row[k] for k in range(len(labels)) for row in entries]
 
 
-def _needed(inputs: Sequence[Input], rows: Sequence[Sequence[Node]]) -> list[Input]:
+def _needed(
+    inputs: Sequence[tuple[Port, Sequence[Node]]], rows: Sequence[Sequence[Node]]
+) -> list[tuple[Port, Sequence[Node]]]:
     """The state, and what else the entries depend on: loads are no part of a regressor."""
     seen: set[int] = set()
     stack = [node for row in rows for node in row]

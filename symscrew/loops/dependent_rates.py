@@ -207,7 +207,8 @@ class Loops:
         rate = add(scale(scalar, (x, y, z)), cross((x, y, z), vector))
         half = self.system.tape.reciprocal(self.system.tape.node(2))
         assert entry.component is not None
-        return half * self.system.tape.node(rate[entry.component])
+        result: Node = half * rate[entry.component]
+        return result
 
     # -- solutions for the functions of the model --------------------------------------------------------------
 
@@ -250,8 +251,8 @@ class Loops:
         scalar_rate = -half * dot(turn, vector)
         vector_rate = scale(half, add(scale(scalar, turn), cross(turn, vector)))
         assert entry.component is not None
-        second = add(scale(scalar_rate, turn), cross(turn, vector_rate))
-        return half * self.system.tape.node(second[entry.component])
+        result: Node = half * add(scale(scalar_rate, turn), cross(turn, vector_rate))[entry.component]
+        return result
 
     def newton_step(self, y: Sequence[Node]) -> list[Node]:
         """The step in joint rates that closes the loops to first order and moves y to the wanted values."""

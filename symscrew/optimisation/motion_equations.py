@@ -135,7 +135,7 @@ class PointEquations:
                 "is not regular here"
             )
         outputs = [(_plain("q", len(placed.inputs.q)), placed.inputs.q), (_plain("closure", len(values)), values)]
-        return lower(function(system, "closure_point", "", self._configuration(), outputs=outputs))
+        return lower(function(system, "closure_point", "", inputs=self._configuration(), outputs=outputs))
 
     @cached_property
     def step(self) -> Program:
@@ -143,7 +143,7 @@ class PointEquations:
         wanted = self.loops.inputs("y")
         outputs = [(_plain("step", len(self.system.tree.v)), self.loops.newton_step(wanted))]
         inputs = [(_plain("q", len(self.system.inputs.q)), self.system.inputs.q), (_plain("y", len(wanted)), wanted)]
-        return lower(function(self.system, "newton_step", "", inputs, outputs=outputs))
+        return lower(function(self.system, "newton_step", "", inputs=inputs, outputs=outputs))
 
     @cached_property
     def move(self) -> Program:
@@ -151,14 +151,18 @@ class PointEquations:
         wanted = self.loops.inputs("y")
         moved = moved_by(self.system, self.loops.newton_step(wanted))
         inputs = [(_plain("q", len(self.system.inputs.q)), self.system.inputs.q), (_plain("y", len(wanted)), wanted)]
-        return lower(function(self.system, "newton_move", "", inputs, outputs=[(_plain("q_next", len(moved)), moved)]))
+        return lower(
+            function(self.system, "newton_move", "", inputs=inputs, outputs=[(_plain("q_next", len(moved)), moved)])
+        )
 
     @cached_property
     def pivots(self) -> Program:
         """(q) -> pivots of the closure's elimination without units: one near 0 means singular coordinates y."""
         values = [guard.pivot * self.system.tape.constant(guard.scale) for guard in self.loops.guards]
         inputs = [(_plain("q", len(self.system.inputs.q)), self.system.inputs.q)]
-        return lower(function(self.system, "pivots", "", inputs, outputs=[(_plain("pivots", len(values)), values)]))
+        return lower(
+            function(self.system, "pivots", "", inputs=inputs, outputs=[(_plain("pivots", len(values)), values)])
+        )
 
     @cached_property
     def motion(self) -> Program:
@@ -168,8 +172,11 @@ class PointEquations:
             (_plain("v", len(moving.inputs.v)), moving.inputs.v),
             (_plain("a", len(moving.inputs.a)), moving.inputs.a),
         ]
-        inputs = [*self._state(y_dot), _port("y_ddot", y_ddot)]
-        return lower(function(self.system, "motion_point", "", inputs, outputs=outputs))
+        return lower(
+            function(
+                self.system, "motion_point", "", inputs=[*self._state(y_dot), _port("y_ddot", y_ddot)], outputs=outputs
+            )
+        )
 
     def _state(self, y_dot: Sequence[Node]) -> list[tuple[Port, Sequence[Node]]]:
         return [*self._configuration(), _port("y_dot", y_dot)]
@@ -187,7 +194,7 @@ class PointEquations:
         rates = [acting.state_rates[s.name] for s in acting.states]
         inputs = [*self._state(y_dot), _port("y_ddot", y_ddot), *self.drives, *acting.inputs]
         outputs = [(_plain("residual", len(residual)), residual), (_plain("x_dot", len(rates)), rates)]
-        return lower(function(system, "dynamics_point", "", inputs, outputs=outputs))
+        return lower(function(system, "dynamics_point", "", inputs=inputs, outputs=outputs))
 
     def _acting(self, moving: System) -> Acting:
         acting, drives = driven(moving, self.effects)
@@ -218,7 +225,7 @@ class PointEquations:
         rates = [acting.state_rates[s.name] for s in acting.states]
         inputs = [*self._state(y_dot), *self.drives, *acting.inputs]
         outputs = [_port("y_ddot", y_ddot), (_plain("x_dot", len(rates)), rates)]
-        return lower(function(self.system, "forward_point", "", inputs, outputs=outputs))
+        return lower(function(self.system, "forward_point", "", inputs=inputs, outputs=outputs))
 
     @cached_property
     def reactions(self) -> Program:
@@ -236,7 +243,7 @@ class PointEquations:
         port, values, _, _ = all_reactions(equations, forces)
         state = [(_plain(n, len(x)), x) for n, x in (("q", at.q), ("v", at.v), ("a", at.a))]
         inputs = [*state, *drives, *acting.inputs]
-        return lower(function(self.system, "reactions_point", "", inputs, outputs=[(port, values)]))
+        return lower(function(self.system, "reactions_point", "", inputs=inputs, outputs=[(port, values)]))
 
     @cached_property
     def _kinematics(self) -> dict[str, Function]:

@@ -135,7 +135,9 @@ def inverse_only(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
     q, v, a = system.sample_states
     state = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), (a_port(system), system.inputs.a)]
     ports = [*state, *equations.forces.inputs]
-    program = lower(function(system, "inverse_dynamics", "", ports, outputs=[equations.command(equations.solution)]))
+    program = lower(
+        function(system, "inverse_dynamics", "", inputs=ports, outputs=[equations.command(equations.solution)])
+    )
     random = np.random.default_rng(7)
     arrays = [q, v, a, *(random.uniform(-1, 1.5, (len(q), p.size)) for p in program.inputs[3:])]
     given = {"p": np.repeat(system.parameter_values[None, :], len(q), 0)}

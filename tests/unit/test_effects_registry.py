@@ -206,7 +206,7 @@ def drives(*names: str) -> np.ndarray:
     q, v, a = system.sample_states
     state = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), (a_port(system), system.inputs.a)]
     output = [equations.command(equations.solution)]
-    program = lower(function(system, "drives", "", [*state, *equations.forces.inputs], outputs=output))
+    program = lower(function(system, "drives", "", inputs=[*state, *equations.forces.inputs], outputs=output))
     arrays = [q, v, a]
     for port in program.inputs[3:]:
         columns = [np.random.default_rng(zlib.crc32(x.encode())).uniform(-1, 1, len(q)) for x in port.labels]

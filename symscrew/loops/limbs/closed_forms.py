@@ -125,5 +125,5 @@ def _angle(system: System, link: Link, turn: Turn, guess: Sequence[Node]) -> Nod
     angle = near + system.frames[link.index].phase
     c, s = tape.function("cos", angle), tape.function("sin", angle)
     cosine, sine = turn
-    turned: Node = near + tape.function("atan2", sine * c - cosine * s, cosine * c + sine * s)
-    return turned
+    nearest: Node = near + tape.function("atan2", sine * c - cosine * s, cosine * c + sine * s)
+    return nearest

@@ -49,7 +49,7 @@ class RodLimb(LimbForm):
         """The turns by which the rod is along n, given in axes of the link that carries it; `length`: that of n."""
         before = transform(transpose(system.frames[self.first.index].rotation), n)
         x, y, _ = system.geometry.unit(self.tip)
-        return pointing(system, (self.first, self.second), d=before, pointer=(x, y), guess=guess, length=length)[0]
+        return pointing(system, (self.first, self.second), before, pointer=(x, y), guess=guess, length=length)[0]
 
 
 @dataclass(frozen=True)

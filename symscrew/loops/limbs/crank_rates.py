@@ -34,8 +34,7 @@ class LengthRow:
     @property
     def column(self) -> int:
         """The crank's index into v."""
-        start: int = self.limb.crank.v.start
-        return start
+        return int(self.limb.crank.v.start)
 
     def opening(self, system: System) -> Node:
         """How fast the platform's own motion, that of a system whose cranks are at rest, would shorten the rod."""
@@ -47,8 +46,8 @@ class LengthRow:
         x, y, _ = self.arm
         swept = subtract(_tip_velocity(system, self.limb), (-y * rate, x * rate, 0))
         inwards = (rate * rate) * (self.n[0] * x + self.n[1] * y)
-        outwards = dot(self.n, _tip_acceleration(system, self.limb, hub)) + dot(swept, swept) + inwards
-        return -system.tape.node(outwards)
+        result: Node = -(dot(self.n, _tip_acceleration(system, self.limb, hub)) + dot(swept, swept) + inwards)
+        return result
 
 
 def length_rows(system: System, cranks: Sequence[CrankLimb], guess: Sequence[Node]) -> tuple[LengthRow, ...]:

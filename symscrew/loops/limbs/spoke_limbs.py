@@ -32,15 +32,15 @@ class SpokeLimb(LimbForm):
         first = frames[self.first.index]
         d = transform(transpose(first.rotation), subtract(target, first.offset))
         ex, ey = frames[self.slider.index].axis[0], frames[self.slider.index].axis[1]
-        turns, length = pointing(system, (self.first, self.second), d=d, pointer=(ex, ey), guess=guess)
+        turns, length = pointing(system, (self.first, self.second), d, pointer=(ex, ey), guess=guess)
         return turns, {self.slider.q.start: length - self.rest}
 
 
 def pointing(
     system: System,
     links: tuple[Link, Link],
-    *,
     d: Vector,
+    *,
     pointer: Turn,
     guess: Sequence[Node],
     length: Node | None = None,

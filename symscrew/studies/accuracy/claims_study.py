@@ -133,9 +133,11 @@ def newton_euler_program(system: System) -> Program:
         moment = add(transform(body.inertia, own.rate.angular), cross(own.twist.angular, spin))
         values += [*force, *add(cross(body.com, force), moment)]
         names.append(name)
-    port = columns_port("wrenches", names, labels=WRENCH_LABELS, units=WRENCH_UNITS, description="wrench on every body")
+    port = columns_port("wrenches", names, WRENCH_LABELS, WRENCH_UNITS, description="wrench on every body")
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), (a_port(system), system.inputs.a)]
-    return lower(function(system, "newton_euler", "Newton-Euler with accelerations.", inputs, outputs=[(port, values)]))
+    return lower(
+        function(system, "newton_euler", "Newton-Euler with accelerations.", inputs=inputs, outputs=[(port, values)])
+    )
 
 
 def _program(model: Model, name: str) -> Program:

@@ -329,7 +329,7 @@ def least_squares_program(
     port = Port("rates", (len(labels),), ("1/s",) * len(labels), labels, "rates of all joints")
     text = "Joint rates by least squares from the platform's twist, eq. (27)."
     inputs = [(q_port(system), system.inputs.q), (given, twist)]
-    return lower(function(system, "least_squares", text, inputs, outputs=[(port, rates)]))
+    return lower(function(system, "least_squares", text, inputs=inputs, outputs=[(port, rates)]))
 
 
 def _dot(zero: Node, a: tuple[Node, ...], b: tuple[Node, ...]) -> Node:
