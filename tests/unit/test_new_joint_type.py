@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 import sympy
 
 import symscrew
-from symscrew.description.joints import JOINT_TYPES, JointType, rotation, translation
+from symscrew.algebra import Node, Pose, Scalar, Tape, Twist, Vector
+from symscrew.description.joints import JOINT_TYPES, Entry, JointType, Motion, rotation, translation
 from symscrew.errors import DescriptionError
+from symscrew.kinematics.link_quantities import Frame, Placement
+from symscrew.kinematics.pairs import PAIRS, Turn
+from symscrew.kinematics.pairs.prismatic_pair import Prismatic
 from symscrew.program import evaluate
 
 SLIDING_UNIVERSAL = JointType("Pa", "sliding universal", 3, (translation(0), rotation(1), rotation(2)))
@@ -153,3 +159,42 @@ child = "hand"
 point = [0, 0, 0]
 axes = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
 """
+
+
+class Geared(Prismatic):
+    """A slide behind a gear: it moves two metres per metre of its coordinate."""
+
+    def placement(self, tape: Tape, frame: Frame, q: Sequence[Node], turn: Turn | None = None) -> Placement:
+        return super().placement(tape, frame, [2 * q[0]])
+
+    def own_twist(self, frame: Frame, v: Sequence[Scalar]) -> Twist:
+        return super().own_twist(frame, [2 * v[0]])
+
+    def powers(self, frame: Frame, force: Vector, moment: Vector) -> tuple[Scalar, ...]:
+        return (2 * super().powers(frame, force, moment)[0],)
+
+    def unit_screws(self, frame: Frame) -> tuple[Twist, ...]:
+        return tuple(screw * 2 for screw in super().unit_screws(frame))
+
+    def absolute_screws(self, frame: Frame, placement: Placement, parent: Pose, own: Pose) -> tuple[Twist, ...]:
+        return tuple(screw * 2 for screw in super().absolute_screws(frame, placement, parent, own))
+
+
+def test_a_new_motion_is_a_lower_pair_and_its_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A mass m on a geared slide, against gravity: u = 2 m (2 a + g), kinetic energy m (2 v)^2 / 2."""
+    q, v = (Entry("", "length", "m"),), (Entry("", "length", "m/s"),)
+    motion = Motion("G", 0, "geared translation", slides=True, q=q, v=v, parts=("",))
+    monkeypatch.setitem(JOINT_TYPES, "G", JointType("G", "geared", 1, (motion,)))
+    monkeypatch.setitem(PAIRS, "G", Geared())
+    builder = symscrew.MechanismBuilder("lift").body("cage", mass=3, com=[0, 0, 1])
+    builder.joint("gear", "G", parent="base", child="cage", point=[0, 0, 0], axes=[[0, 0, 1]], driven=True)
+    model = symscrew.derive(builder.build())
+    known = {"q": 0.3, "v": 0.5, "a": 0.7, "u": 60.0}
+
+    def value(name: str) -> float:
+        program = model.programs[name]
+        return float(evaluate(program, [np.array([[known[port.name]]]) for port in program.inputs])[0][0][0, 0])
+
+    assert value("inverse_dynamics") == pytest.approx(2 * 3 * (2 * 0.7 + 9.81), rel=1e-12)
+    assert value("forward_dynamics") == pytest.approx((60.0 / 6 - 9.81) / 2, rel=1e-12)
+    assert value("mass_matrix") == pytest.approx(12, rel=1e-12)
