@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 
 import casadi
 import numpy as np
@@ -21,7 +19,6 @@ from symscrew import catalogue
 from symscrew.algebra.differentiation import ORDERS, differentiate
 from symscrew.algebra.nodes import Tape
 from symscrew.algebra.sympy_form import sympy_expression
-from symscrew.cli.parser import main
 from symscrew.export.casadi import casadi_functions
 from symscrew.model import Model, derive
 
@@ -403,15 +400,3 @@ def test_ports_say_what_is_differentiated() -> None:
     assert by_q.shape == (4, 15) and "rotation vector in the child's axes" in by_q.description
     assert by_q.labels[0].count("|") == 1 and set(by_q.units) <= {"N/rad", "N/m"}
     assert set(program.outputs[1].units) == {"N/(rad/s)", "N/(m/s)"}
-
-
-@pytest.mark.slow
-def test_generated_on_request_and_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The command writes them with --derivatives only, and `check` derives them again."""
-    for option in ([], ["--derivatives"]):
-        place = tmp_path / f"out{len(option)}"
-        assert main(["generate", "slider_crank", "--out", str(place), "--target", "c", "numpy", *option]) == 0
-        functions = json.loads((place / "manifest.json").read_text())["functions"]
-        assert ("linearisation" in functions) == bool(option)
-        assert main(["check", str(place)]) == 0
-        assert "all checks passed" in capsys.readouterr().out

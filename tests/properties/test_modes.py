@@ -2,75 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
-from pathlib import Path
-
 import numpy as np
 import pytest
 from support.marks import slow
-from support.model_states import differentiated, model
+from support.model_states import model
 from support.operation_counts import recorded
+from support.operation_modes import PARALLELOGRAM, models, states
 
 from symscrew import catalogue
-from symscrew.cli.parser import main
 from symscrew.description import toml_file
-from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
 from symscrew.loops.modes import SOLVED
-from symscrew.model import Model, derive, inputs_at
-from symscrew.runtime.compiled import load
-
-PARALLELOGRAM = """
-[mechanism]
-name = "parallelogram"
-ground = "base"
-
-[bodies.crank]
-mass = "0.5"
-com = ["1/20", 0, "3/20"]
-inertia = [["3/800", 0, "-1/800"], [0, "1/240", 0], ["-1/800", 0, "1/2400"]]
-
-[bodies.coupler]
-mass = "1.2"
-com = ["7/20", 0, "3/10"]
-inertia = [[0, 0, 0], [0, "1/40", 0], [0, 0, "1/40"]]
-
-[bodies.rocker]
-mass = "0.5"
-com = ["11/20", 0, "3/20"]
-inertia = [["3/800", 0, "-1/800"], [0, "1/240", 0], ["-1/800", 0, "1/2400"]]
-
-[joints]
-A = {type = "R", parent = "base", child = "crank", point = [0, 0, 0], axes = [[0, 1, 0]], driven = true}
-B = {type = "R", parent = "crank", child = "coupler", point = ["1/10", 0, "3/10"], axes = [[0, 1, 0]]}
-C = {type = "R", parent = "coupler", child = "rocker", point = ["3/5", 0, "3/10"], axes = [[0, 1, 0]]}
-D = {type = "R", parent = "base", child = "rocker", point = ["1/2", 0, 0], axes = [[0, 1, 0]]}
-"""
-
-
-@cache
-def parallelogram() -> Mechanism:
-    return toml_file.parse_description(PARALLELOGRAM)
-
-
-@cache
-def models(name: str, derivatives: bool = False) -> tuple[Model, Model]:
-    """The general model, and that of the mode."""
-    if name == "parallelogram":
-        return derive(parallelogram(), derivatives=True), derive(parallelogram(), derivatives=True, one_mode=True)
-    general = differentiated(name) if derivatives else model(name)
-    return general, derive(catalogue.load(name), derivatives=derivatives, one_mode=True)
-
-
-def states(given_model: Model, name: str) -> list[np.ndarray]:
-    """Inputs of a function at other consistent states than those the mode was found at."""
-    q, v, a = given_model.system.states(12, 5)
-    random = np.random.default_rng(3)
-    ports = given_model.programs[name].inputs
-    known = {"q": q, "v": v, "a": a}
-    given = zip(ports, inputs_at(given_model.system, given_model.programs[name], (q, v, a)), strict=True)
-    known |= {p.name: values for p, values in given if p.name in ("pose", "rate", "gain")}
-    return [known.get(p.name, random.uniform(-1, 1, (len(q), p.size))) for p in ports]
+from symscrew.model import Model, derive
 
 
 def crossed() -> np.ndarray:
@@ -192,18 +135,6 @@ def test_a_state_at_rest_is_of_the_mode() -> None:
         assert (alone("inverse_dynamics", q, rates, a)[1] == 0).all()
 
 
-def test_compiled_code_agrees() -> None:
-    _, alone = models("delta")
-    names = ["inverse_dynamics", "velocity", "forward_dynamics"]
-    compiled = load(alone.only(names), flags=("-O1",))
-    for name in names:
-        inputs = states(alone, name)
-        (expected,), status = alone(name, *inputs)
-        found, same = compiled[name](*inputs, check=False)
-        assert np.array_equal(status, same)
-        assert np.allclose(found, expected, rtol=1e-9, atol=1e-9)
-
-
 def test_run_time_parameters_have_no_modes() -> None:
     """What follows at the nominal lengths need not follow at others."""
     text = (
@@ -212,13 +143,3 @@ def test_run_time_parameters_have_no_modes() -> None:
     )
     found = derive(toml_file.parse_description(text), (Gravity(),), one_mode=True)
     assert not any("operation mode" in note for note in found.notes)
-
-
-def test_generate_and_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    source, out = tmp_path / "parallelogram.toml", tmp_path / "out"
-    source.write_text(PARALLELOGRAM, encoding="utf-8")
-    assert main(["generate", str(source), "--one-mode", "--out", str(out)]) == 0
-    assert '"one_mode": true' in (out / "manifest.json").read_text(encoding="utf-8")
-    assert main(["check", str(out)]) == 0
-    assert "operation mode" in (out / "parallelogram.h").read_text(encoding="utf-8")
-    capsys.readouterr()

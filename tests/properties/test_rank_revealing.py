@@ -3,43 +3,19 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib.util
-import subprocess
-from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 from support.model_states import model, relative
-from support.second_path import FUNCTIONS, always_second
+from support.second_path import FUNCTIONS, LIMIT, always_second, states
 
 from symscrew import catalogue
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
-from symscrew.export.c import print_c
-from symscrew.export.example import print_example
-from symscrew.export.numpy import print_numpy
-from symscrew.model import Model, derive
+from symscrew.model import derive
 from symscrew.program.numpy_evaluation import evaluate
-from symscrew.runtime.compiled import find_compiler, load
 
 NAMES = ("four_bar", "bennett", "sarrus", "three_ups_upu_s", "delta", "stewart_6ups", "andrews", "five_bar")
-LIMIT = 1e-11
-
-
-def states(found: Model) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    q, v, _ = found.system.sample_states
-    return q, v, np.random.default_rng(8).uniform(-10, 10, (len(q), len(found.system.drives)))
-
-
-def numpy_module(found: Model, folder: Path) -> ModuleType:
-    for name, text in print_numpy(found).items():
-        (folder / name).write_text(text)
-    spec = importlib.util.spec_from_file_location("printed", folder / f"{found.name}_numpy.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -52,35 +28,6 @@ def test_both_paths_agree(name: str) -> None:
         second, other = always_second(found)(function, *inputs)
         assert not status.any() and (other == -1).all()
         assert all(relative(b, a) < LIMIT for a, b in zip(first, second, strict=True)), function
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-@pytest.mark.parametrize("name", ["four_bar", "sarrus", "three_ups_upu_s"])
-def test_c_and_numpy_module_take_it_too(name: str, tmp_path: Path) -> None:
-    found = always_second(model(name))
-    inputs = states(found)
-    compiled, module = load(found, backend="c"), numpy_module(found, tmp_path)
-    for function in FUNCTIONS:
-        expected, status = found(function, *inputs)
-        *printed, code = compiled[function](*inputs, check=False)
-        again, third = getattr(module, function)(*inputs)
-        assert (code == status).all() and (third == status).all()
-        for a, b, c in zip(expected, printed, again, strict=True):
-            flat = b if b.ndim == 2 else np.swapaxes(b, 1, 2).reshape(len(b), -1)
-            assert relative(flat, a) < LIMIT and relative(c, a) < LIMIT
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-def test_the_example_counts_the_second_path_as_success(tmp_path: Path) -> None:
-    found = always_second(model("four_bar")).only(["forward_dynamics"])
-    for name, text in {**print_c(found), "example.c": print_example(found)}.items():
-        (tmp_path / name).write_text(text)
-    command = [find_compiler() or "", "-std=c99", "-O0", "example.c", "four_bar.c", "-o", "example", "-lm"]
-    subprocess.run(command, cwd=tmp_path, check=True)
-    done = subprocess.run([tmp_path / "example"], capture_output=True, text=True, check=False)
-    assert "status -1, success near a small pivot" in done.stdout and done.returncode == 0
 
 
 def test_a_bad_choice_of_coordinates_costs_no_accuracy() -> None:

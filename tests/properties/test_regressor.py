@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,7 +11,6 @@ import sympy
 from support.model_states import HAND_TYPED, relative
 
 from symscrew import catalogue
-from symscrew.cli.parser import main
 from symscrew.description.builder import MechanismBuilder
 from symscrew.effects.external_wrench import ExternalWrench
 from symscrew.effects.gravity import Gravity
@@ -167,13 +164,3 @@ def test_base_parameters_in_words() -> None:
 def test_too_few_states_are_refused() -> None:
     with pytest.raises(RankError, match="use more states"):
         base_parameters(catalogue.load("panda"), states=8)
-
-
-@pytest.mark.slow
-def test_generated_on_request_and_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    place = tmp_path / "out"
-    assert main(["generate", "four_bar", "--out", str(place), "--target", "c", "numpy", "--regressor"]) == 0
-    functions = json.loads((place / "manifest.json").read_text())["functions"]
-    assert {"regressor", "regressor_independent", "regressor_drives"} <= set(functions)
-    assert main(["check", str(place)]) == 0
-    assert "all checks passed" in capsys.readouterr().out

@@ -1,0 +1,29 @@
+"""`symscrew mobility`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from symscrew.cli.parser import main
+
+SEED = "three_ups_upu_s"
+
+
+@pytest.mark.slow
+def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["mobility", "sarrus", "--json", "--expect", "1"]) == 0
+    values = json.loads(capsys.readouterr().out)
+    assert (values["dof"], values["dof_finite"], values["kutzbach"], values["overconstraints"]) == (1, 1, 0, 1)
+    assert values["platform"]["type"] == "1T" and values["branches"] is None and values["verified"]
+    assert main(["mobility", "sarrus", "--expect", "2"]) == 1
+    assert main(["mobility", SEED, "--body", "limb1_lower", "--at", "r=0.45"]) == 0
+    assert "Freedoms of limb1_lower" in capsys.readouterr().out
+    assert main(["mobility", SEED, "--at", "r"]) == 2
+    assert main(["mobility", SEED, "--out", str(tmp_path / "x.doc")]) == 2
+    for suffix, piece in ((".md", "$R - r = 0$"), (".html", "<math>"), (".tex", r"\begin{itemize}")):
+        path = tmp_path / f"seed{suffix}"
+        assert main(["mobility", SEED, "--out", str(path)]) == 0
+        assert piece in path.read_text()
