@@ -20,11 +20,23 @@ from symscrew.algebra import Node, divides, inputs_of, needed, substitute
 from symscrew.kinematics import System
 from symscrew.program import Function, roots_of, with_roots
 
-MOVES = 1e-6  # samples that differ by less do not show a motion
-SAME = 1e-9  # samples that agree to this, in radians or characteristic lengths, are one value
-OFF = 1e-6  # a state this far off the mode, in the same units, is not of it; and rates, beside independent rates
+MOVES = 1e-6
+"""Samples that differ by less, in radians or characteristic lengths, show no motion, and nothing then follows anything:
+sample states are spread by 0.1 and more where a mechanism moves, and closed to 1e-12 where it does not."""
+
+SAME = 1e-9
+"""Samples that agree to this, in the same units, are one value: they are closed to 1e-12, while a coordinate that only
+nearly follows another is off by the square of their spread. Above it both are read."""
+
+OFF = 1e-6
+"""A state this far off the mode, in the same units, is not of it and the function's status is 1; rates likewise, beside
+the independent rates. States that were closed in double precision, or integrated, are well within it."""
+
 HALF = 0.5  # between what a comparison gives, 0 and 1
-NOTHING = 1e-12  # rates [rad/s, or characteristic lengths per second] below this are none
+
+NOTHING = 1e-12
+"""Rates [rad/s, or characteristic lengths per second] below this are none: rounding at rest is not off the mode."""
+
 SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "inverse_kinematics", "inverse_velocity",
           "joint_reactions", "forward_dynamics", "linearisation")  # fmt: skip
 """Functions (and those named after them) that take closed loops for granted. Others are true of open loops too."""
