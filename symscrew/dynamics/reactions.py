@@ -72,6 +72,7 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
 def joint_wrenches(
     setting: Setting,
     pose: Sequence[Pose],
+    *,
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
     multipliers: Mapping[Column, Affine],

@@ -12,6 +12,7 @@ from symscrew.cli.parser import main
 from symscrew.runtime.compiled import load
 
 
+@pytest.mark.slow
 def test_compiled_code_agrees() -> None:
     _, alone = models("delta")
     names = ["inverse_dynamics", "velocity", "forward_dynamics"]

@@ -326,7 +326,7 @@ def test_forward_dynamics_of_the_tree(name: str) -> None:
             assert relative(x[i], y) < 1e-10
 
 
-@pytest.mark.parametrize("name", [slow("three_ups_upu_s_physical"), "five_bar", "mixed_loop"])
+@pytest.mark.parametrize("name", [slow("three_ups_upu_s_physical"), "five_bar", slow("mixed_loop")])
 def test_forward_dynamics_against_casadi(name: str) -> None:
     found = model(name)
     q, _, _, y_dot, y_ddot = consistent(found)
@@ -349,7 +349,8 @@ def test_forward_and_inverse_derivatives_are_inverse_to_each_other(name: str) ->
     u = values(found, "inverse_dynamics_independent", q, y_dot, y_ddot)[0]
     by_y, by_rate, by_gain = values(found, "inverse_dynamics_independent_derivatives", q, y_dot, y_ddot)
     forward = values(found, "forward_dynamics_independent_derivatives", q, y_dot, u)
-    assert relative(forward[2] @ by_gain, np.broadcast_to(np.eye(6), by_gain.shape)) < 1e-9
+    one = np.eye(y_dot.shape[1])
+    assert relative(forward[2] @ by_gain, np.broadcast_to(one, (len(q), *one.shape))) < 1e-9
     assert relative(forward[0], -forward[2] @ by_y) < 1e-9
     assert relative(forward[1], -forward[2] @ by_rate) < 1e-9
 

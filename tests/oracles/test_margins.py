@@ -23,7 +23,7 @@ from symscrew.description import toml_file
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.joints import JOINT_TYPES
 from symscrew.description.mechanism import Mechanism
-from symscrew.functions.closing import assembly, closure_functions
+from symscrew.functions.closing import assembly, closure_functions, loop_notes
 from symscrew.functions.kinematic import Motion, kinematic_functions
 from symscrew.functions.margin import margin_functions
 from symscrew.functions.platform import platform_functions
@@ -47,7 +47,7 @@ def kinematic_model(mechanism: Mechanism, independent: Sequence[str] | None = No
     system = System(mechanism)
     system.use_samples()
     loops = Loops(system, independent)
-    functions = [*kinematic_functions(system, Motion(system)), *closure_functions(system, loops)]
+    functions = [*kinematic_functions(system, Motion(system)), *closure_functions(system, loops, loop_notes(loops))]
     functions += [f for f in platform_functions(system, (), loops) if f.name == "inverse_kinematics"]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in [*functions, *margin_functions(system)]}
     if system.cuts:

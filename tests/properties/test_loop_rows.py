@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.marks import slow
 
 from symscrew import catalogue
 from symscrew.algebra.nodes import Node, Tape
@@ -87,7 +88,7 @@ def given_drives(system: System, effects: Sequence[Effect]):  # type: ignore[no-
     return acting
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [slow(name) if name == "stewart_6ups" else name for name in NAMES])
 def test_rates_and_bias_do_not_depend_on_the_form_of_the_rows(name: str) -> None:
     system, plain, contacts = system_of(name), loops_of(name, False), loops_of(name, True)
     assert plain.free == contacts.free and plain.rank == contacts.rank

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import ALL, body_states, by_joint, model, output, relative, run
 
 from symscrew.algebra.screws import Wrench
@@ -360,7 +361,7 @@ def test_assembly_out_of_reach_fails_and_says_so() -> None:
     assert failures > 0
 
 
-@pytest.mark.parametrize("name", ["three_ups_upu_s", "four_bar", "ur5"])
+@pytest.mark.parametrize("name", [slow("three_ups_upu_s"), "four_bar", "ur5"])
 def test_no_function_answers_nan_or_infinite_input(name: str) -> None:
     """Each input in turn made NaN and infinite: never a number after that, in any function that uses it."""
     found = model(name)

@@ -70,7 +70,7 @@ def rods_of(closure: Closure) -> list[RodRows]:
     return [part for part in closure.parts if isinstance(part, RodRows)]
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("name", [slow(name) if name == "rotary_hexapod" else name for name in MECHANISMS])
 def test_rates_and_bias_are_those_of_the_plain_rows(name: str) -> None:
     system = system_of(name)
     tape, plain = system.tape, Loops(system)
