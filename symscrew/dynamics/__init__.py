@@ -5,7 +5,14 @@ System, Acting --equilibrium--> balance of every link --drives, reactions--> wre
 """
 
 from symscrew.dynamics.coriolis import long_branches
-from symscrew.dynamics.derivatives import Direction, Variation, closure_rows, inertial_derivatives, power_changes, three
+from symscrew.dynamics.derivatives import (
+    Direction,
+    Variation,
+    closure_changes,
+    inertial_derivatives,
+    power_changes,
+    three,
+)
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
 from symscrew.dynamics.equilibrium import ONE, Balance, Setting, balance
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
@@ -27,7 +34,7 @@ __all__ = [
     "balance",
     "bars",
     "by_articulated_bodies",
-    "closure_rows",
+    "closure_changes",
     "generalised_forces",
     "inertial_derivatives",
     "joint_wrenches",

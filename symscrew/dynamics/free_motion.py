@@ -47,9 +47,10 @@ def by_articulated_bodies(system: System) -> bool:
 
 
 class Admissible:
-    """The null space of a system's closure at its present nodes q, v, and what the dynamics look like on it.
+    """The motions w = N z that the closure of a system allows at its nodes q, v, and the dynamics along them.
 
-    `reflected` are inertias that move with one freedom of the tree only (index into v).
+    Everything is for the free joint rates z of `loops`, in their order. `reflected` are inertias that
+    move with one freedom of the tree only (index into v).
     """
 
     def __init__(self, system: System, loops: Loops, reflected: Mapping[int, Node] | None = None) -> None:

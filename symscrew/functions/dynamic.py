@@ -306,7 +306,10 @@ def _joint_reactions(equations: Equations) -> Function:
 
 
 def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[object], tuple[Guard, ...], list[str]]:
-    """The reactions of all joints for given drives: port, values, guarded pivots, notes."""
+    """Reactions (f ; m_O) of all joints, from parent on child, absolute axes, for given drives [N, N m].
+
+    Returns the output's port, six values per joint of the description, guarded pivots, and notes on what is not unique.
+    """
     system, reactions = equations.system, equations.reactions(u)
     notes = []
     if reactions.free:

@@ -52,7 +52,7 @@ class RankError(ArithmeticError):
     """The singular values show no clear gap, so that the number of base parameters is undecided."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class BaseParameters:
     """The combinations of inertial parameters that the generalised forces depend on: base = combination @ pi.
 
@@ -71,6 +71,13 @@ class BaseParameters:
     unidentifiable: tuple[str, ...]
     singular_values: Array
     gap: tuple[float, float]
+
+    def __repr__(self) -> str:
+        above, below = self.gap
+        return (
+            f"BaseParameters({len(self)} of {len(self.labels)}, {len(self.unidentifiable)} unidentifiable, "
+            f"gap {above:.1e} to {below:.1e})"
+        )
 
     def __len__(self) -> int:
         """How many base parameters there are."""
@@ -121,8 +128,10 @@ def base_parameters(
     """The base inertial parameters: of the whole tree for open chains, along the closure for closed ones.
 
     For closed chains only null_space^T regressor counts: what the drives can tell. `states` random consistent
-    states are used (default: enough for four times as many rows as columns). Raises RankError where the
-    singular values show no clear gap.
+    states are used (default: enough for four times as many rows as columns).
+
+    Raises:
+        RankError: the singular values show no clear gap, or half of the states tell another number.
     """
     system = System(mechanism)
     system.use_samples()

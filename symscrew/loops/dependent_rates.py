@@ -50,9 +50,16 @@ def counts_all_ways(system: System) -> bool:
 
 
 class Loops:
-    """The closure of a system, solved for the rates that depend on the independent ones.
+    """The closure of a system, J w = right side, solved for the joint rates that depend on the independent ones.
 
-    `closure`: the rows that are solved, by default the first of `closures`. `independent`: labels of q.
+    One elimination, with the independent rates left over, serves rates, accelerations and Newton steps. Entries of w
+    are in rad/s or m/s: rates v, with those of spherical motions in the axes before the motion.
+
+    Args:
+        system: at its present nodes q, v.
+        independent: labels of q, one per freedom; default: the platform's own coordinates where it hangs on one
+            joint with rotations, else the drives, as far as the pivots allow.
+        closure: the rows that are solved, by default the first of `closures`.
 
     Raises:
         DescriptionError: `independent` are no labels of q, or do not determine all others.

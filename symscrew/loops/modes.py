@@ -54,7 +54,10 @@ class Follower:
 
 @dataclass(frozen=True)
 class Mode:
-    """What follows what among the coordinates and among the rates of a system, and its independent rates."""
+    """The operation mode of a system: `q` and `v`, entries that follow from others, and `free`, its independent rates.
+
+    `free` are indices into v.
+    """
 
     system: System
     q: tuple[Follower, ...]
@@ -151,9 +154,15 @@ class Mode:
 
 
 def operation_mode(system: System, free: Sequence[int]) -> Mode:
-    """What follows what in the operation mode of the reference configuration; `free`: independent entries of v.
+    """The operation mode of the reference configuration: which entries of q and v are constant or follow another one.
 
-    Nothing does in a tree, or where nothing moves; with run-time parameters neither, as it might not hold for others.
+    Args:
+        system: with its sample states, at all of which what follows is certified to `SAME`.
+        free: independent entries of v, by which the size of rates off the mode is measured.
+
+    Returns:
+        A mode without followers for a tree, where nothing moves, and with run-time parameters: for other values of
+        them it might not hold.
     """
     q, v, _ = system.sample_states
     of_q, of_v = [c.kind for c in system.tree.q], [c.kind for c in system.tree.v]

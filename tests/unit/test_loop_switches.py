@@ -247,3 +247,8 @@ def test_a_model_is_one_line() -> None:
         "Model('parallelogram', 3 bodies, 4 joints, 1 freedom, "
         f"{len(one_mode().programs)} functions, one operation mode)"
     )
+
+
+def test_base_parameters_are_one_line() -> None:
+    found = repr(base_parameters(catalogue.load("four_bar")))
+    assert found.startswith("BaseParameters(8 of 30, ") and "gap 1.1e-02 to " in found and "\n" not in found
