@@ -37,6 +37,7 @@ from symscrew.functions import (
     platform_functions,
     regressor_functions,
     second_paths,
+    untried_notes,
 )
 from symscrew.kinematics import System
 from symscrew.loops import hub_links, operation_mode
@@ -51,7 +52,7 @@ from symscrew.program import (
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Model:
     """Named programs of a mechanism with the effects that were asked for.
 
@@ -72,6 +73,17 @@ class Model:
     one_mode: bool = False
     independent: tuple[str, ...] = ()
     selected: bool = False
+
+    def __repr__(self) -> str:
+        """One line: the mechanism's size, the functions, and what they leave out."""
+        bodies = sum(name != self.mechanism.ground for name in self.mechanism.bodies)
+        free = len(self.independent) or len(self.system.tree.v)
+        sizes = [(bodies, "body", "bodies"), (len(self.mechanism.joints), "joint", "joints")]
+        sizes += [(free, "freedom", "freedoms"), (len(self.programs), "function", "functions")]
+        parts = [f"{count} {one if count == 1 else many}" for count, one, many in sizes]
+        parts += ["one operation mode"] if self.one_mode else []
+        parts += ["a selection"] if self.selected else []
+        return f"Model({self.name!r}, {', '.join(parts)})"
 
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""
@@ -158,7 +170,7 @@ def derive(
     inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}
     moves = "forward_dynamics" in programs or moves_mass(system, effects, loops)
     massless = () if moves else (MASSLESS_NOTE,)
-    notes = (*mechanism.warnings, *massless, *mode.notes(alone=one_mode))
+    notes = (*mechanism.warnings, *massless, *untried_notes(system), *mode.notes(alone=one_mode))
     notes = (*notes, *dict.fromkeys(n for p in programs.values() for n in p.notes))
     labels = tuple(system.tree.q[k].label for k in entries) if system.cuts else ()
     return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes, one_mode, labels)

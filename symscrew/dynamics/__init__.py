@@ -4,10 +4,18 @@ System, Acting --equilibrium--> balance of every link --drives, reactions--> wre
                --tree_dynamics, articulated, projection, coriolis--> `Admissible`: accelerations of free motion
 """
 
-from symscrew.dynamics.derivatives import Direction, Variation, closure_rows, inertial_derivatives, power_changes, three
+from symscrew.dynamics.coriolis import long_branches
+from symscrew.dynamics.derivatives import (
+    Direction,
+    Variation,
+    closure_changes,
+    inertial_derivatives,
+    power_changes,
+    three,
+)
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
 from symscrew.dynamics.equilibrium import ONE, Balance, Setting, balance
-from symscrew.dynamics.free_motion import Admissible
+from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
 from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
 from symscrew.dynamics.rods import bars, thin_rods, with_end_masses
 from symscrew.dynamics.tree_dynamics import applied_forces, generalised_forces, mass_matrix
@@ -25,10 +33,12 @@ __all__ = [
     "at_origin",
     "balance",
     "bars",
-    "closure_rows",
+    "by_articulated_bodies",
+    "closure_changes",
     "generalised_forces",
     "inertial_derivatives",
     "joint_wrenches",
+    "long_branches",
     "mass_matrix",
     "numeric_multipliers",
     "power_changes",

@@ -14,12 +14,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, count_operations, differentiate, is_zero
+from symscrew.algebra import Node, cost, differentiate, is_zero
 from symscrew.dynamics.tree_dynamics import balanced_forces, generalised_forces
 from symscrew.effects import Acting
 from symscrew.kinematics import System, inertial_wrench, rates
 
-SHORT = 6  # freedoms of a branch: of longer ones the recursion takes fewer operations
+SHORT = 6
+"""Freedoms of a branch up to which both ways are built and counted. A branch of n freedoms has n^2 (n + 1) / 2
+Christoffel symbols, the recursion's work grows with n: of longer branches only the recursion is built."""
 
 
 def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node]]) -> list[Node]:
@@ -38,8 +40,8 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
         centrifugal = _christoffel(system, places, inertia)
         other = [weighed[k] + force for k, force in zip(places, centrifugal, strict=True)]
         known = [inertia[i][j] for i in places for j in places]
-        present = count_operations([*known, *(result[k] for k in places)])
-        if count_operations([*known, *other]) < present:
+        present = cost([*known, *(result[k] for k in places)])
+        if cost([*known, *other]) < present:
             for k, force in zip(places, other, strict=True):
                 result[k] = force
     return result
@@ -47,13 +49,23 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
 
 def _branches(system: System) -> list[list[int]]:
     """Rates of the branches on the ground that are short and have coordinates for rates."""
+    return [places for places in _plain_branches(system) if 0 < len(places) <= SHORT]
+
+
+def long_branches(system: System) -> int:
+    """How many branches of a system are too long for the derivatives of their mass matrix, see `SHORT`."""
+    return sum(len(places) > SHORT for places in _plain_branches(system))
+
+
+def _plain_branches(system: System) -> list[list[int]]:
+    """Rates of the branches on the ground that have coordinates for rates: no spherical motions."""
     places: dict[int, list[int]] = {}
     plain: dict[int, bool] = {}
     for link in system.tree.links[1:]:
         root = system.tree.path(link.index)[-1]
         places.setdefault(root, []).extend(range(link.v.start, link.v.stop))
         plain[root] = plain.get(root, True) and not link.motion.spherical
-    return [places[root] for root in places if plain[root] and 0 < len(places[root]) <= SHORT]
+    return [places[root] for root in places if plain[root]]
 
 
 def _christoffel(system: System, places: Sequence[int], inertia: Sequence[Sequence[Node]]) -> list[Node]:

@@ -25,19 +25,32 @@ from symscrew.dynamics.rods import rod_forces, rod_matrix, thin_rods
 from symscrew.dynamics.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
 from symscrew.effects import Acting
 from symscrew.kinematics import System
-from symscrew.loops import SMALL, Loops
+from symscrew.loops import Loops, counts_all_ways
 
-LONG = 10  # trees with more freedoms take fewer operations by articulated bodies than by their mass matrix
-MASSLESS = 1e-13  # least eigenvalue, without units, of an inertia that counts
+LONG = 10
+"""Trees with more freedoms take fewer operations by articulated bodies, which grow with their number, than by the mass
+matrix, which grows with its square and more: a chain of 10 revolute joints takes 2086 against 2059, one of 11 takes
+2371 against 2488. Only the one way is built."""
+
+MASSLESS = 1e-13
+"""Least eigenvalue of an inertia whose diagonal is 1 that counts as mass: rounding leaves 1e-16 per operation of a
+motion that moves none, and real bodies, whose masses differ by less than 1e10, are above. Below it forward dynamics is
+left out with a note; above it is derived, and its guards tell where it is singular."""
 
 Matrix = Sequence[Sequence[Node]]
 Accelerations = tuple[list[Node], list[Node], list[Guard]]
 
 
-class Admissible:
-    """The null space of a system's closure at its present nodes q, v, and what the dynamics look like on it.
+def by_articulated_bodies(system: System) -> bool:
+    """Whether forward dynamics is that of articulated bodies: of long trees without loops, see `LONG`."""
+    return not system.cuts and len(system.tree.v) > LONG
 
-    `reflected` are inertias that move with one freedom of the tree only (index into v).
+
+class Admissible:
+    """The motions w = N z that the closure of a system allows at its nodes q, v, and the dynamics along them.
+
+    Everything is for the free joint rates z of `loops`, in their order. `reflected` are inertias that
+    move with one freedom of the tree only (index into v).
     """
 
     def __init__(self, system: System, loops: Loops, reflected: Mapping[int, Node] | None = None) -> None:
@@ -83,13 +96,13 @@ class Admissible:
         Handed on, the forces at rest accelerations are those of each branch's shorter way, or all the recursion's: by
         branches alone these are shorter, but the recursion's share more with the rest of a Stewart platform.
         """
-        if not self.system.cuts and len(self.system.tree.v) > LONG:
+        if by_articulated_bodies(self.system):
             a, guards = articulated_accelerations(self.system, acting)
             gains = self.system.joint_rates(a)
             return [([gains[k] for k in self.loops.free], a, guards)]
         system, tree = self.system, mass_matrix(self.system, self.reflected)
         ways = [self._by_columns(tree, lambda a: generalised_forces(system, acting, a))]
-        if system.cuts and len(system.tree.v) <= SMALL:
+        if system.cuts and counts_all_ways(system):
             still = [system.tape.zero] * len(system.tree.v)
             ways.append(self._handed_on(tree, still_forces(system, acting, tree)))
             rods = thin_rods(system, acting)

@@ -78,7 +78,16 @@ def joint_wrenches(
     multipliers: Mapping[Column, Affine],
     u: Sequence[Node],
 ) -> list[JointWrench]:
-    """The wrench through every joint, from the tips to the ground, without the drives' shares."""
+    """The wrench through every joint on its tip or child, at the joint's point, without the drives' shares.
+
+    Args:
+        setting: the tree, its cuts and drives.
+        pose: absolute_T_link of every link.
+        wrench: the inertial wrench of a link less what acts on it, link axes, at its origin.
+        loads: further wrenches on links, axes before their motions, at their origins.
+        multipliers: of the cut joints, as sums over column 1 and free multipliers.
+        u: forces and torques of the drives on their joints [N, N m].
+    """
     tree = setting.tree
 
     def with_drives(c: int) -> Wrenches:
@@ -149,7 +158,11 @@ def _remove_other_drives(
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:
-    """Minimum-norm values of the free multipliers put in, everything at O in absolute axes."""
+    """Reactions (f ; m_O), absolute axes, with the free multipliers of an overconstrained mechanism put in.
+
+    They take the values for which the sum of squares over all joints, at their points and with moments divided by the
+    characteristic length, is smallest. Joints whose reaction depends on this choice are named.
+    """
     guards: tuple[Guard, ...] = ()
     amounts: dict[Column, Node] = {}
     if free:

@@ -52,7 +52,7 @@ class Rod:
 
 
 def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
-    """The rods of a system by the index of their cut joints: nothing but gravity and other bodies acts on them."""
+    """The thin rods of a system by the index of their cut joint: only gravity and their neighbours act on them."""
     if not acting.keeps_gyroscopic_moments:  # part of a rod's rate of momentum is left out then
         return {}
     taken = {*acting.joint_forces, *acting.reflected_inertia, *system.drive_rows()}

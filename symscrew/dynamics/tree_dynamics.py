@@ -21,12 +21,15 @@ from symscrew.kinematics import (
 
 
 def generalised_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
-    """Generalised forces (for v) that the accelerations a of the tree need, less what acts."""
+    """M a + h - f: generalised forces (for v) [N, N m] that accelerations a of the open tree need, less what acts.
+
+    One pass of Newton and Euler from the tips to the ground. Zero, but for multipliers of cut joints, for a motion.
+    """
     return balanced_forces(system, acting, a, acting.inertial_wrenches(a))
 
 
 def applied_forces(system: System, acting: Acting, a: Sequence[Node]) -> list[Node]:
-    """What acts, as generalised forces (for v)."""
+    """f: what acts on the tree, as generalised forces (for v) [N, N m], at accelerations a where it depends on them."""
     return [-force for force in balanced_forces(system, acting, a, {})]
 
 
@@ -64,10 +67,12 @@ def balanced_forces(
 def mass_matrix(
     system: System, reflected: Mapping[int, Node] | None = None, inertia: Sequence[Inertia] | None = None
 ) -> list[list[Node]]:
-    """Composite rigid bodies: the momentum of everything outboard of a joint per unit rate of the joint; for v.
+    """M of the open tree, symmetric, with kinetic energy v . M v / 2: entries [kg, kg m, kg m^2].
 
-    `reflected` are inertias that move with one freedom only (index into v): they stand on the diagonal. `inertia` is
-    what the links have in place of their own.
+    Composite rigid bodies (Walker and Orin 1982): the momentum of everything outboard of a joint per unit rate of the
+    joint, projected on the joints inboard of it. `reflected` are inertias that move
+    with one freedom only (index into v): they stand on the diagonal. `inertia` is what the links have in place of
+    their own.
     """
     tree, tape = system.tree, system.tape
     composite: list[Inertia] = list(regrouped(tree, system.frames, inertia or system.inertia, system.geometry))

@@ -38,6 +38,7 @@ from symscrew.functions.ports import (
 )
 from symscrew.functions.quantities import Quantities, Quantity
 from symscrew.functions.regressor import regressor_functions
+from symscrew.functions.untried import untried_notes
 
 __all__ = [
     "MASSLESS_NOTE",
@@ -82,5 +83,6 @@ __all__ = [
     "regressor_functions",
     "second_paths",
     "u_port",
+    "untried_notes",
     "v_port",
 ]

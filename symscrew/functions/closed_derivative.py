@@ -25,7 +25,7 @@ from symscrew.dynamics import (
     Admissible,
     Direction,
     Variation,
-    closure_rows,
+    closure_changes,
     generalised_forces,
     mass_matrix,
     power_changes,
@@ -244,7 +244,7 @@ class ClosedMotion:
     @cached_property
     def displaced(self) -> list[list[Node]]:
         """Changes of dw/dt along the steps, free joint rates steady."""
-        return [self._dependent(rows) for rows in closure_rows(self._variation(self.by_steps))]
+        return [self._dependent(rows) for rows in closure_changes(self._variation(self.by_steps))]
 
     @cached_property
     def displaced_free(self) -> list[list[Node]]:
@@ -369,7 +369,7 @@ def _following(system: System, loops: Loops, w: Sequence[Node]) -> list[list[Nod
     moving = system.at(system.inputs.q, {}, system.tree_rates(w), still)
     columns = Admissible(system, loops).columns
     directions = [Direction(f"rate{j}", still, column, still) for j, column in enumerate(columns)]
-    rows = closure_rows(Variation(moving, w, still, directions))
+    rows = closure_changes(Variation(moving, w, still, directions))
     return [loops.dependent([-x for x in row], [system.tape.zero] * len(loops.free)) for row in rows]
 
 

@@ -201,7 +201,10 @@ def _norm(tape: Tape, values: Sequence[Node]) -> Node:
 
 
 def moved_by(system: System, step: Sequence[Node]) -> list[Node]:
-    """q after a step in joint rates; quaternions are multiplied and normalised."""
+    """q after a step along joint rates w [rad, m]: sums, and for a quaternion (w, r) with the rotation vector n
+
+    (w, r) + (n / 2) o (w, r), normalised: right to first order in the step, as a Newton step is.
+    """
     q = list(system.inputs.q)
     half = system.tape.reciprocal(system.tape.node(2))
     for link in system.tree.links[1:]:

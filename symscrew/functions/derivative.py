@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from symscrew.algebra import Node, Tape, Vector, add, count_operations, cross, differentiate, dot, scale, substitute
+from symscrew.algebra import Node, Tape, Vector, add, cost, cross, differentiate, dot, scale, substitute
 from symscrew.dynamics import Admissible
 from symscrew.effects import Acting, Effect
 from symscrew.functions import closed_derivative, tree_derivative
@@ -168,7 +168,7 @@ def forward_derivatives(
 
 
 def _size(function: Function) -> int:
-    return count_operations([n for nodes in function.results for n in nodes])
+    return cost([n for nodes in function.results for n in nodes])
 
 
 def _implicit(
@@ -199,7 +199,7 @@ def _implicit(
     if tree_derivative.covers(acting):
         forces = _force_changes(loops, acting, a, groups)
         others = [[closed_derivative.inner(w, column) for w in admissible.tree_columns] for column in forces]
-        changes = min(changes, others, key=lambda columns: count_operations([n for column in columns for n in column]))
+        changes = min(changes, others, key=lambda columns: cost([n for column in columns for n in column]))
     put = dict(zip(held, free, strict=True))
     solved = [admissible.solve([-c for c in substitute(tape, column, put)])[0] for column in changes]
     values = loops.second_rates(held, system.joint_rates(a), w) if independent else a

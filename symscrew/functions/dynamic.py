@@ -40,7 +40,7 @@ from symscrew.functions.ports import (
     y_port,
 )
 from symscrew.kinematics import Link, System
-from symscrew.loops import SMALL, Loops
+from symscrew.loops import Loops, counts_all_ways
 from symscrew.program import Function, Port
 
 Loads = Mapping[str, tuple[Vector, Vector]]
@@ -118,7 +118,7 @@ class Equations:
 
     def _fewest(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> Balance:
         """The balance with the rows of the drives in their places or last, by operations."""
-        either = setting.drives and setting.cuts and len(setting.tree.v) <= SMALL
+        either = setting.drives and setting.cuts and counts_all_ways(self.system)
         if not either:
             return balance(setting, wrench, self.forces.loads)
         orders = product((False, True), repeat=2)
@@ -306,7 +306,10 @@ def _joint_reactions(equations: Equations) -> Function:
 
 
 def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[object], tuple[Guard, ...], list[str]]:
-    """The reactions of all joints for given drives: port, values, guarded pivots, notes."""
+    """Reactions (f ; m_O) of all joints, from parent on child, absolute axes, for given drives [N, N m].
+
+    Returns the output's port, six values per joint of the description, guarded pivots, and notes on what is not unique.
+    """
     system, reactions = equations.system, equations.reactions(u)
     notes = []
     if reactions.free:

@@ -49,7 +49,7 @@ def forward_functions(system: System, effects: Sequence[Effect], loops: Loops) -
 
 
 def closing_functions(system: System, loops: Loops) -> list[Function]:
-    """Projections onto the closure."""
+    """`close_position` and `close_velocity`, nearest states on the closure; none for trees."""
     return [_close_position(system, loops), _close_velocity(system, loops)] if system.cuts else []
 
 
@@ -59,12 +59,15 @@ def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool
 
 
 def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
-    """Whether every motion that the loops allow moves mass."""
+    """Whether every motion that the loops allow moves mass: else accelerations do not follow from forces."""
     return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
 
 
 def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:
-    """What acts, drives included, and the drives' input; `loads` are the reactions for load-dependent effects."""
+    """What acts with the drives as inputs u [N, N m], and their port with its nodes (none without drives).
+
+    `loads`: joint -> (force, moment), the reactions that load-dependent effects read.
+    """
     acting = Acting(system, effects, loads)
     port = acting.drive_port(u_port(system))
     nodes = tuple(
@@ -114,7 +117,11 @@ def _once(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads 
 
 
 def second_paths(system: System, effects: Sequence[Effect], loops: Loops) -> dict[str, SecondPath]:
-    """The dense quantities that solve forward dynamics again where a pivot of its straight-line code is small."""
+    """What solves forward dynamics again where a pivot of its straight-line code is small, by the function's name.
+
+    The tree's mass matrix and forces with the closure's Jacobian and bias, dense: a factorisation that reveals the rank
+    takes them at run time. None for trees and for effects that depend on reactions.
+    """
     if not system.cuts or Acting(system, effects).needs_reactions or not accelerates(system, effects, loops):
         return {}
     regular = loops.rank

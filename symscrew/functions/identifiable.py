@@ -21,19 +21,38 @@ from symscrew.loops import Loops
 from symscrew.program import evaluate, lower
 
 Array = np.ndarray
-SMALL = 1e-10  # a column below this, relative to the greatest, is zero
-FLOOR = 1e-14  # singular values below this, relative to the greatest, are rounding
-CLEAR = 1e3  # the least ratio across the gap for the rank to be a statement
-ROUNDS = 60  # of steps at most
-STEP = 0.4  # of a walk on the closure manifold [rad, or characteristic lengths]
-ROUNDING = 1e-9  # coefficients below this, without units, are zero
+FAINT = 1e-10
+"""A column of the regressor below this, relative to the greatest, is zero: rounding leaves 1e-14, and a parameter that
+moves nothing must not be scaled up to unit length. Such a parameter is listed as unidentifiable."""
+
+FLOOR = 1e-14  # singular values below this, relative to the greatest, are rounding, and make no gap among themselves
+
+CLEAR = 1e3
+"""The least ratio across the gap of the singular values for the rank to be a statement: rounding leaves 1e10 and more
+where states excite all parameters, chance gaps between neighbours stay below 100. A smaller one raises RankError."""
+
+FAR = 30
+"""States whose regressor is this many times the median in size are left out: close to where the closure degenerates
+they would outweigh all others."""
+
+ROUNDS = 60  # steps of every walker at most; fewer states are used if more turn round, and half of them must agree
+
+STEP = 0.4
+"""A step of a walk on the closure manifold [rad, or characteristic lengths]: longer ones leave Newton's reach, shorter
+ones give states that differ less. A walker that lands further than that away has left its branch and turns round."""
+
+DEPENDENT = 1e-9  # rows of the closure Jacobian whose singular values are below this, relative, are redundant ones
+
+ROUNDING = 1e-9  # coefficients below this, without units, are zero, and those so near a number of nine digits are that
+
+TIED = 1e-6  # columns that are equal to this count as equal when one is chosen: the first one, on every machine
 
 
 class RankError(ArithmeticError):
     """The singular values show no clear gap, so that the number of base parameters is undecided."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class BaseParameters:
     """The combinations of inertial parameters that the generalised forces depend on: base = combination @ pi.
 
@@ -52,6 +71,13 @@ class BaseParameters:
     unidentifiable: tuple[str, ...]
     singular_values: Array
     gap: tuple[float, float]
+
+    def __repr__(self) -> str:
+        above, below = self.gap
+        return (
+            f"BaseParameters({len(self)} of {len(self.labels)}, {len(self.unidentifiable)} unidentifiable, "
+            f"gap {above:.1e} to {below:.1e})"
+        )
 
     def __len__(self) -> int:
         """How many base parameters there are."""
@@ -102,8 +128,10 @@ def base_parameters(
     """The base inertial parameters: of the whole tree for open chains, along the closure for closed ones.
 
     For closed chains only null_space^T regressor counts: what the drives can tell. `states` random consistent
-    states are used (default: enough for four times as many rows as columns). Raises RankError where the
-    singular values show no clear gap.
+    states are used (default: enough for four times as many rows as columns).
+
+    Raises:
+        RankError: the singular values show no clear gap, or half of the states tell another number.
     """
     system = System(mechanism)
     system.use_samples()
@@ -125,11 +153,11 @@ def base_parameters(
     rows = np.array([1.0 if u.startswith("N/") else 1.0 / system.length for u in program.outputs[0].units[:count]])
     blocks = stacked * rows[:, None] / units
     sizes = np.abs(blocks).max(axis=(1, 2), initial=0.0)
-    well = sizes <= 30 * np.median(sizes)  # not close to where the closure degenerates
+    well = sizes <= FAR * np.median(sizes)
     blocks = blocks[well] / np.where(sizes > 0, sizes, 1.0)[well, None, None]
     matrix = blocks.reshape(-1, columns)
     norms = np.linalg.norm(matrix, axis=0)
-    seen = norms > SMALL * norms.max(initial=0.0)
+    seen = norms > FAINT * norms.max(initial=0.0)
     scales = np.where(seen, norms, 1.0)
     matrix = np.where(seen, matrix / scales, 0.0)
     half = _rank(matrix[: len(blocks) // 2 * count])[0]
@@ -188,8 +216,7 @@ def _pivoted(matrix: Array, rank: int) -> tuple[Array, Array]:
     order = np.arange(n)
     for k in range(rank):
         sizes = (work[k:, k:] ** 2).sum(axis=0)
-        # Equal columns to rounding: the first one, on every machine.
-        best = k + int(np.flatnonzero(sizes > (1 - 1e-6) * sizes.max())[0])
+        best = k + int(np.flatnonzero(sizes > (1 - TIED) * sizes.max())[0])
         work[:, [k, best]] = work[:, [best, k]]
         order[[k, best]] = order[[best, k]]
         vector = work[k:, k].copy()
@@ -224,7 +251,7 @@ def _walks(system: System, loops: Loops, count: int, random: np.random.Generator
     for _ in range(ROUNDS):
         jacobian = system.numeric(system.closure.dense(), (system.inputs.q, q)).reshape(walkers, -1, n) * scales
         pairs = zip(headings, jacobian, strict=True)
-        tangent = np.array([h - np.linalg.pinv(j, rcond=1e-9) @ (j @ h) for h, j in pairs])
+        tangent = np.array([h - np.linalg.pinv(j, rcond=DEPENDENT) @ (j @ h) for h, j in pairs])
         size = np.abs(tangent).max(axis=1, keepdims=True)
         step = STEP * tangent / np.where(size > 0, size, 1.0) * random.uniform(0.5, 1.0, (walkers, 1))
         moved = system.advance(q, scales * step)

@@ -170,7 +170,11 @@ def _carried(system: System, points: Sequence[tuple[int, Vector]]) -> list[list[
 
 
 def acceleration_at(motion: BodyMotion, at: Vector) -> Vector:
-    """Acceleration of the body's material point at `at`, from twist and twist rate at O."""
+    """Acceleration [m/s^2] of the body's material point that is now at `at`, from twist and twist rate at O.
+
+    a = dv_O/dt + alpha x r + omega x (v_O + omega x r), absolute axes: the rate of v_O alone is no acceleration of a
+    point, as v_O belongs to another point of the body at every time.
+    """
     field = motion.rate.velocity_at(at)
     return add(field, cross(motion.twist.angular, motion.twist.velocity_at(at)))
 

@@ -15,7 +15,7 @@ from itertools import chain, islice
 from symscrew.effects import Effect
 from symscrew.functions.forward import accelerates, solved
 from symscrew.kinematics import System
-from symscrew.loops import SMALL, Loops, Mode, closures
+from symscrew.loops import Loops, Mode, closures, counts_all_ways
 
 
 @dataclass(frozen=True)
@@ -62,12 +62,12 @@ class _Candidate:
 
 
 def fewest_operations(system: System, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:
-    """The loops by the formulations of their cut joints that cost least; beyond `SMALL` freedoms by the first.
+    """The loops by the formulations of their cut joints that cost least; of large systems by the first.
 
     Raises:
         DescriptionError: see `Loops`.
     """
-    tried = islice(closures(system), None if len(system.tree.v) <= SMALL else 1)
+    tried = islice(closures(system), None if counts_all_ways(system) else 1)
     return _cheapest((Loops(system, independent, closure) for closure in tried), effects)
 
 

@@ -21,7 +21,7 @@ from symscrew.program import Function, Port
 
 
 def mass_properties(system: System, body: str) -> MassProperties | None:
-    """A body's mass, present centre of mass and inertia in absolute axes; None for a massless body."""
+    """A body's mass [kg], centre of mass [m] and inertia about it [kg m^2] in absolute axes; None without mass."""
     given = system.mechanism.bodies[body]
     if given.mass is None or given.com is None:
         return None

@@ -87,7 +87,17 @@ def function(
     guards: Sequence[tuple[Node, float]] = (),
     notes: Sequence[str] = (),
 ) -> Function:
-    """A function of (inputs..., run-time parameters); outputs may hold plain 0 and 1."""
+    """A function of the model, of (inputs..., run-time parameters).
+
+    Args:
+        system: whose tape holds all nodes and whose run-time parameters are added to the inputs.
+        name: in generated code.
+        description: one sentence for its header.
+        inputs: (port, nodes): the nodes stand for the port's entries.
+        outputs: (port, values): nodes, or plain numbers such as 0 and 1.
+        guards: (node, threshold): status 1 where |node| <= threshold.
+        notes: what a user of the function must know.
+    """
     ports, nodes = system.parameter_ports()
     return Function(
         name,

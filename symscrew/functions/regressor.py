@@ -44,6 +44,12 @@ PARAMETERS = ("m", "mcx", "mcy", "mcz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"
 UNITS = ("kg", *("kg m",) * 3, *("kg m^2",) * 6)
 PRODUCTS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 WHAT = "parameters of every body about O in absolute axes of the reference configuration"
+REACHED = 1e-9
+"""Singular values of how drives push freedoms below this, relative to the largest entry, leave a freedom without drive:
+then there is no regressor of the drives. Rounding leaves 1e-15; a drive that weak would need 1e9 times the force."""
+
+CARRIES = 1e-12  # squares of a freedom's drives below this are none; the check by singular values follows
+
 Columns = dict[int, list[Node]]  # index into v -> the ten entries of a body
 
 
@@ -135,7 +141,7 @@ def _distribution(system: System, loops: Loops) -> tuple[Admissible, list[list[N
     transposed = differentiate(tape, residual, seeds, keys)
     normal = [[_inner(system, x, y) for y in transposed] for x in transposed]
     sizes = [magnitude(tape, normal[i][i], 1.0)[1] for i in range(len(normal))]
-    if not residual or len(residual) > len(nodes) or min(sizes) < 1e-12 or not _regular(system, transposed):
+    if not residual or len(residual) > len(nodes) or min(sizes) < CARRIES or not _regular(system, transposed):
         return None
     units = [[tape.one if i == k else tape.zero for i in range(len(normal))] for k in range(len(normal))]
     guards: tuple[Guard, ...] = ()
@@ -151,7 +157,7 @@ def _regular(system: System, rows: Sequence[Sequence[Node]]) -> bool:
     """Whether the drives reach every freedom, at the sample states."""
     samples = [[np.broadcast_to(system.tape.sample(n), len(system.sample_states[0])) for n in row] for row in rows]
     matrix = np.moveaxis(np.array(samples), -1, 0)
-    return bool(np.all(np.linalg.matrix_rank(matrix, tol=1e-9 * float(np.abs(matrix).max())) == len(rows)))
+    return bool(np.all(np.linalg.matrix_rank(matrix, tol=REACHED * float(np.abs(matrix).max())) == len(rows)))
 
 
 def _output(

@@ -5,7 +5,7 @@ System --formulations--> rows of every cut joint --closure--> `Closure` --depend
 """
 
 from symscrew.loops.closure import Closure, closures
-from symscrew.loops.dependent_rates import SMALL, Loops
+from symscrew.loops.dependent_rates import Loops, counts_all_ways
 from symscrew.loops.limbs import (
     CrankLimb,
     LengthRow,
@@ -21,7 +21,6 @@ from symscrew.loops.limbs import (
 from symscrew.loops.modes import Mode, operation_mode
 
 __all__ = [
-    "SMALL",
     "Closure",
     "CrankLimb",
     "LengthRow",
@@ -30,6 +29,7 @@ __all__ = [
     "any_rods",
     "closed_limbs",
     "closures",
+    "counts_all_ways",
     "hub_links",
     "length_rows",
     "limb_coordinates",

@@ -19,7 +19,10 @@ from symscrew.loops.modes import Mode
 
 @dataclass(frozen=True)
 class Closure:
-    """Rows of all loops of a system in joint rates w and further components; `parts`: per cut joint.
+    """J (w ; z) = right side: the rows of all loops; `parts`: those of each of `system.cuts`.
+
+    The first rows are the cut joints', one per reciprocal wrench; their right side is 0 for rates, the negative of
+    `bias` for accelerations and of the residual for a Newton step. All further rows have right sides 0.
 
     In an operation `mode` coordinates that follow from others are replaced in the rows, and rates that do have rows.
     """

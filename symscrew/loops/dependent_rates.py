@@ -28,7 +28,10 @@ from symscrew.errors import DescriptionError
 from symscrew.kinematics import Link, System
 from symscrew.loops.closure import Closure, closures
 
-SMALL = 60  # freedoms of a tree up to which equal ways are built and counted
+SMALL = 60
+"""Freedoms of a tree up to which equal ways to the same numbers are all built and the cheapest is kept. Beyond, the
+first is taken, which costs a few per cent of the operations (5 % for a chain of four-bars): building them all makes
+deriving half as long again there, and more with every further freedom. The model's notes say so."""
 
 
 @dataclass(frozen=True)
@@ -41,10 +44,22 @@ class Independent:
     component: int | None  # of a quaternion's vector part
 
 
-class Loops:
-    """The closure of a system, solved for the rates that depend on the independent ones.
+def counts_all_ways(system: System) -> bool:
+    """Whether equal ways to the same numbers are all built and counted: see `SMALL`."""
+    return len(system.tree.v) <= SMALL
 
-    `closure`: the rows that are solved, by default the first of `closures`. `independent`: labels of q.
+
+class Loops:
+    """The closure of a system, J w = right side, solved for the joint rates that depend on the independent ones.
+
+    One elimination, with the independent rates left over, serves rates, accelerations and Newton steps. Entries of w
+    are in rad/s or m/s: rates v, with those of spherical motions in the axes before the motion.
+
+    Args:
+        system: at its present nodes q, v.
+        independent: labels of q, one per freedom; default: the platform's own coordinates where it hangs on one
+            joint with rotations, else the drives, as far as the pivots allow.
+        closure: the rows that are solved, by default the first of `closures`.
 
     Raises:
         DescriptionError: `independent` are no labels of q, or do not determine all others.
@@ -156,7 +171,7 @@ class Loops:
                 if k in row:
                     moved[i] = moved[i] - row[k] * value
         ways = [{**self.elimination.solve(moved), **known}]
-        if len(self.system.tree.v) <= SMALL:
+        if counts_all_ways(self.system):
             ways.append(self.elimination.solve(values, known))
         found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
         return min(found, key=self.cost)

@@ -20,11 +20,23 @@ from symscrew.algebra import Node, divides, inputs_of, needed, substitute
 from symscrew.kinematics import System
 from symscrew.program import Function, roots_of, with_roots
 
-MOVES = 1e-6  # samples that differ by less do not show a motion
-SAME = 1e-9  # samples that agree to this, in radians or characteristic lengths, are one value
-OFF = 1e-6  # a state this far off the mode, in the same units, is not of it; and rates, beside independent rates
+MOVES = 1e-6
+"""Samples that differ by less, in radians or characteristic lengths, show no motion, and nothing then follows anything:
+sample states are spread by 0.1 and more where a mechanism moves, and closed to 1e-12 where it does not."""
+
+SAME = 1e-9
+"""Samples that agree to this, in the same units, are one value: they are closed to 1e-12, while a coordinate that only
+nearly follows another is off by the square of their spread. Above it both are read."""
+
+OFF = 1e-6
+"""A state this far off the mode, in the same units, is not of it and the function's status is 1; rates likewise, beside
+the independent rates. States that were closed in double precision, or integrated, are well within it."""
+
 HALF = 0.5  # between what a comparison gives, 0 and 1
-NOTHING = 1e-12  # rates [rad/s, or characteristic lengths per second] below this are none
+
+NOTHING = 1e-12
+"""Rates [rad/s, or characteristic lengths per second] below this are none: rounding at rest is not off the mode."""
+
 SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "inverse_kinematics", "inverse_velocity",
           "joint_reactions", "forward_dynamics", "linearisation")  # fmt: skip
 """Functions (and those named after them) that take closed loops for granted. Others are true of open loops too."""
@@ -42,7 +54,10 @@ class Follower:
 
 @dataclass(frozen=True)
 class Mode:
-    """What follows what among the coordinates and among the rates of a system, and its independent rates."""
+    """The operation mode of a system: `q` and `v`, entries that follow from others, and `free`, its independent rates.
+
+    `free` are indices into v.
+    """
 
     system: System
     q: tuple[Follower, ...]
@@ -139,9 +154,15 @@ class Mode:
 
 
 def operation_mode(system: System, free: Sequence[int]) -> Mode:
-    """What follows what in the operation mode of the reference configuration; `free`: independent entries of v.
+    """The operation mode of the reference configuration: which entries of q and v are constant or follow another one.
 
-    Nothing does in a tree, or where nothing moves; with run-time parameters neither, as it might not hold for others.
+    Args:
+        system: with its sample states, at all of which what follows is certified to `SAME`.
+        free: independent entries of v, by which the size of rates off the mode is measured.
+
+    Returns:
+        A mode without followers for a tree, where nothing moves, and with run-time parameters: for other values of
+        them it might not hold.
     """
     q, v, _ = system.sample_states
     of_q, of_v = [c.kind for c in system.tree.q], [c.kind for c in system.tree.v]

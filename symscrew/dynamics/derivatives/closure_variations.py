@@ -26,10 +26,11 @@ from symscrew.kinematics import GROUND, Cut, Rates, acceleration_matrix, closure
 Changes = Sequence[Sequence[Rates]]
 
 
-def closure_rows(variation: Variation) -> list[list[Node]]:
-    """Changes of J a + (dJ/dt) v at the system's nodes: [direction][row].
+def closure_changes(variation: Variation) -> list[list[Node]]:
+    """Changes of J a + (dJ/dt) v along directions of the state, [direction][row of the system's closure].
 
-    They hold where the motion is consistent or no direction displaces anything.
+    Where a direction displaces the tree they are right for motions that keep the loops closed only: there the two
+    points of a cut joint have the same acceleration, and only one of them is carried to the other's axes.
     """
     system = variation.system
     moving = system.rates(system.inputs.a)

@@ -120,7 +120,10 @@ class _Freedom:
 
 
 def inertial_derivatives(acting: Acting, a: Sequence[Node]) -> tuple[Table, Table, Table]:
-    """Derivatives of the inertial generalised forces (for v) along steps of q, by v and by a."""
+    """Derivatives of the inertial generalised forces (for v) by steps of q, by v and by a: [freedom][direction].
+
+    Steps of q are along the entries of v: rotation vectors in the child's axes for spherical motions.
+    """
     system, tree, tape = acting.system, acting.system.tree, acting.system.tape
     moving, lean = acting.link_rates(a), acting.lean_inertia()
     bodies = [_own(inertia, rates) for inertia, rates in zip(lean, moving, strict=True)]

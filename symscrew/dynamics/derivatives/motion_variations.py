@@ -200,7 +200,7 @@ def with_changes(seeds: Seeds) -> Seeds:
 
 
 def three(values: Sequence[Node], link: Link) -> Vector:
-    """The three entries of a spherical link."""
+    """The three entries of joint rates w (or v) that belong to a link with a spherical motion."""
     x, y, z = values[link.v]
     return (x, y, z)
 

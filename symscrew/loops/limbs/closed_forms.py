@@ -64,7 +64,10 @@ def closed_limbs(system: System) -> tuple[LimbForm, ...] | None:
 
 
 def met_rows(limbs: Sequence[LimbForm]) -> frozenset[str]:
-    """Labels of the rows of the closure that the closed forms meet whatever the platform's coordinates are."""
+    """Labels of the closure's rows that hold for all coordinates of the platform once its limbs are in closed form.
+
+    The others are left to be solved for the platform's coordinates: see `left_open` of a limb.
+    """
     forces = ((limb.left_open, [row for row in limb.cut.rows if row.unit == "N"]) for limb in limbs)
     return frozenset(row.label for left, rows in forces for k, row in enumerate(rows) if k not in left)
 
@@ -86,8 +89,9 @@ def _limb(system: System, cut: Cut, covered: Set[int]) -> LimbForm | None:
 def limb_coordinates(
     system: System, limbs: Sequence[LimbForm], hub_q: dict[int, Node], guess: Sequence[Node] | None = None
 ) -> LimbCoordinates:
-    """q for given coordinates of the platform's joint (index into q -> node); limbs in closed form.
+    """q of the tree [rad, m] for given coordinates of the platform's joint; its limbs in closed form.
 
+    `hub_q`: index into q -> node. Out of a limb's reach its entries are not numbers, and the status tells.
     Angles are those nearest to the `guess` (nodes of q; default: the reference configuration), on its branch.
     """
     tape, zero = system.tape, system.tape.zero

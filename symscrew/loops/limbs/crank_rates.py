@@ -20,7 +20,9 @@ from symscrew.loops.limbs.crank_limbs import CrankLimb
 
 @dataclass(frozen=True)
 class LengthRow:
-    """The row of a rod's length: index of the row that it replaces, the crank's column in v and its entry there.
+    """n . (V_hub - V_crank) = 0, that a rod keeps its length: one row in the crank's rate alone, the platform's given.
+
+    `index` is the row of the closure that it replaces, `entry` that of the crank's rate.
 
     `n` and `arm`, the rod and its centre seen from the crank's origin, are in the axes before the crank's motion.
     """
