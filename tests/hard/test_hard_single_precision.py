@@ -16,6 +16,7 @@ from support.runs import EXAMPLES, prepared
 
 from hard import case
 from symscrew.model import Model
+from symscrew.program.numpy_evaluation import evaluate
 from symscrew.runtime.compiled import CompiledFunction, find_compiler, load
 from symscrew.scene.scene_file import load_scene
 from symscrew.simulation.initial import initial_state
@@ -62,7 +63,7 @@ def marched(name: str, steps_per_output: int) -> tuple[float, set[int]]:
     def slope(t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         state = {**known, "t": np.array([t]), "q": q, "v": v}
         if plant.inputs.outputs:
-            commands = plant.inputs(*[state[port.name] for port in plant.inputs.inputs])
+            commands, _ = evaluate(plant.inputs, [state[port.name] for port in plant.inputs.inputs])
             names = [port.name.removesuffix("_command") for port in plant.inputs.outputs]
             state |= dict(zip(names, commands, strict=True))
         a, status = forces(*[state[port] for port in ports])
