@@ -20,7 +20,7 @@ from symscrew.cli.workspace_command import sweep
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.studies.workspace import engine
-from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
+from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep, prepared
 from symscrew.studies.workspace.map_summary import sweep_summary, tilt_reach
 from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit
 from symscrew.studies.workspace.store import Store
@@ -244,8 +244,10 @@ def test_killed_sweep_goes_on(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.optimised  # as the workers, processes of their own, compile
 def test_dask_gives_the_same_though_a_worker_is_killed(tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install symscrew[dask]")
+    prepared.cache_clear()  # what other tests compiled
     label = prepare_sweep(plan_of("four_bar")).labels[0]
     plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 20000), chunk=250)
     settings = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None, "processes": True}
