@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import ast
 import inspect
-import os
 import pydoc
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -16,18 +13,6 @@ import pytest
 import symscrew
 
 PACKAGE = Path(symscrew.__file__).parent
-USER = """
-import symscrew
-
-mechanism = symscrew.load_catalogue("four_bar")
-model = symscrew.derive(mechanism)
-reveal_type(model)
-reveal_type(mechanism)
-reveal_type(symscrew.load(model))
-reveal_type(symscrew.simulate(symscrew.load_scene("scene.toml")))
-reveal_type(symscrew.analyse_mobility(mechanism))
-symscrew.derive("four_bar")
-"""
 
 
 def explained() -> dict[str, str]:
@@ -72,16 +57,3 @@ def test_the_page_shows_the_flow_the_names_and_the_map() -> None:
 def test_an_unknown_name_is_said_with_those_that_exist() -> None:
     with pytest.raises(AttributeError, match=r"no attribute 'derrive'; known: .*derive"):
         symscrew.derrive  # type: ignore[attr-defined]  # noqa: B018
-
-
-@pytest.mark.slow
-def test_type_checkers_see_what_the_names_are(tmp_path: Path) -> None:
-    pytest.importorskip("mypy", reason='not installed: pip install "symscrew[lint]"')
-    (tmp_path / "user.py").write_text(USER)
-    command = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", "--cache-dir=cache", "user.py"]
-    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
-    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-    notes = re.findall(r'^user.py:\d+: note: Revealed type is "symscrew[\w.]*\.(\w+)"', done.stdout, re.M)
-    assert notes == ["Model", "Mechanism", "CompiledModel", "Run", "Mobility"], done.stdout
-    errors = re.findall(r"^user.py:(\d+): error: .*\[([\w-]+)\]$", done.stdout, re.M)
-    assert errors == [(str(len(USER.splitlines())), "arg-type")], done.stdout  # a text is no mechanism; all else fits
