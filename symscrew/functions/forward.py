@@ -245,7 +245,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
 
 
 def _scales(system: System) -> list[float]:
-    return [system.length if c.kind == "length" else 1.0 for c in system.tree.v]
+    return [float(scale) for scale in system.scales]
 
 
 def _close_position(system: System, loops: Loops) -> Function:

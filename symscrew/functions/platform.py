@@ -139,7 +139,7 @@ def _limb_elimination(
     system: System, hub: set[int], lengths: Sequence[LengthRow]
 ) -> tuple[Elimination, list[tuple[Node, float]]]:
     """The closure solved for the limbs' rates, the platform's being given."""
-    unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(system.tree.v) if k not in hub}
+    unknowns = {k: float(scale) for k, scale in enumerate(system.scales) if k not in hub}
     scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
     rows = list(system.jacobian)
     for row in lengths:

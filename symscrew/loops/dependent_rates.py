@@ -302,7 +302,7 @@ class Loops:
         if not system.cuts:
             return False
         matrix = system.numeric(system.closure.dense(), (system.inputs.q, system.reference[None, :]))
-        scales = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        scales = system.scales
         values = np.linalg.svd(matrix.reshape(-1, len(scales)) * scales, compute_uv=False)
         return int((values > NEGLIGIBLE * values[0]).sum()) < self.rank
 
