@@ -22,6 +22,7 @@ import numpy as np
 import sympy
 
 from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
+from symscrew.algebra.origins import Origin
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
 # smallest constant that somebody means is far above 1e-45: in between a constant is zero.
@@ -99,6 +100,7 @@ class Tape:
         self._parameter_values: list[dict[int, Any]] = []
         self._settled: dict[int, Node] = {}
         self.symbols: dict[str, Node] = {}
+        self.origins: dict[int, Origin] = {}  # of nodes by index, of a negative's inner one
         self.zero = self.constant(0)
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from symscrew.algebra.naming import handed_on
 from symscrew.algebra.nodes import Node, Tape
 
 WAITS = frozenset(("reciprocal", "sqrt"))
@@ -104,9 +105,8 @@ def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node])
             stack.extend(missing)
         else:
             new = [done[a.index] for a in args]
-            done[node.index] = (
-                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
-            )
+            same = all(a is b for a, b in zip(args, new, strict=True))
+            done[node.index] = node if same else handed_on(node, remade(tape, node.op, new))
     return [done[node.index] for node in nodes]
 
 

@@ -28,6 +28,9 @@ from symscrew.algebra import (
     dot,
     insert_solution,
     magnitude,
+    named,
+    named_entries,
+    named_wrench,
     scale,
     solve_block,
     solve_for,
@@ -71,6 +74,7 @@ class Setting:
     )  # forces, couples it cannot bear
     joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
     bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
+    called: str = "force"  # the wrench of a link and all that hangs on it
 
     @property
     def linkage(self) -> Linkage:
@@ -111,6 +115,7 @@ class Setting:
         (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
         """
         placed = self.placed[link.index]
+        self._named(here, self.called, link.index)
         result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
         if link.index in loads:
             force, moment = loads[link.index]
@@ -120,7 +125,32 @@ class Setting:
                 continue
             for column, (f, m) in at_cut(c).items():
                 accumulate(result, column, *on_hub(cut, self.linkage, f, m))
+        self._named(result, f"joint_{self.called}", link.index)
         return result
+
+    def label(self, column: Column) -> str:
+        """What a coefficient of this column belongs to: a multiplier's row, a drive; of column 1 nothing."""
+        if column == ONE:
+            return ""
+        if column[0] == "drive":
+            return f"drive{column[1] + 1}"
+        label: str = self.cuts[column[1]].rows[column[2]].label
+        return label
+
+    def _named(self, wrenches: Wrenches, quantity: str, link: int) -> None:
+        for column, wrench in wrenches.items():
+            named_wrench(wrench, quantity, self.tree.part(link), by=self.label(column))
+
+    def name_row(self, row: Affine, v_index: int | None) -> None:
+        """Call the power along a freedom of what a joint must supply so, column by column."""
+        freedom = "hub" if v_index is None else self.tree.v[v_index].label
+        named_entries(row.values(), "balance", [f"{freedom}|{self.label(column)}" for column in row])
+
+    def name_multiplier(self, column: Column, affine: Affine) -> None:
+        """Call a multiplier so, or its parts: what it is without drives and others, and per each of these."""
+        label, complete = self.label(column), set(affine) == {ONE}
+        quantity = "multiplier" if complete else "multiplier_part"
+        named_entries(affine.values(), quantity, [f"{label}|{self.label(by)}" for by in affine])
 
     def add_bars(self, link: Link, before: Wrenches, multipliers: Mapping[Column, Affine]) -> None:
         """Add to `before` what a link must supply for the bars that end on it."""
@@ -283,6 +313,7 @@ class _Elimination:
             entry = self.setting.tape.node(screw(wrench))
             if entry is not self.setting.tape.zero:
                 row[column] = entry
+        self.setting.name_row(row, v_index)
         if v_index is None:
             return row
         known = self.setting.joint_forces.get(v_index)
@@ -312,6 +343,7 @@ class _Elimination:
         for key, affine in self.solved.items():
             if pivot in affine:
                 self.solved[key] = insert_solution(affine, pivot, solution)
+                self.setting.name_multiplier(key, self.solved[key])
         for index, here in self.waiting.items():
             self.waiting[index] = _substitute_wrench(here, pivot, solution)
         self.deferred = [(v, insert_solution(r, pivot, solution)) for v, r in self.deferred]
@@ -367,6 +399,8 @@ class _Elimination:
     def _solve_block(self, rows: Sequence[Affine], columns: Sequence[Column]) -> None:
         """Solve several multipliers at once and put them in everywhere."""
         solutions, determinant = solve_block(rows, columns)
+        place, _, component = self.setting.label(columns[0]).partition(".")
+        named(determinant, "determinant", place, component)
         if determinant.value is None:
             _, largest = magnitude(self.setting.tape, determinant, 1.0)
             self.result.guards.append(Guard(determinant, 1.0 / largest if largest > 0 else 1.0))
@@ -384,6 +418,7 @@ class _Elimination:
     def _keep(self, v_index: int | None, row: Affine) -> None:
         """A row without multipliers: an equation for the drives, or nothing on the manifold."""
         known = {c: e for c, e in row.items() if c not in self.scales}
+        self.setting.name_row(known, v_index)
         if any(c != ONE for c in known):
             self.result.finals.append(known)
         elif known and v_index is not None:
