@@ -35,7 +35,7 @@ def named(value: Scalar, quantity: str, part: str = "", component: str = "", *, 
 def named_vector(vector: Vector, quantity: str, part: str = "", *, prefix: str = "", by: str = "") -> Vector:
     """The vector itself, its components called x, y and z behind `prefix`."""
     for axis, value in zip(AXES, vector, strict=True):
-        if type(value) is Node:
+        if _unnamed(value):
             named(value, quantity, part, prefix + axis, by=by)
     return vector
 
@@ -44,9 +44,16 @@ def named_matrix(matrix: Matrix, quantity: str, part: str = "", *, prefix: str =
     """The matrix itself, its entries called xx, xy ... behind `prefix`, row first."""
     for cells, row in zip(CELLS, matrix, strict=True):
         for cell, value in zip(cells, row, strict=True):
-            if type(value) is Node:
+            if _unnamed(value):
                 named(value, quantity, part, prefix + cell, by=by)
     return matrix
+
+
+def _unnamed(value: Scalar) -> bool:
+    """Whether it is a node without a name: most vectors are made, and named, again and again."""
+    if type(value) is not Node or value.value is not None:
+        return False
+    return (value.args[0] if value.op == "neg" else value).index not in value.tape.origins
 
 
 def named_wrench(
@@ -68,7 +75,7 @@ def named_twist(twist: Twist, quantity: str, part: str = "", *, by: str = "") ->
 def named_entries(values: Iterable[Scalar], quantity: str, labels: Iterable[str]) -> None:
     """Entries of an array, called by their labels `part` or `part.component`, of a coefficient `...|by`."""
     for value, label in zip(values, labels, strict=True):
-        if type(value) is Node:
+        if _unnamed(value):
             place, _, by = label.partition("|")
             part, _, component = place.partition(".")
             named(value, quantity, part, component, by=by)
