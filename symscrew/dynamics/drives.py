@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Affine, Column, Guard, Node, Tape, eliminate, magnitude, named, named_entries
-from symscrew.dynamics.equilibrium import ONE
+from symscrew.dynamics.setting import ONE
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,8 @@ from symscrew.algebra import (
     transpose,
 )
 from symscrew.dynamics.drives import solve_symmetric
-from symscrew.dynamics.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
+from symscrew.dynamics.equilibrium import Balance
+from symscrew.dynamics.setting import ONE, Setting, Wrenches, accumulate
 from symscrew.kinematics import GROUND, Link
 
 

@@ -29,7 +29,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.dynamics.equilibrium import Bar, Wrench
+from symscrew.dynamics.setting import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
 from symscrew.effects import Acting
 from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped

@@ -21,7 +21,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.dynamics.equilibrium import accumulate
+from symscrew.dynamics.setting import accumulate
 from symscrew.effects import Acting
 from symscrew.kinematics import (
     GROUND,

@@ -68,7 +68,9 @@ class Printed:
             return None
         guards = [slot for slot, _ in self.program.guards]
         arrays = {slot: array for slot, (array, _) in self.entries.items()}
-        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)], arrays)
+        checked = [*guards, *checked_slots(self.program)]
+        origins, limbs = self.program.origins, self.program.limbs
+        return packed(self.angles.rest, kept, checked, arrays, origins=origins, limbs=limbs)
 
     @cached_property
     def names(self) -> dict[str, str]:

@@ -1,15 +1,17 @@
 """Equal limbs from the spanning tree: branches of one shape that leave the same link.
 
-    shape of a link = its motion and the shapes of the links on it, in an order of their own (Aho, Hopcroft, Ullman)
+    shape of a link = its motion, whether it is a hub, and the shapes of the links on it, in an order of their own
 
 Two branches of one shape have the same links in the same order of a walk, which gives every part its role. Where a limb
 has equal branches of its own (the rods of a delta's arm), these are a family too, over all limbs of the outer one.
-Shapes do not look at the joints that close loops, nor at geometry: a limb with another last joint, or at another place,
-does mostly the same; what it does otherwise shows where instructions are compared.
+Shapes (Aho, Hopcroft and Ullman's of rooted trees) do not look at geometry, nor at which joint closes a loop: a limb
+with another last joint, or at another place, does mostly the same; what it does otherwise shows where instructions are
+compared.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import takewhile
@@ -31,12 +33,14 @@ class _Walk:
 
     def __post_init__(self) -> None:
         known: dict[tuple[object, ...], Shape] = {}
+        ends = cut_ends(self.tree)
         for link in reversed(self.tree.links[1:]):
             if link.index in self.left_out:
                 continue
             inner = self.children.setdefault(link.index, [])
             inner.sort(key=lambda k: (self.shape[k], k))
-            key = (link.motion.kind, link.position, bool(link.bodies), *(self.shape[k] for k in inner))
+            hub = ends[link.index] > 1  # several loops close at it
+            key = (link.motion.kind, link.position, hub, *(self.shape[k] for k in inner))
             self.shape[link.index] = known.setdefault(key, len(known))
             self.children.setdefault(link.parent, []).append(link.index)
         self.children.setdefault(GROUND, []).sort(key=lambda k: (self.shape[k], k))
@@ -67,6 +71,11 @@ class _Walk:
             found.append(self.tree.links[k])
             stack += self.children.get(k, ())[::-1]
         return found
+
+
+def cut_ends(tree: Tree) -> Counter[int]:
+    """How many loops close at every link."""
+    return Counter(tree.link_of_body[body] for joint in tree.cut for body in (joint.parent, joint.child))
 
 
 def equal_limbs(tree: Tree, platform: str | None) -> Limbs:
@@ -118,10 +127,11 @@ def _parts(branch: Sequence[Link], tree: Tree) -> dict[str, str]:
         parts.setdefault(link.joint, f"joint {k}")
         parts.update({body: f"body {k}.{n}" for n, body in enumerate(link.bodies) if body not in parts})
     counts: dict[int, int] = {}
-    for joint in tree.cut:
-        ends = [tree.link_of_body[body] for body in (joint.parent, joint.child)]
-        inside = [place[end] for end in ends if end in place]
-        if len(inside) == 1:
-            n = counts[inside[0]] = counts.get(inside[0], -1) + 1
-            parts.setdefault(joint.name, f"cut {inside[0]}.{n}")
+    ends = cut_ends(tree)
+    for joint in tree.cut:  # it belongs to the branch whose tip it is: that which is no hub, or longer
+        both = [tree.link_of_body[body] for body in (joint.child, joint.parent)]
+        end = max(both, key=lambda k: (ends[k] == 1, len(tree.path(k))))
+        if end in place:
+            n = counts[place[end]] = counts.get(place[end], -1) + 1
+            parts.setdefault(joint.name, f"cut {place[end]}.{n}")
     return parts

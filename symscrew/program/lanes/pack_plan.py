@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 
-from symscrew.program.lanes.correspondence import SLOW, Operand, Operation, Row
+from symscrew.program.lanes.signed_operations import SLOW, Operand, Operation, Row
 
 WIDTHS = (2, 4)  # of vectors; more lanes than that take several
 GATHERED = 1.5  # an entry that is put into a vector: a load with insertion, on the one port that shuffles
@@ -51,9 +51,8 @@ class Plan:
         found: tuple[Row, ...],
         *,
         copies: Mapping[int, int | float] | None = None,
-        plain: tuple[Row, ...] | None = None,
     ) -> None:
-        self.code, self.plain, self.copies = code, plain or found, copies or {}
+        self.code, self.copies = code, copies or {}
         self.operations = operations = code.operations
         parts = -(-len(found[0]) // WIDTHS[-1])
         lanes = -(-len(found[0]) // parts)

@@ -12,19 +12,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
-from symscrew.program.lanes.correspondence import SLOW, Operand, Operation, Row, corresponding, joined, signed
+from symscrew.algebra import Origin
+from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.lanes.lane_padding import padded
 from symscrew.program.lanes.lane_signs import Part, fewest_flips
+from symscrew.program.lanes.limb_lanes import assigned
+from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Column, Plan
+from symscrew.program.lanes.signed_operations import SLOW, Operand, Operation, Row, signed
 from symscrew.program.straight_line import Instruction
 
 # A plan is taken if it costs at most this part of the instructions one by one: the model is not better than a tenth.
 # Above, the program stays as it is, and has no packed form in C.
 ENOUGH = 0.9
 HOPELESS = 1.1  # plans that cost more than this part as found are not improved: a fifth would have to come off
-TRIED = 12  # ways that are tried to be improved, the best ones first
-MOST_JOINED = 6  # lanes of ways that are joined: all 720 orders of them are tried
-OTHERS = 5  # ways that are joined with the best one
+TRIED = 2  # plans that are improved, the best ones first: a third one was never the best of all
+MOST_LANES = 8  # two vectors of four: with more limbs, pairs of operations grow with the square of their number
+NO_ORIGINS: Mapping[int, Origin] = {}
 
 
 @dataclass(frozen=True)
@@ -67,12 +71,19 @@ def packed(
     results: Iterable[int],
     checked: Iterable[int] = (),
     arrays: Mapping[int, str] | None = None,
+    *,
+    origins: Mapping[int, Origin] = NO_ORIGINS,
+    limbs: Limbs = NO_LIMBS,
 ) -> Packing | None:
     """The packed program, or None where there is nothing to gain.
 
     `results` are slots that are needed one by one; those of them and of `checked` are there in any case.
     `arrays` names the array of slots that are there from the start: entries of one array correspond to each other.
+    `origins` says where slots come from, `limbs` which parts of the mechanism are equal: without them nothing is.
     """
+    families = [family for family in limbs.families if len(family) <= MOST_LANES]
+    if not families:
+        return None
     operations, negatives = signed(instructions)
     kept, there = (
         {slot for slot in (negatives.get(slot, (slot, 1))[0] for slot in slots) if isinstance(slot, int)}
@@ -80,13 +91,19 @@ def packed(
     )
     scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
     code = Code(operations, kept, there, 1 + max(i.target for i in instructions), arrays or {})
-    plans = [plan for rows in corresponding(operations, code.arrays) for plan in _plans(code, rows)]
+    found: dict[tuple[Row, ...], None] = {}
+    for family in families:
+        for turned in (False, True):
+            rows = rows_of(operations, assigned(operations, negatives, origins, family, turned=turned))
+            if rows:
+                found[rows] = None
+    plans = [plan for rows in found for plan in _plans(code, rows)]
     plans = sorted((plan for plan in plans if plan.cost < HOPELESS * scalar), key=lambda p: p.cost)[:TRIED]
     for plan in plans:
         plan.improve()
     if not plans:
         return None
-    plan = _joined(sorted(plans, key=lambda p: p.cost), code)
+    plan = min(plans, key=lambda p: p.cost)
     if plan.cost > ENOUGH * scalar:
         return None
     plan = plan.settled()
@@ -101,18 +118,7 @@ def _plans(code: Code, rows: tuple[Row, ...]) -> Iterator[Plan]:
     yield Plan(code, rows)
     more = padded(code.operations, rows, code.unused)
     if more.copies:
-        yield Plan(replace(code, operations=more.operations), more.rows, copies=more.copies, plain=rows)
-
-
-def _joined(plans: Sequence[Plan], code: Code) -> Plan:
-    """The best of several plans, with rows of other ones where they cost less still."""
-    best, *others = plans
-    for rows in list(dict.fromkeys(plan.plain for plan in others))[:OTHERS]:
-        if len(rows[0]) == len(best.plain[0]) <= MOST_JOINED and rows != best.plain:
-            for both in _plans(code, joined(best.plain, rows)):
-                both.improve()
-                best = min(best, both, key=lambda p: p.cost)
-    return best
+        yield Plan(replace(code, operations=more.operations), more.rows, copies=more.copies)
 
 
 def _part(plan: Plan, number: int) -> Part:
