@@ -9,9 +9,9 @@ first, and each new one votes for its own neighbours, so that rows grow from the
 
 from __future__ import annotations
 
-import heapq
 from collections import defaultdict
 from collections.abc import Hashable, Iterator, Mapping
+from heapq import heappop, heappush
 from itertools import combinations
 
 from symscrew.program.lanes.limb_lanes import LimbLanes
@@ -45,6 +45,7 @@ class _Pairing:
         self.votes: dict[tuple[int, int], int] = {}
         self.heap: list[tuple[int, int, int]] = []
         self._neighbours()
+        self.taken = {slot: 1 << self.lane[slot] for slot in self.op}  # limbs with a member in the row of a slot
         self.made, self.pure = self._made()
         self.outer = {slot: frozenset(self._outer(slot)) for slot, op in self.op.items() if op != LEAF}
 
@@ -116,10 +117,10 @@ class _Pairing:
             if len(group) <= MOST_ALIKE:
                 for x, y in combinations(group, 2):
                     self._vote(x, y, 0)
-        heap, votes = self.heap, self.votes
+        heap, votes, taken = self.heap, self.votes, self.taken
         while heap:
-            weight, x, y = heapq.heappop(heap)
-            if -weight == votes[x, y] and self._apart(x, y):
+            weight, x, y = heappop(heap)
+            if not taken[x] & taken[y] and -weight == votes[x, y]:
                 self._join(x, y)
 
     def _groups(self) -> Iterator[list[int]]:
@@ -145,28 +146,24 @@ class _Pairing:
             if len(lengths) == 1 and sum(map(bool, columns)) > 1:
                 for k in range(lengths.pop()):
                     row = [column[k] if column else None for column in columns]
-                    self.row.update((s, row) for s in row if s is not None)
+                    self._joined(row)
                     yield row
 
-    def _apart(self, x: int, y: int) -> bool:
-        """Whether no limb has a member in the rows of both."""
-        one, other = self.row.get(x), self.row.get(y)
-        if one is None:
-            return other is None or other[self.lane[x]] is None
-        if other is None:
-            return one[self.lane[y]] is None
-        return all(a is None or b is None for a, b in zip(one, other, strict=True))
+    def _joined(self, row: list[int | None]) -> None:
+        """Its members are in this row now, together."""
+        members = [slot for slot in row if slot is not None]
+        taken = 0
+        for slot in members:
+            taken |= 1 << self.lane[slot]
+        for slot in members:
+            self.row[slot], self.taken[slot] = row, taken
 
     def _members(self, x: int) -> list[int | None]:
-        if x not in self.row:
-            self.row[x] = [None] * self.lanes.count
-            self.row[x][self.lane[x]] = x
-        return self.row[x]
+        return self.row.get(x) or [x if k == self.lane[x] else None for k in range(self.lanes.count)]
 
     def _join(self, x: int, y: int) -> None:
         one, other = self._members(x), self._members(y)
-        row = [b if a is None else a for a, b in zip(one, other, strict=True)]
-        self.row.update((s, row) for s in row if s is not None)
+        self._joined([b if a is None else a for a, b in zip(one, other, strict=True)])
         for p in one:
             for q in other:
                 if p is not None and q is not None:
@@ -186,14 +183,14 @@ class _Pairing:
                             self._vote(x, y, amount)
 
     def _vote(self, x: int, y: int, amount: int) -> None:
-        if self.lane[x] == self.lane[y] or not self._apart(x, y):
+        if self.taken[x] & self.taken[y]:  # some limb has a member in the rows of both
             return
         pair = (x, y) if x < y else (y, x)
         weight = self.votes.get(pair)
         if weight is None:
             weight = self._alike(x, y)
         self.votes[pair] = weight = weight + amount
-        heapq.heappush(self.heap, (-weight, *pair))
+        heappush(self.heap, (-weight, *pair))
 
     def _alike(self, x: int, y: int) -> int:
         """What two slots have in common by themselves."""

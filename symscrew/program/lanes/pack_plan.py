@@ -228,7 +228,7 @@ class Plan:
         for _ in range(ROUNDS_OF_UNDOING):
             changed = False
             for row in range(len(self.rows)):
-                if self.on[row]:
+                if self.on[row] and self._at_edge(row):
                     before = self.cost
                     wanted = self._toggle(row)
                     if self.cost < before:
@@ -237,6 +237,12 @@ class Plan:
                         self._toggle(row, wanted)
             if not changed:
                 return
+
+    def _at_edge(self, row: int) -> bool:
+        """Whether something is gathered for a pack or taken out of it: undone among packs only, it would cost more."""
+        if self._wants((True, row)):
+            return True
+        return any(slot is not None and self.needs["out", slot] for slot in self.rows[row])
 
     # -- order ----------------------------------------------------------------------------------------
 

@@ -26,8 +26,8 @@ from symscrew.program.straight_line import Instruction
 # dynamics of the 3RRR and of the delta) to 1.00 of the time, at 0.95 a row of four-bars, where loops wait for each
 # other, takes 1.28: above, the program stays as it is, and has no packed form in C.
 ENOUGH = 0.94
-HOPELESS = 1.1  # plans that cost more than this part as found are not improved: a fifth would have to come off
-TRIED = 3  # plans that are improved, the best ones first: a fourth one was never the best of all
+HOPELESS = 1.2  # plans that cost more than this part as found are not improved: a fifth would have to come off
+NEAR = 1.03  # plans that cost this much more than the best one as found are improved, too: others stay behind it
 MOST_LANES = 8  # two vectors of four: with more limbs, pairs of operations grow with the square of their number
 NO_ORIGINS: Mapping[int, Origin] = {}
 
@@ -99,7 +99,8 @@ def packed(
             if rows:
                 found[rows] = None
     plans = [plan for rows in found for plan in _plans(code, rows)]
-    plans = sorted((plan for plan in plans if plan.cost < HOPELESS * scalar), key=lambda p: p.cost)[:TRIED]
+    least = min((plan.cost for plan in plans), default=0.0)
+    plans = [plan for plan in plans if plan.cost < HOPELESS * scalar and plan.cost <= NEAR * least]
     for plan in plans:
         plan.improve()
     if not plans:
