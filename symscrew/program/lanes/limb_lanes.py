@@ -10,7 +10,7 @@ made of. What several limbs meet in belongs to none of them.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symscrew.algebra import Origin
@@ -106,6 +106,19 @@ def assigned(
             found.hints[at] = name
     _between(operations, found.lane, shared, found.count)
     return found
+
+
+def readings_of(
+    operations: Mapping[int, Operation],
+    negatives: Mapping[int, Operand],
+    origins: Mapping[int, Origin],
+    family: Sequence[Limb],
+) -> Iterator[LimbLanes]:
+    """The lanes of a family with zeros of equal limbs at equal places, and turned where that makes a difference."""
+    straight, turned = (assigned(operations, negatives, origins, family, turned=turned) for turned in (False, True))
+    yield straight
+    if turned.names != straight.names:
+        yield turned
 
 
 ROUNDS = 2  # forwards and backwards: a third one finds nothing more, with one a few values less are in lanes

@@ -16,7 +16,7 @@ from symscrew.algebra import Origin
 from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.lanes.lane_padding import padded
 from symscrew.program.lanes.lane_signs import Part, fewest_flips
-from symscrew.program.lanes.limb_lanes import assigned
+from symscrew.program.lanes.limb_lanes import readings_of
 from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Column, Plan
 from symscrew.program.lanes.signed_operations import SLOW, Operand, Operation, Row, signed
@@ -92,13 +92,9 @@ def packed(
     )
     scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
     code = Code(operations, kept, there, 1 + max(i.target for i in instructions), arrays or {})
-    found: dict[tuple[Row, ...], None] = {}
-    for family in families:
-        for turned in (False, True):
-            rows = rows_of(operations, assigned(operations, negatives, origins, family, turned=turned))
-            if rows:
-                found[rows] = None
-    plans = [plan for rows in found for plan in _plans(code, rows)]
+    readings = (lanes for family in families for lanes in readings_of(operations, negatives, origins, family))
+    found = dict.fromkeys(rows_of(operations, lanes) for lanes in readings)
+    plans = [plan for rows in found if rows for plan in _plans(code, rows)]
     least = min((plan.cost for plan in plans), default=0.0)
     plans = [plan for plan in plans if plan.cost < HOPELESS * scalar and plan.cost <= NEAR * least]
     for plan in plans:
