@@ -10,7 +10,7 @@ values by them and whose lanes pair equal limbs by them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 QUANTITIES = {
     # inputs and results of functions are called by their ports: q, v, a, u, y, y_dot, poses, twists, reactions ...
@@ -113,4 +113,4 @@ class Origin:
     @property
     def opposite(self) -> Origin:
         """That of the negative."""
-        return replace(self, negative=not self.negative)
+        return Origin(self.quantity, self.part, self.component, self.by, not self.negative)

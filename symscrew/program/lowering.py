@@ -69,6 +69,7 @@ class _Lowering:
         self.slot: dict[int, int | float] = {}  # of a node; for a constant, its value
         self.instructions: list[Instruction] = []
         self.made: dict[tuple[object, ...], int] = {}
+        self.negatives: list[Node] = []
         self.next = itertools.count()
         for node in itertools.chain.from_iterable(function.arguments):
             self.slot[node.index] = next(self.next)
@@ -105,13 +106,13 @@ class _Lowering:
             found |= {self.slot[n.index]: _at_port(port, k) for k, n in enumerate(nodes)}  # type: ignore[misc]
         every = (n for nodes in (*function.arguments, *function.results) for n in nodes)
         tape = next((n.tape for n in every), Tape())
-        for index, slot in self.slot.items():
-            if isinstance(slot, int):
-                node = tape.nodes[index]
-                negative = node.op == "neg"
-                origin = tape.origins.get(node.args[0].index if negative else index)
-                if origin is not None:
-                    found.setdefault(slot, origin.opposite if negative else origin)
+        slots, known = self.slot, tape.origins
+        for index in [index for index in slots if index in known]:
+            found.setdefault(slots[index], known[index])  # type: ignore[arg-type]
+        for node in self.negatives:
+            origin = known.get(node.args[0].index)
+            if origin is not None:
+                found.setdefault(slots[node.index], origin.opposite)  # type: ignore[arg-type]
         for port, nodes in zip(function.outputs, function.results, strict=True):
             for k, node in enumerate(nodes):
                 slot = self.slot[node.index]
@@ -161,6 +162,7 @@ class _Lowering:
             if x.op == "reciprocal" and y.op != "reciprocal" and self._single(x):
                 return "div", (y, x.args[0])
         elif op == "neg":
+            self.negatives.append(node)
             inner = args[0]
             if inner.op == "sub" and self._single(inner):
                 return "sub", (inner.args[1], inner.args[0])
