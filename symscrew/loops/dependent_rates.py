@@ -7,8 +7,9 @@ entries of q: a spherical joint contributes components of its quaternion's vecto
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -99,6 +100,7 @@ class Loops:
         self.free = sorted(free, key=lambda k: order.get(k, n + k)) if independent else free
         self.entries = self._entries(self.free)
         self.small = self._quaternion_elimination()
+        self.answers: dict[Hashable, tuple[object, Any]] = {}  # what was asked of these loops before
         for _, column, pivot, factors in self.elimination.steps:
             name = self.label(column)
             named_entries([pivot], "pivot", [name])
