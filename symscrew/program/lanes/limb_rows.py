@@ -19,7 +19,7 @@ from symscrew.program.lanes.signed_operations import PACKED, Operation, Row
 
 ALONE, AMONG = 4, 2  # what a neighbour counts that is the only one there with its operation, or one of several
 HINT = 1  # what it counts to have the same hint: as much as a shared operand
-MOST_ALIKE = 64  # operations that look alike and are compared; of more, neighbours decide: pairs grow with the square
+MOST_ALIKE = 24  # operations that look alike and are compared; of more, neighbours decide: pairs grow with the square
 CONSTANT, SHARED, UNNAMED = -1, -2, -3  # operands that are not known by their name
 LEAF = "leaf"  # what is there from the start: inputs, sines and cosines
 
@@ -59,21 +59,24 @@ class _Pairing:
 
     def _neighbours(self) -> None:
         """Operands and readers of every slot in its own lane, by operation."""
-        lane, op, beside = self.lane, self.op, self.beside
-        for slot, operation in self.operations.items():
+        lane, op, beside, operations = self.lane, self.op, self.beside, self.operations
+        for slot, operation in operations.items():
             own = lane.get(slot)
             if own is None or operation.op not in PACKED:
                 continue
             op[slot] = operation.op
             below: dict[str, list[int]] = {}
             beside[slot] = below, {}
-            for a in dict.fromkeys(a for a, _ in operation.args if isinstance(a, int)):
-                if lane.get(a) != own:
+            for a, _ in operation.args:
+                if type(a) is not int or lane.get(a) != own:
                     continue
-                if a not in self.operations and a not in op:
+                if a not in op:
+                    if a in operations:
+                        continue
                     op[a], beside[a] = LEAF, ({}, {})
-                if a in op:
-                    below.setdefault(op[a], []).append(a)
+                mine = below.setdefault(op[a], [])
+                if a not in mine:
+                    mine.append(a)
                     beside[a][1].setdefault(operation.op, []).append(slot)
 
     def _made(self) -> tuple[dict[int, int], set[int]]:
