@@ -21,7 +21,7 @@ from symscrew.model import derive
 from symscrew.program.equal_limbs import Limb, Limbs
 from symscrew.program.lanes.lane_padding import padded
 from symscrew.program.lanes.lane_signs import Part, fewest_flips
-from symscrew.program.lanes.limb_lanes import assigned
+from symscrew.program.lanes.limb_lanes import readings_of
 from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Plan
 from symscrew.program.lanes.packs import Pack, Packing, packed
@@ -68,7 +68,7 @@ def test_lanes_are_the_limbs(name: str, limbs: int, part: float) -> None:
     program = straight(name, PLATFORM)
     operations, negatives = signed(live_instructions(program)[0])
     (family,) = program.limbs.families
-    lanes = assigned(operations, negatives, program.origins, family, turned=False)
+    lanes = next(readings_of(operations, negatives, program.origins, family))
     rows = rows_of(operations, lanes)
     assert {len(row) for row in rows} == {limbs}
     assert all(lanes.lane[slot] == k for row in rows for k, slot in enumerate(row) if slot is not None)
@@ -207,7 +207,7 @@ def test_a_limb_along_an_axis_joins_the_others() -> None:
     ends = Limbs((tuple(Limb(f"limb{k}", {f"limb{k}": "link"}) for k in range(3)),))
     origins = {slot: Origin("drive", f"limb{k}") for k, slot in enumerate(limbs)}
     operations, negatives = signed(program)
-    rows = rows_of(operations, assigned(operations, negatives, origins, ends.families[0], turned=False))
+    rows = rows_of(operations, next(readings_of(operations, negatives, origins, ends.families[0])))
     more = padded(operations, rows, 1 + limbs[-1])
     (first,) = {*next(row for row in more.rows if 6 in row)} - {6, 7}
     assert first is not None and more.copies[first] == 0  # 1 x + 0 y

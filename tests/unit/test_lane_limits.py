@@ -66,6 +66,7 @@ def test_legs_are_found() -> None:
     [
         (packs, "MOST_LANES", LEGS - 1),
         (packs, "HOPELESS", 0.0),
+        (packs, "LIKELY", 0.0),
         (packs, "NEAR", 0.0),
         (packs, "ENOUGH", 0.0),
     ],
@@ -86,6 +87,7 @@ def test_beyond_a_limit_nothing_is_packed(
         (limb_rows, "AMONG", 1),
         (limb_rows, "HINT", 0),
         (packs, "HOPELESS", 9.0),
+        (packs, "LIKELY", 9.0),
         (packs, "NEAR", 9.0),
         (pack_plan, "ROUNDS_OF_UNDOING", 0),
         (pack_plan, "GATHERED", 0.1),

@@ -11,11 +11,11 @@ made of. What several limbs meet in belongs to none of them.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from symscrew.algebra import Origin
 from symscrew.program.equal_limbs import Limb
-from symscrew.program.lanes.signed_operations import Operand, Operation
+from symscrew.program.lanes.signed_operations import WIDEST, Operand, Operation
 
 OWN_AXES = frozenset((
     "omega", "velocity", "alpha", "acceleration", "acceleration_matrix", "alpha_still", "acceleration_still",
@@ -80,45 +80,40 @@ class _Names:
         return own[0], (origin.quantity, own[1], origin.component, by[1], rest, away), exact
 
 
-def assigned(
-    operations: Mapping[int, Operation],
-    negatives: Mapping[int, Operand],
-    origins: Mapping[int, Origin],
-    family: Sequence[Limb],
-    *,
-    turned: bool,
-) -> LimbLanes:
-    """The lanes of a family of equal limbs."""
-    found, names = LimbLanes(len(family)), _Names(family, origins, turned=turned)
-    shared: set[int] = set()  # named values of the hub
-    for slot, origin in origins.items():
-        at = negatives[slot][0] if slot in negatives else slot
-        if not isinstance(at, int) or at in found.lane or at in shared:
-            continue
-        read = names.read(origin)
-        if read is None:
-            shared.add(at)
-            continue
-        found.lane[at], name, exact = read
-        if exact and (at in operations or origin.quantity not in TURNS):
-            found.names[at] = name
-        elif not turned:
-            found.hints[at] = name
-    _between(operations, found.lane, shared, found.count)
-    return found
-
-
 def readings_of(
     operations: Mapping[int, Operation],
     negatives: Mapping[int, Operand],
     origins: Mapping[int, Origin],
     family: Sequence[Limb],
 ) -> Iterator[LimbLanes]:
-    """The lanes of a family with zeros of equal limbs at equal places, and turned where that makes a difference."""
-    straight, turned = (assigned(operations, negatives, origins, family, turned=turned) for turned in (False, True))
+    """The lanes of a family of equal limbs: with equal zeros of their angles, and turned where names differ then."""
+    bases = {slot: negatives[slot][0] if slot in negatives else slot for slot in origins}
+    named = {base: origins[slot] for slot, base in reversed(bases.items()) if isinstance(base, int)}  # the first stays
+    straight, hub = _called(operations, named, family, turned=False)
+    _between(operations, straight.lane, hub, straight.count)
     yield straight
+    turned, _ = _called(operations, named, family, turned=True)
     if turned.names != straight.names:
-        yield turned
+        yield replace(turned, lane=straight.lane)
+
+
+def _called(
+    operations: Mapping[int, Operation], named: Mapping[int, Origin], family: Sequence[Limb], *, turned: bool
+) -> tuple[LimbLanes, set[int]]:
+    """The lanes of values with names, and those of the hub."""
+    found, names = LimbLanes(len(family)), _Names(family, named, turned=turned)
+    hub: set[int] = set()
+    for slot, origin in named.items():
+        read = names.read(origin)
+        if read is None:
+            hub.add(slot)
+            continue
+        found.lane[slot], name, exact = read
+        if exact and (slot in operations or origin.quantity not in TURNS):
+            found.names[slot] = name
+        elif not turned:
+            found.hints[slot] = name
+    return found, hub
 
 
 ROUNDS = 2  # forwards and backwards: a third one finds nothing more, with one a few values less are in lanes
@@ -132,7 +127,7 @@ def _between(operations: Mapping[int, Operation], lane: dict[int, int], shared: 
         for a in args:
             users.setdefault(a, []).append(slot)
     mixed: set[int] = set()
-    size = -(-count // -(-count // 4))
+    size = -(-count // -(-count // WIDEST))  # limbs in one vector
     free = [slot for slot in operations if slot not in lane and slot not in shared]
     for _ in range(ROUNDS):
         mixed.clear()

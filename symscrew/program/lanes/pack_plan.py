@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 
-from symscrew.program.lanes.signed_operations import SLOW, Operand, Operation, Row
+from symscrew.program.lanes.signed_operations import SLOW, WIDEST, Operand, Operation, Row
 
-WIDTHS = (2, 4)  # of vectors; more lanes than that take several
+WIDTHS = (2, WIDEST)  # of vectors
 GATHERED = 1.5  # an entry that is put into a vector: a load with insertion, on the one port that shuffles
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 ROUNDS_OF_UNDOING = 2  # over all packs, or fewer if one undoes nothing; a pack that would pay undone later stays

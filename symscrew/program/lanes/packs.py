@@ -28,7 +28,9 @@ from symscrew.program.straight_line import Instruction
 ENOUGH = 0.94
 HOPELESS = 1.2  # plans that cost more than this part as found are not improved: a fifth would have to come off
 NEAR = 1.03  # plans that cost this much more than the best one as found are improved, too: others stay behind it
+LIKELY = 1.1  # plans of limbs as they are that cost more than this part of the best one are not made alike
 MOST_LANES = 8  # two vectors of four: with more limbs, pairs of operations grow with the square of their number
+Rows = tuple[Row, ...]
 NO_ORIGINS: Mapping[int, Origin] = {}
 
 
@@ -94,9 +96,10 @@ def packed(
     code = Code(operations, kept, there, 1 + max(i.target for i in instructions), arrays or {})
     readings = (lanes for family in families for lanes in readings_of(operations, negatives, origins, family))
     found = dict.fromkeys(rows_of(operations, lanes) for lanes in readings)
-    plans = [plan for rows in found if rows for plan in _plans(code, rows)]
-    least = min((plan.cost for plan in plans), default=0.0)
-    plans = [plan for plan in plans if plan.cost < HOPELESS * scalar and plan.cost <= NEAR * least]
+    plain = _least([(Plan(code, rows), rows) for rows in found if rows], LIKELY)
+    padded_too = [plan for _, rows in plain for plan in _padded(code, rows)]
+    plans = [plan for plan, _ in _least([*plain, *((plan, ()) for plan in padded_too)], NEAR)]
+    plans = [plan for plan in plans if plan.cost < HOPELESS * scalar]
     for plan in plans:
         plan.improve()
     if not plans:
@@ -111,9 +114,14 @@ def packed(
     return Packing(plan.code.operations, negatives, items, place, plan.width, plan.cost)
 
 
-def _plans(code: Code, rows: tuple[Row, ...]) -> Iterator[Plan]:
-    """Rows as they are, and with lanes made alike."""
-    yield Plan(code, rows)
+def _least(plans: Sequence[tuple[Plan, Rows]], part: float) -> list[tuple[Plan, Rows]]:
+    """Those plans, and their rows, that cost at most so much of what the cheapest one does."""
+    least = min((plan.cost for plan, _ in plans), default=0.0)
+    return [(plan, rows) for plan, rows in plans if plan.cost <= part * least]
+
+
+def _padded(code: Code, rows: Rows) -> Iterator[Plan]:
+    """Rows with lanes made alike, if that makes a difference."""
     more = padded(code.operations, rows, code.unused)
     if more.copies:
         yield Plan(replace(code, operations=more.operations), more.rows, copies=more.copies)

@@ -10,6 +10,8 @@ from symscrew.program.straight_line import Instruction
 PACKED = frozenset(("add", "mul", "div", "reciprocal", "sqrt"))  # what a vector unit does on all lanes at once
 SLOW = {"div": 4.0, "reciprocal": 4.0, "sqrt": 6.0}  # what they cost beside 1 for a sum or a product
 
+WIDEST = 4  # lanes of a vector; more limbs than that take several
+
 Operand = tuple[int | float, int]  # slot or constant, and its sign
 Row = tuple[int | None, ...]  # corresponding slots, one per lane
 
