@@ -22,15 +22,8 @@ MAX_LABELS = 96  # entries of a port that are named in comments: more are not re
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
     """The instructions that pivots and what is checked, so all results, need, in order, and every slot that is read."""
-    needed = {*program.checked, *(slot for slot, _ in program.guards)}
-    live = []
-    for instruction in reversed(program.instructions):
-        if instruction.target in needed:
-            live.append(instruction)
-            for arg in instruction.args:
-                if isinstance(arg, int):
-                    needed.add(arg)
-    return live[::-1], needed
+    live, read = program.live
+    return list(live), set(read)
 
 
 def expressions(

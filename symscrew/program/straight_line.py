@@ -137,6 +137,17 @@ class Program:
         return (*found[::-1], *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
     @cached_property
+    def live(self) -> tuple[list[Instruction], set[int]]:
+        """The instructions that pivots and what is checked, so all results, need, and every slot that is read."""
+        needed = {*self.checked, *(slot for slot, _ in self.guards)}
+        found = []
+        for instruction in reversed(self.instructions):
+            if instruction.target in needed:
+                found.append(instruction)
+                needed.update([arg for arg in instruction.args if type(arg) is int])
+        return found[::-1], needed
+
+    @cached_property
     def hash(self) -> str:
         """SHA-256 of everything that determines the printed code, 16 hex digits."""
         return digest(self)
