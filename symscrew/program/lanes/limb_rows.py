@@ -47,15 +47,24 @@ class _Pairing:
         self._neighbours()
         self.taken = {slot: 1 << self.lane[slot] for slot in self.op}  # limbs with a member in the row of a slot
         self.made, self.pure = self._made()
-        self.outer = {slot: frozenset(self._outer(slot)) for slot, op in self.op.items() if op != LEAF}
+        self.outer = self._read_outside()
 
-    def _outer(self, slot: int) -> Iterator[int]:
-        """What an operation reads that is none of its limb's: shared values, and constants as one."""
-        for a, _ in self.operations[slot].args:
-            if isinstance(a, float):
-                yield CONSTANT
-            elif self.lane.get(a) != self.lane[slot]:
-                yield a
+    def _read_outside(self) -> dict[int, frozenset[int]]:
+        """What an operation, and operands of its limb without a name, read that is none of the limb's.
+
+        Shared values, and for the operation itself constants as one.
+        """
+        own: dict[int, set[int]] = {}
+        found: dict[int, frozenset[int]] = {}
+        lane, names = self.lane, self.lanes.names
+        for slot, op in self.op.items():
+            if op != LEAF:
+                inside = [a for a, _ in self.operations[slot].args if type(a) is int]
+                own[slot] = {a for a in inside if lane.get(a) != lane[slot]}
+                more = [own[a] for a in inside if a in own and lane[a] == lane[slot] and a not in names]
+                constant = {CONSTANT} if len(inside) < len(self.operations[slot].args) else ()
+                found[slot] = frozenset(own[slot].union(constant, *more))
+        return found
 
     def _neighbours(self) -> None:
         """Operands and readers of every slot in its own lane, by operation."""
