@@ -97,9 +97,9 @@ def packed(
     readings = (lanes for family in families for lanes in readings_of(operations, negatives, origins, family))
     found = dict.fromkeys(rows_of(operations, lanes) for lanes in readings)
     plain = _least([(Plan(code, rows), rows) for rows in found if rows], LIKELY)
+    plain = [(plan, rows) for plan, rows in plain if plan.cost < HOPELESS * scalar]
     padded_too = [plan for _, rows in plain for plan in _padded(code, rows)]
     plans = [plan for plan, _ in _least([*plain, *((plan, ()) for plan in padded_too)], NEAR)]
-    plans = [plan for plan in plans if plan.cost < HOPELESS * scalar]
     for plan in plans:
         plan.improve()
     if not plans:
