@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import Elimination, Node, divides, eliminate, needed
+from symscrew.algebra import Elimination, Node, divides, eliminate, named_entries, needed
 from symscrew.effects import Effect
 from symscrew.functions.closing import guarded
 from symscrew.functions.dynamic import Equations
@@ -145,6 +145,8 @@ def _limb_elimination(
     for row in lengths:
         rows[row.index], scales[row.index] = {row.column: row.entry}, scales[row.index] / system.length
     solver = eliminate(system.tape, rows, unknowns, scales)
+    for _, column, pivot, _ in solver.steps:
+        named_entries([pivot], "pivot", [system.tree.v[column].label])
     return solver, guarded(solver.guards)
 
 

@@ -5,6 +5,7 @@
                                                           Program --lanes--> packs of equal limbs, for C
 
 straight_line       what a program is: instructions, ports, counts, hash; iterations of a program
+equal_limbs         which parts of a mechanism do the same
 lowering            from nodes to a program
 passes              what is done to the nodes before: a table, a file each
 numpy_evaluation    programs on NumPy
@@ -13,6 +14,7 @@ rank_revealing      the second path of forward dynamics, near singular configura
 lanes               equal limbs side by side in vectors
 """
 
+from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, jacobian
 from symscrew.program.lanes import Pack, Packing, Vector, packed
 from symscrew.program.lowering import Function, lower, roots_of, with_roots
@@ -22,6 +24,7 @@ from symscrew.program.straight_line import COUNTED, STATUS, Instruction, Iterati
 
 __all__ = [
     "COUNTED",
+    "NO_LIMBS",
     "RANK",
     "STATUS",
     "SWITCH",
@@ -29,6 +32,8 @@ __all__ = [
     "Instruction",
     "Iteration",
     "Jacobian",
+    "Limb",
+    "Limbs",
     "Pack",
     "Packing",
     "Port",
