@@ -1,0 +1,191 @@
+"""Functions of generated C as functions of arrays: compiled when they are first called, or all at once.
+
+    C of a function, <symbol>_arrays --compile_c--> library --its own table of sizes--> is it what is called here?
+                                                            --ctypes--> evaluators on rows, columns, any strides
+"""
+
+from __future__ import annotations
+
+import ctypes
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from threading import Lock
+
+import numpy as np
+
+from symscrew.export import DOUBLE, OutputError, Precision, interface
+from symscrew.program import Port
+from symscrew.runtime.compiled_function import Called, Direct, Evaluator
+from symscrew.runtime.compilers import CompileError, compile_c
+from symscrew.runtime.state_arrays import BYTES, place
+from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, scratch_size, strided_source
+
+Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
+
+
+# By rows, by columns, by strides, and of the arguments as they are.
+Made = tuple[Evaluator, Evaluator, Evaluator, Direct | None]
+
+
+class Evaluators:
+    """Evaluators of one function; `make` is called when one of them is called first, by one thread."""
+
+    def __init__(self, make: Callable[[], Made]) -> None:
+        """Those that `make` returns."""
+        self._make, self._lock = make, Lock()
+        self._made: Made | None = None
+
+    def ready(self) -> Made:
+        """Compile now, if that has not been done.
+
+        Raises:
+            CompileError: the compiler refused the code.
+        """
+        with self._lock:
+            if self._made is None:
+                self._made = self._make()
+            return self._made
+
+    def rows(self, inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> int | None:
+        """States one after the other: C-contiguous arrays (states, entries)."""
+        return (self._made or self.ready())[0](inputs, outputs, status)
+
+    def columns(self, inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> int | None:
+        """States side by side: arrays (entries, states) with the same distance between all entries."""
+        return (self._made or self.ready())[1](inputs, outputs, status)
+
+    def strided(self, inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> int | None:
+        """Arrays (states, entries) of any strides."""
+        return (self._made or self.ready())[2](inputs, outputs, status)
+
+    def direct(self, given: Sequence[object]) -> Called | None:
+        """The arguments as they are."""
+        call = (self._made or self.ready())[3]
+        return call(given) if call is not None else None
+
+
+def library_of(
+    name: str, sources: Sequence[Path], ports: Ports, *, precision: Precision, flags: Sequence[str], build_dir: Path | None
+) -> ctypes.CDLL:
+    """C files of a model, with what reads any strides, compiled and loaded; `ports`: its functions and their arrays.
+
+    Raises:
+        CompileError: the compiler refused them, or wrote something else than their library.
+        OutputError: the arrays of the functions are not those of `ports`.
+    """
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        folder = build_dir if build_dir is not None else Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        beside = []
+        for number, (function, (inputs, outputs)) in enumerate(ports.items()):
+            beside.append(Path(temporary) / f"strided_{number}.c")
+            beside[-1].write_text(strided_source(f"{name}_{function}", inputs, outputs, precision), encoding="utf-8")
+        library = folder / f"lib{name}.so"
+        further = [str(path) for path in (*sources[1:], *beside)]
+        compile_c(sources[0], library, flags=[f"-D{name.upper()}_INTERFACE", *flags, *further])
+        try:
+            loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
+        except OSError as error:
+            raise CompileError(f"{sources[0].name}: the compiler wrote a library that cannot be loaded: {error}") from error
+    _compare(loaded, name, interface(precision.real, ports))
+    return loaded
+
+
+def _compare(library: ctypes.CDLL, name: str, expected: Sequence[str]) -> None:
+    """The library's own table against what is going to be called."""
+    try:
+        start = ctypes.addressof(ctypes.c_char_p.in_dll(library, f"{name}_interface"))
+    except ValueError as error:
+        raise OutputError(
+            f"{name}: its C says nothing of the sizes of its arrays; it is of another version, generate it again"
+        ) from error
+    found: list[str] = []
+    while len(found) <= len(expected):
+        text = ctypes.c_char_p.from_address(start + len(found) * ctypes.sizeof(ctypes.c_char_p)).value
+        if text is None:
+            break
+        found.append(text.decode("ascii", "replace"))
+    if found != list(expected):
+        first = next((k for k, (a, b) in enumerate(zip(found, expected, strict=False)) if a != b), None)
+        pair = (found[first], expected[first]) if first is not None else (f"{len(found)} lines", f"{len(expected)}")
+        raise OutputError(
+            f"{name}: manifest.json does not fit the C, which has {pair[0]!r} where the manifest says {pair[1]!r}; "
+            "generate it again"
+        )
+
+
+def evaluators(
+    library: ctypes.CDLL, symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision
+) -> Made:
+    """The batch functions of a symbol, by rows, columns and strides."""
+    pointers = [ctypes.c_void_p] * (len(inputs) + len(outputs) + 1)
+    batch, batch_soa, by_strides = (_symbol(library, f"{symbol}{end}") for end in ("_batch", "_batch_soa", "_arrays"))
+    batch.argtypes = [ctypes.c_size_t, *pointers]
+    batch_soa.argtypes = [ctypes.c_size_t, ctypes.c_size_t, *pointers]
+    by_strides.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, *pointers]
+    batch.restype = batch_soa.restype = by_strides.restype = ctypes.c_int
+    count = 2 * (len(inputs) + len(outputs))
+    stride_array = ctypes.c_ssize_t * max(count, 1)
+    size, real = scratch_size(inputs, outputs), f"f{precision.size}"
+
+    def rows(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
+        return int(batch(len(status), *map(place, given), *map(place, found), place(status)))
+
+    def columns(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
+        stride = next((a.strides[0] // BYTES for a in (*given, *found) if len(a) > 1), len(status))
+        return int(batch_soa(len(status), stride, *map(place, given), *map(place, found), place(status)))
+
+    def strided(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
+        strides = stride_array(*[step // BYTES for a in (*given, *found) for step in a.strides])
+        scratch = np.empty(size, dtype=real)
+        places = map(place, (scratch, *given, *found, status))
+        return int(by_strides(len(status), ctypes.addressof(strides), *places))
+
+    def turned(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
+        return strided([a.T for a in given], [a.T for a in found], status)
+
+    direct = _direct(_symbol(library, f"{symbol}_numpy"), inputs, outputs) if NUMPY_AS_EXPECTED else None
+    return (rows, columns, strided, direct) if precision is DOUBLE else (strided, turned, strided, direct)
+
+
+def _direct(call: ctypes._CFuncPtr, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direct | None:
+    """What calls <symbol>_numpy; None where an input is a matrix, whose entries stand in another order."""
+    if any(len(port.shape) != 1 for port in inputs):
+        return None
+    call.argtypes = [ctypes.c_size_t, *([ctypes.py_object] * (len(inputs) + len(outputs) + 2))]
+    call.restype = ctypes.c_int
+    like, sizes = np.zeros(1), [port.size for port in outputs]
+    array, empty, integer = np.ndarray, np.empty, np.dtype(np.intc)
+
+    def direct(given: Sequence[object]) -> Called | None:
+        count = 1
+        for argument in given:
+            if type(argument) is not array:
+                return None
+            if argument.ndim == 2:
+                count, entries = argument.shape
+                if entries > 1:
+                    break
+        if count < 2:  # one state, or nothing that tells rows from columns
+            if any(argument.ndim != 1 for argument in given):  # type: ignore[attr-defined]
+                return None
+            results, status = [empty(size) for size in sizes], empty((), integer)
+            worst = call(1, like, *given, *results, status)
+            return None if worst == MISFIT else (worst, results, status)
+        if argument.strides[0] == BYTES:  # type: ignore[attr-defined]
+            results = [empty((size, count)).T for size in sizes]
+        else:
+            results = [empty((count, size)) for size in sizes]
+        status = empty(count, integer)
+        worst = call(count, like, *given, *results, status)
+        return None if worst == MISFIT else (worst, results, status)
+
+    return direct
+
+
+def _symbol(library: ctypes.CDLL, symbol: str) -> ctypes._CFuncPtr:
+    try:
+        return library[symbol]
+    except AttributeError as error:
+        raise CompileError(f"the compiler wrote a library without {symbol}") from error

@@ -1,0 +1,211 @@
+"""C that gives a batch function arrays of any strides, of double whatever the function's own type.
+
+    int <symbol>_arrays(count, strides, scratch, inputs ..., outputs ..., status)
+    int <symbol>_numpy(count, like, inputs ..., outputs ..., status)
+
+Blocks of `BLOCK` states are collected in `scratch`, entry after entry, given to <symbol>_batch_soa, and its results
+spread out. `strides` holds, array after array, the numbers between two states and between two entries; 0 between states
+means the same entries for all.
+
+The second takes NumPy's arrays as they are: it looks at their types, shapes and strides, calls <symbol>_batch or
+<symbol>_batch_soa where their layout allows, and else the first. Asking an array for its address from Python takes a
+microsecond, as much as thirty states of a short function; in C it is a field of the object. These fields are part of
+NumPy's ABI (`PyArrayObject_fields`): every compiled extension reads them in place. `NUMPY_AS_EXPECTED` holds if they
+are found where they ought to be; where not (another Python than CPython), nothing calls this function.
+
+Both are compiled beside the generated files and use nothing of them but the batch functions.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from collections.abc import Sequence
+
+import numpy as np
+
+from symscrew.export import DOUBLE, Precision
+from symscrew.program import Port
+
+BLOCK = 64  # states: eight vectors of eight; all arrays of a block stay in the first cache, copying costs least there
+MISFIT = -1000  # what <symbol>_numpy returns, having done nothing, where an array is not as it expects; no status
+MOST_LOCAL = 128  # entries of all arrays of a function whose block is put on the stack: 64 kB of at least 512
+HEAD = object.__basicsize__  # bytes of every object of Python before its own fields; the last of them is its type
+
+ROUTINES = """\
+#include <stddef.h>
+
+static void collect(
+    size_t size, size_t some, const ptrdiff_t *stride, const double *array, REAL *restrict block)
+{
+    for (size_t k = 0; k < size; ++k) {
+        const double *entry = array + (ptrdiff_t)k * stride[1];
+        REAL *to = block + k * BLOCK;
+        if (stride[0] == 1) {
+            for (size_t i = 0; i < some; ++i) {
+                to[i] = (REAL)entry[i];
+            }
+        } else {
+            for (size_t i = 0; i < some; ++i) {
+                to[i] = (REAL)entry[(ptrdiff_t)i * stride[0]];
+            }
+        }
+    }
+}
+
+static void spread(
+    size_t size, size_t some, const ptrdiff_t *stride, const REAL *restrict block, double *array)
+{
+    for (size_t k = 0; k < size; ++k) {
+        double *entry = array + (ptrdiff_t)k * stride[1];
+        const REAL *from = block + k * BLOCK;
+        for (size_t i = 0; i < some; ++i) {
+            entry[(ptrdiff_t)i * stride[0]] = (double)from[i];
+        }
+    }
+}
+
+typedef struct {
+    char head[HEAD - sizeof(void *)];
+    const void *type;
+    double *data;
+    int dimensions;
+    const ptrdiff_t *shape, *strides;
+    const void *base, *number;
+} Array;
+
+enum { ROWS = 1, COLUMNS = 2 };
+
+/* Whether this is an array (count, size) or (size) of the same type as `like`; its strides, and how it may be read. */
+static int fits(const Array *like, const Array *a, size_t count, size_t size, ptrdiff_t *stride, int *layout)
+{
+    const ptrdiff_t number = (ptrdiff_t)sizeof(double);
+    if (a->type != like->type || a->number != like->number || a->dimensions < 1 || a->dimensions > 2) {
+        return 0;
+    }
+    if ((size_t)a->shape[a->dimensions - 1] != size || (a->dimensions == 2 && (size_t)a->shape[0] != count)) {
+        return 0;
+    }
+    stride[0] = a->dimensions == 2 ? a->strides[0] : 0;
+    stride[1] = a->strides[a->dimensions - 1];
+    if (stride[0] % number != 0 || stride[1] % number != 0 || (size_t)a->data % sizeof(double) != 0) {
+        return 0;
+    }
+    stride[0] /= number;
+    stride[1] /= number;
+    if (size > 0) {
+        const int rows = (count == 1 || stride[0] == (ptrdiff_t)size) && (size == 1 || stride[1] == 1);
+        const int columns = stride[0] == 1 && (size == 1 || stride[1] == (ptrdiff_t)count);
+        *layout &= (rows ? ROWS : 0) | (columns ? COLUMNS : 0);
+    }
+    return 1;
+}
+"""
+
+
+def _found() -> bool:
+    """Whether fields of NumPy's arrays are where <symbol>_numpy reads them."""
+    if sys.implementation.name != "cpython" or not hasattr(ctypes, "py_object"):
+        return False
+    like = np.zeros((3, 2))[:, 1]
+    word = ctypes.sizeof(ctypes.c_void_p)
+
+    def field(number: int) -> int:
+        return ctypes.c_size_t.from_address(id(like) + HEAD + number * word).value
+
+    shape = ctypes.c_ssize_t.from_address(field(2)).value, ctypes.c_ssize_t.from_address(field(3)).value
+    dimensions = ctypes.c_int.from_address(id(like) + HEAD + word).value
+    kind = ctypes.c_size_t.from_address(id(like) + HEAD - word).value
+    expected = (like.__array_interface__["data"][0], id(like.dtype), 1, (3, like.strides[0]), id(np.ndarray))
+    return (field(0), field(5), dimensions, shape, kind) == expected
+
+
+NUMPY_AS_EXPECTED = _found()
+
+
+def scratch_size(inputs: Sequence[Port], outputs: Sequence[Port]) -> int:
+    """Numbers of the function's own type that `scratch` must hold."""
+    return BLOCK * max(sum(port.size for port in (*inputs, *outputs)), 1)
+
+
+def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> str:
+    """The text of <symbol>_arrays and <symbol>_numpy."""
+    words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD)}
+    routines = ROUTINES
+    for word, value in words.items():
+        routines = routines.replace(word, value)
+    own = [*(f"const {precision.real} *" for _ in inputs), *(f"{precision.real} *" for _ in outputs), "int *"]
+    batches = f"""\
+int {symbol}_batch(size_t count, {", ".join(own)});
+int {symbol}_batch_soa(size_t count, size_t stride, {", ".join(own)});
+"""
+    return "\n".join([routines, batches, *_arrays(symbol, inputs, outputs, precision), "", *_numpy(symbol, inputs, outputs, precision), ""])
+
+
+def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
+    real, ports, read = precision.real, (*inputs, *outputs), range(len(inputs))
+    taken = ", ".join([f"{'const ' if k in read else ''}double *a{k}" for k in range(len(ports))] + ["int *status"])
+    blocks = [f"scratch + {sum(port.size for port in ports[:k]) * BLOCK}" for k in range(len(ports))]
+    signature = f"int {symbol}_arrays(size_t count, const ptrdiff_t *strides, {real} *scratch, {taken})"
+    lines = [
+        f"{signature};",
+        signature,
+        "{",
+        "    int worst = 0;",
+        f"    for (size_t first = 0; first < count; first += {BLOCK}) {{",
+        f"        const size_t some = count - first < {BLOCK} ? count - first : {BLOCK};",
+        "        int outcome;",
+    ]
+    for k in read:
+        start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
+        lines += [
+            f"        if (first == 0 || strides[{2 * k}] != 0) {{",
+            f"            collect({ports[k].size}, some, strides + {2 * k}, {start}, {blocks[k]});",
+            "        }",
+        ]
+    lines += [
+        f"        outcome = {symbol}_batch_soa(some, {BLOCK}, {', '.join([*blocks, 'status + first'])});",
+        "        worst = outcome > worst ? outcome : worst;",
+    ]
+    for k in range(len(inputs), len(ports)):
+        start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
+        lines.append(f"        spread({ports[k].size}, some, strides + {2 * k}, {blocks[k]}, {start});")
+    return [*lines, "    }", "    return worst;", "}"]
+
+
+def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
+    ports = (*inputs, *outputs)
+    taken = ", ".join(["const Array *like", *(f"const Array *a{k}" for k in range(len(ports))), "const Array *status"])
+    given = ", ".join([*(f"a{k}->data" for k in range(len(ports))), "(int *)(void *)status->data"])
+    signature = f"int {symbol}_numpy(size_t count, {taken})"
+    lines = [
+        f"{signature};",
+        signature,
+        "{",
+        f"    ptrdiff_t strides[{max(2 * len(ports), 1)}];",
+        "    int layout = ROWS | COLUMNS;",
+    ]
+    for k, port in enumerate(ports):
+        lines += [
+            f"    if (!fits(like, a{k}, count, {port.size}, strides + {2 * k}, &layout)) {{",
+            f"        return {MISFIT};",
+            "    }",
+        ]
+    if precision is DOUBLE:
+        lines += [
+            "    if (layout & ROWS) {",
+            f"        return {symbol}_batch(count, {given});",
+            "    }",
+            "    if (layout & COLUMNS) {",
+            f"        return {symbol}_batch_soa(count, count, {given});",
+            "    }",
+        ]
+    entries = sum(port.size for port in ports)
+    if entries > MOST_LOCAL:
+        return [*lines, f"    return {MISFIT};", "}"]
+    return [
+        *lines,
+        f"    {precision.real} scratch[{max(entries, 1) * BLOCK}];",
+        f"    return {symbol}_arrays(count, strides, scratch, {given});",
+        "}",
+    ]
