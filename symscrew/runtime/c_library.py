@@ -1,16 +1,18 @@
 """Functions of generated C as functions of arrays: compiled when they are first called, or all at once.
 
-    C of a function, <symbol>_arrays --compile_c--> library --its own table of sizes--> is it what is called here?
-                                                            --ctypes--> evaluators on rows, columns, any strides
+C of a function, <symbol>_arrays --compile_c--> library --its own table of sizes--> is it what is called here?
+                                                        --ctypes--> evaluators on rows, columns, any strides
 """
 
 from __future__ import annotations
 
 import ctypes
+import os
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
+from typing import Any, cast
 
 import numpy as np
 
@@ -19,8 +21,10 @@ from symscrew.program import Port
 from symscrew.runtime.compiled_function import Called, Direct, Evaluator
 from symscrew.runtime.compilers import CompileError, compile_c
 from symscrew.runtime.state_arrays import BYTES, place
-from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, scratch_size, strided_source
+from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, strided_source
 
+# States of a thread of OpenMP, at least: it begins within some microseconds, which 200 states of a short function take.
+LEAST_SHARE = 512
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 
 
@@ -31,10 +35,12 @@ Made = tuple[Evaluator, Evaluator, Evaluator, Direct | None]
 class Evaluators:
     """Evaluators of one function; `make` is called when one of them is called first, by one thread."""
 
-    def __init__(self, make: Callable[[], Made]) -> None:
-        """Those that `make` returns."""
+    def __init__(self, make: Callable[[bool], Made]) -> None:
+        """Those that `make` returns, without threads or with them."""
         self._make, self._lock = make, Lock()
         self._made: Made | None = None
+        self._threaded: Made | None = None
+        self._process = 0
 
     def ready(self) -> Made:
         """Compile now, if that has not been done.
@@ -44,7 +50,7 @@ class Evaluators:
         """
         with self._lock:
             if self._made is None:
-                self._made = self._make()
+                self._made = self._make(False)
             return self._made
 
     def rows(self, inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> int | None:
@@ -59,14 +65,36 @@ class Evaluators:
         """Arrays (states, entries) of any strides."""
         return (self._made or self.ready())[2](inputs, outputs, status)
 
-    def direct(self, given: Sequence[object]) -> Called | None:
+    def direct(self, given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None) -> Called | None:
         """The arguments as they are."""
         call = (self._made or self.ready())[3]
-        return call(given) if call is not None else None
+        if threads > 1 and call is not None:
+            call = self._with_threads()[3]
+        return call(given, threads, results) if call is not None else None
+
+    def _with_threads(self) -> Made:
+        """Those of a library with threads, where the compiler knows how and this is the process that they began in.
+
+        Threads of OpenMP do not survive a fork: a child that waits for them waits for ever.
+        """
+        with self._lock:
+            if self._threaded is None:
+                try:
+                    self._threaded = self._make(True)
+                except CompileError:
+                    self._threaded = (*self.ready()[:3], None)
+                self._process = os.getpid()
+            return self._threaded if self._process == os.getpid() else (*self._threaded[:3], None)
 
 
 def library_of(
-    name: str, sources: Sequence[Path], ports: Ports, *, precision: Precision, flags: Sequence[str], build_dir: Path | None
+    name: str,
+    sources: Sequence[Path],
+    ports: Ports,
+    *,
+    precision: Precision,
+    flags: Sequence[str],
+    build_dir: Path | None = None,
 ) -> ctypes.CDLL:
     """C files of a model, with what reads any strides, compiled and loaded; `ports`: its functions and their arrays.
 
@@ -87,7 +115,8 @@ def library_of(
         try:
             loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
         except OSError as error:
-            raise CompileError(f"{sources[0].name}: the compiler wrote a library that cannot be loaded: {error}") from error
+            what = f"{sources[0].name}: the compiler wrote a library that cannot be loaded: {error}"
+            raise CompileError(what) from error
     _compare(loaded, name, interface(precision.real, ports))
     return loaded
 
@@ -116,18 +145,17 @@ def _compare(library: ctypes.CDLL, name: str, expected: Sequence[str]) -> None:
 
 
 def evaluators(
-    library: ctypes.CDLL, symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision
+    library: ctypes.CDLL, symbol: str, ports: tuple[Sequence[Port], Sequence[Port]], precision: Precision
 ) -> Made:
-    """The batch functions of a symbol, by rows, columns and strides."""
+    """The batch functions of a symbol with these inputs and outputs, by rows, columns and strides."""
+    inputs, outputs = ports
     pointers = [ctypes.c_void_p] * (len(inputs) + len(outputs) + 1)
     batch, batch_soa, by_strides = (_symbol(library, f"{symbol}{end}") for end in ("_batch", "_batch_soa", "_arrays"))
     batch.argtypes = [ctypes.c_size_t, *pointers]
     batch_soa.argtypes = [ctypes.c_size_t, ctypes.c_size_t, *pointers]
-    by_strides.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, *pointers]
+    by_strides.argtypes = [ctypes.c_size_t, ctypes.c_void_p, *pointers]
     batch.restype = batch_soa.restype = by_strides.restype = ctypes.c_int
-    count = 2 * (len(inputs) + len(outputs))
-    stride_array = ctypes.c_ssize_t * max(count, 1)
-    size, real = scratch_size(inputs, outputs), f"f{precision.size}"
+    stride_array = ctypes.c_ssize_t * max(2 * (len(inputs) + len(outputs)), 1)
 
     def rows(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
         return int(batch(len(status), *map(place, given), *map(place, found), place(status)))
@@ -138,9 +166,10 @@ def evaluators(
 
     def strided(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
         strides = stride_array(*[step // BYTES for a in (*given, *found) for step in a.strides])
-        scratch = np.empty(size, dtype=real)
-        places = map(place, (scratch, *given, *found, status))
-        return int(by_strides(len(status), ctypes.addressof(strides), *places))
+        worst = int(by_strides(len(status), ctypes.addressof(strides), *map(place, (*given, *found, status))))
+        if worst == MISFIT:
+            raise MemoryError(f"{symbol}: no memory for a block of states")
+        return worst
 
     def turned(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
         return strided([a.T for a in given], [a.T for a in found], status)
@@ -149,42 +178,43 @@ def evaluators(
     return (rows, columns, strided, direct) if precision is DOUBLE else (strided, turned, strided, direct)
 
 
-def _direct(call: ctypes._CFuncPtr, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direct | None:
-    """What calls <symbol>_numpy; None where an input is a matrix, whose entries stand in another order."""
-    if any(len(port.shape) != 1 for port in inputs):
-        return None
-    call.argtypes = [ctypes.c_size_t, *([ctypes.py_object] * (len(inputs) + len(outputs) + 2))]
+def _direct(call: Any, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direct:
+    """What calls <symbol>_numpy; with matrices, only for arrays (states, entries) that it is given for its results."""
+    call.argtypes = [ctypes.c_size_t, ctypes.c_size_t, *([ctypes.py_object] * (len(inputs) + len(outputs) + 2))]
     call.restype = ctypes.c_int
     like, sizes = np.zeros(1), [port.size for port in outputs]
     array, empty, integer = np.ndarray, np.empty, np.dtype(np.intc)
+    matrices = any(len(port.shape) != 1 for port in inputs)  # whose entries stand in another order
 
-    def direct(given: Sequence[object]) -> Called | None:
-        count = 1
+    def direct(given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None) -> Called | None:
+        count, first = 1, None
         for argument in given:
             if type(argument) is not array:
                 return None
             if argument.ndim == 2:
                 count, entries = argument.shape
+                first = argument
                 if entries > 1:
                     break
-        if count < 2:  # one state, or nothing that tells rows from columns
-            if any(argument.ndim != 1 for argument in given):  # type: ignore[attr-defined]
+        if results is None:
+            if matrices or (count < 2 and any(argument.ndim != 1 for argument in given)):  # type: ignore[attr-defined]
                 return None
-            results, status = [empty(size) for size in sizes], empty((), integer)
-            worst = call(1, like, *given, *results, status)
-            return None if worst == MISFIT else (worst, results, status)
-        if argument.strides[0] == BYTES:  # type: ignore[attr-defined]
-            results = [empty((size, count)).T for size in sizes]
+            if count < 2:
+                results, status = [empty(size) for size in sizes], cast(np.ndarray, empty((), integer))
+            else:
+                side_by_side = first.strides[0] == BYTES  # type: ignore[union-attr]
+                results = [empty((size, count)).T if side_by_side else empty((count, size)) for size in sizes]
+                status = empty(count, integer)
         else:
-            results = [empty((count, size)) for size in sizes]
-        status = empty(count, integer)
-        worst = call(count, like, *given, *results, status)
+            count = len(results[0]) if results else count
+            status = empty(count, integer)
+        worst = call(count, min(threads, count // LEAST_SHARE) if threads > 1 else 1, like, *given, *results, status)
         return None if worst == MISFIT else (worst, results, status)
 
     return direct
 
 
-def _symbol(library: ctypes.CDLL, symbol: str) -> ctypes._CFuncPtr:
+def _symbol(library: ctypes.CDLL, symbol: str) -> Any:
     try:
         return library[symbol]
     except AttributeError as error:

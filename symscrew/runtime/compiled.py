@@ -1,6 +1,6 @@
 """Compiled functions of a model, called from Python on NumPy arrays.
 
-    model, or folder --origin--> C of a function --c_library, when it is first called--> functions of arrays (*batch, *shape)
+    model, or folder --origin--> C of a function --c_library, at its first call--> function of arrays (*batch, *shape)
 
     model = load(directory_or_model)
     u = model.inverse_dynamics(q, v, a)              # arrays (*batch, *shape)
@@ -14,22 +14,25 @@ CasADi (`backend` says which).
 
 from __future__ import annotations
 
+import ctypes
 import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew.export import DOUBLE, Precision
+from symscrew.export import DOUBLE
 from symscrew.model import Model
 from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
 from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
 from symscrew.runtime.compilers import COMPILERS, FLAGS, CompileError, compile_c, find_compiler
 from symscrew.runtime.origin import Origin, origin_of
+from symscrew.runtime.strided_c import THREADS
 
 __all__ = [
     "COMPILERS",
@@ -140,28 +143,41 @@ def _one_by_one(origin: Origin, flags: Sequence[str], _: Path | None) -> dict[st
     return _functions(origin, lazy)
 
 
-def _making(origin: Origin, function: str, flags: Sequence[str]) -> Callable[[], Made]:
+def _making(origin: Origin, function: str, flags: Sequence[str]) -> Callable[[bool], Made]:
     """What compiles one function by itself."""
 
-    def make() -> Made:
+    def make(threads: bool) -> Made:
         with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
             sources = _written(origin, origin.files(function), Path(temporary))
             ports = {function: origin.ports[function]}
-            library = library_of(origin.name, sources, ports, precision=origin.precision, flags=flags, build_dir=None)
-        return evaluators(library, f"{origin.name}_{function}", *origin.ports[function], origin.precision)
+            options = [*flags, *(THREADS if threads else ())]
+            library = library_of(origin.name, sources, ports, precision=origin.precision, flags=options)
+        return evaluators(library, f"{origin.name}_{function}", origin.ports[function], origin.precision)
 
     return make
 
 
 def _whole(origin: Origin, flags: Sequence[str], build_dir: Path | None) -> dict[str, CompiledFunction]:
     """All functions in one library, compiled now."""
-    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
-        sources = origin.sources or _written(origin, origin.files(""), Path(temporary))
-        library = library_of(
-            origin.name, sources, origin.ports, precision=origin.precision, flags=flags, build_dir=build_dir
-        )
-    made = {f: evaluators(library, f"{origin.name}_{f}", *origin.ports[f], origin.precision) for f in origin.ports}
-    return _functions(origin, {f: Evaluators(lambda found=found: found) for f, found in made.items()})
+
+    @cache
+    def library(threads: bool) -> ctypes.CDLL:
+        with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+            sources = origin.sources or _written(origin, origin.files(""), Path(temporary))
+            options = [*flags, *(THREADS if threads else ())]
+            place = None if threads else build_dir
+            return library_of(
+                origin.name, sources, origin.ports, precision=origin.precision, flags=options, build_dir=place
+            )
+
+    def making(function: str) -> Callable[[bool], Made]:
+        symbol = f"{origin.name}_{function}"
+        return lambda threads: evaluators(library(threads), symbol, origin.ports[function], origin.precision)
+
+    made = {function: Evaluators(making(function)) for function in origin.ports}
+    for function in made.values():
+        function.ready()
+    return _functions(origin, made)
 
 
 def _written(origin: Origin, files: Mapping[str, str], folder: Path) -> Sequence[Path]:

@@ -1,6 +1,6 @@
 """One compiled function, called with arrays of one state or of many.
 
-    arguments --state_arrays--> layout --evaluator of this layout, in threads on request--> results, status
+arguments --state_arrays--> layout --evaluator of this layout, in threads on request--> results, status
 """
 
 from __future__ import annotations
@@ -31,10 +31,11 @@ from symscrew.runtime.state_arrays import (
 Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], "int | None"]
 # The largest status, results (states, entries), and the status of every state.
 Called = tuple[int, Sequence[np.ndarray], np.ndarray]
-# All at once, of arguments that are arrays (states, entries) or (entries) of float64; None, where they are not.
-Direct = Callable[[Sequence[object]], "Called | None"]
-# States of a thread, at least: starting it takes as long as some thousands of states of a short function.
-LEAST_SHARE = 4096
+# All at once, of arguments that are arrays (states, entries) or (entries) of float64, in threads, into results where
+# there are some; None, where arguments are something else.
+Direct = Callable[[Sequence[object], int, "Sequence[np.ndarray] | None"], "Called | None"]
+# States of a thread of Python, at least: starting it takes as long as some thousands of states of a short function.
+LEAST_SHARE = 16384
 SHARE_UNIT = 64  # states: shares begin where blocks begin, so that every state has the neighbours it has in one thread
 
 
@@ -80,7 +81,7 @@ class CompiledFunction:
             check: raise an error where a state failed, else return the status as a last value.
             out: an array of float64 (or a tuple of them, one per output) of the shape of the results, which are written
                 there; it must not overlap an input. Results are then these arrays.
-            threads: threads that share the states; default: what `load` was told, else one. Results do not depend on it.
+            threads: how many share the states; default: what `load` was told, else one. Results are the same bits.
             named: arguments by name.
 
         Raises:
@@ -90,7 +91,7 @@ class CompiledFunction:
         """
         given = arguments if not named and len(arguments) == len(self.inputs) else self._ordered(arguments, named)
         shares = self.threads if threads is None else threads
-        found = self.direct(given) if self.direct is not None and shares == 1 and out is None else None
+        found = self.direct(given, shares, None) if self.direct is not None and out is None else None
         if found is not None:
             worst, results, status = found
             batch: tuple[int, ...] = status.shape
@@ -115,7 +116,7 @@ class CompiledFunction:
     def _anyhow(
         self, given: Sequence[object], out: object, shares: int
     ) -> tuple[int, Sequence[np.ndarray], np.ndarray, tuple[int, ...]]:
-        """The largest status, results in the shape of the batch, statuses, and that shape, for arguments of all kinds."""
+        """The largest status, results in the shape of the batch, statuses, that shape; for arguments of all kinds."""
         arrays, batch = views(self.inputs, given, self.name)
         layout = layout_of(arrays, batch)
         if layout == STRIDED or (layout == COLUMNS and self.columns is None):
@@ -128,7 +129,10 @@ class CompiledFunction:
         else:
             results, shaped = self._targets(out, batch, arrays)
             layout = layout if layout_of(results, batch) == layout else STRIDED
-        status = np.empty(math.prod(batch), dtype=np.intc)
+        found = self.direct(arrays, shares, results) if self.direct is not None else None
+        if found is not None:
+            return found[0], shaped, found[2], batch
+        status = np.zeros(math.prod(batch), dtype=np.intc)
         return self._evaluate(layout, (arrays, results, status), shares), shaped, status, batch
 
     def _room(self, layout: str, arrays: Sequence[np.ndarray], batch: tuple[int, ...]) -> list[np.ndarray]:
@@ -145,7 +149,7 @@ class CompiledFunction:
         given = out if isinstance(out, tuple) else (out,)
         if len(given) != len(self.outputs):
             raise ValueError(f"{self.name}: expected out to hold {len(self.outputs)} arrays, got {len(given)}")
-        results = []
+        results: list[np.ndarray] = []
         for port, array in zip(self.outputs, given, strict=True):
             wanted, where = (*batch, *port.shape), f"{self.name}: expected out for {port.name} to be"
             if not isinstance(array, np.ndarray) or array.dtype != DOUBLE or array.shape != wanted:

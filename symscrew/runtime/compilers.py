@@ -33,8 +33,11 @@ FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", 
 # that needs more hangs, or the file is better made with fewer functions.
 LIMIT = 900.0
 # Options of which the result depends on nothing but the files that are named: what is made with others is not kept.
-KNOWN = re.compile(r"-(D\w+(=\w*)?|O\w?|std=[\w+]+|pedantic(-errors)?|g\w?|shared|fPIC|W(?![alp],)[\w+=-]+"
-                   r"|f(?!plugin|profile|auto-profile|dump|diagnostics|wrapper)[\w=+-]+|m[\w=+.-]+|-param=[\w=-]+)", re.ASCII)  # fmt: skip
+KNOWN = re.compile(
+    r"-(D\w+(=\w*)?|U\w+|O\w?|std=[\w+]+|pedantic(-errors)?|g\w?|shared|fPIC|W(?![alp],)[\w+=-]+|m[\w=+.-]+"
+    r"|f(?!plugin|profile|auto-profile|dump|diagnostics|wrapper)[\w=+-]+|-param=[\w=-]+)",
+    re.ASCII,
+)
 SOURCES = (".c", ".h")  # endings of files that are read here to find out what goes into a library
 # Variables of the environment that change what a compiler finds and makes.
 VARIABLES = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "COMPILER_PATH", "GCC_EXEC_PREFIX", "CCC_OVERRIDE_OPTIONS")
@@ -147,7 +150,7 @@ def _key(source: Path, command: str, tried: Sequence[Sequence[str]]) -> str | No
     if compiler is None or None in read.values() or not all(KNOWN.fullmatch(word) for word in options):
         return None
     parts: list[bytes] = [compiler.encode(), processor().encode(), b"\n".join(_options(w) for w in tried)]
-    parts += [f"{name}={os.environ[name]}".encode("utf-8", "surrogateescape") for name in VARIABLES if name in os.environ]
+    parts += [os.fsencode(f"{name}={os.environ[name]}") for name in VARIABLES if name in os.environ]
     for name, content in sorted(read.items()):
         parts += [name.encode("utf-8", "surrogateescape"), content or b""]
     found = hashlib.sha256()

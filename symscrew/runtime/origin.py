@@ -1,7 +1,7 @@
 """Where the functions that are loaded come from, and how far that is trusted.
 
     Model                        its programs, printed here
-    folder                       mechanism.toml, effects --derive, print_c--> C; its own C must be the same, byte for byte
+    folder                       mechanism.toml, effects --derive, print_c--> C; its own must be the same, byte for byte
     folder, trusted              its own C, as it stands
 
 Of a folder nothing is compiled, imported or deserialised that was not made here: its C is compared with what its
@@ -27,7 +27,6 @@ from symscrew import __version__
 from symscrew.description import check_name, load_description
 from symscrew.errors import DescriptionError, shorten
 from symscrew.export import (
-    DOUBLE,
     HASHES,
     PRECISIONS,
     OutputError,
@@ -53,9 +52,9 @@ NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C f
 
 @dataclass(frozen=True)
 class Origin:
-    """A model's name, functions with their arrays, precision; `model` derives it, `files` has the C of one function ("": of all).
+    """A model's name, functions with their arrays, precision; `model` derives it.
 
-    `folder`: where C stands that is compiled as it is; None: what `files` gives is compiled.
+    `files`: the C of one function, or of all (""). `sources`: C files of a folder, which are compiled as they stand.
     """
 
     name: str
@@ -75,12 +74,12 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
     """
     if isinstance(source, Model):
         real, made = PRECISIONS[precision or "double"], source
-        ports = {name: (p.inputs, p.outputs) for name, p in made.programs.items()}
+        own_ports = {name: (p.inputs, p.outputs) for name, p in made.programs.items()}
 
         def printed(function: str) -> Mapping[str, str]:
             return print_c(made.only([function]) if function else made, precision=real, lanes=lanes)
 
-        return Origin(made.name, ports, real, lambda: made, printed)
+        return Origin(made.name, own_ports, real, lambda: made, printed)
     directory = Path(source)
     content = read_manifest(directory)
     name, ports, own = read_interface(directory, content)
@@ -123,7 +122,8 @@ def read_interface(directory: Path, content: Mapping[str, Any]) -> tuple[str, Po
         raise OutputError(f"{directory}: {error}") from error
     except (AttributeError, KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
         what = f"{type(error).__name__}: {shorten(str(error))}"
-        raise OutputError(f"{directory}/manifest.json: expected functions with ports ({what}); generate again") from error
+        text = f"{directory}/manifest.json: expected functions with ports ({what}); generate again"
+        raise OutputError(text) from error
     return name, ports, precision
 
 

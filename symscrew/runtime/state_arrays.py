@@ -1,10 +1,10 @@
 """Arrays of many states as a compiled function takes them: views of what the caller has, by where the numbers lie.
 
-    argument of any layout --views--> (states, entries), broadcast without copies --layout_of--> ROWS, COLUMNS, STRIDED
+argument of any layout --views--> (states, entries), broadcast without copies --layout_of--> ROWS, COLUMNS, STRIDED
 
-    ROWS      one state after the other: C-contiguous arrays (states, entries)
-    COLUMNS   states side by side: transposes of C-contiguous arrays (entries, states), as `np.asfortranarray` makes
-    STRIDED   everything else, and mixtures; read where it is, a block of states at a time
+ROWS      one state after the other: C-contiguous arrays (states, entries)
+COLUMNS   states side by side: transposes of C-contiguous arrays (entries, states), as `np.asfortranarray` makes
+STRIDED   everything else, and mixtures; read where it is, a block of states at a time
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _Place = ctypes.c_char * 1
 def place(array: np.ndarray) -> object:
     """Where an array begins, as ctypes passes it on; four times as fast as asking the array where it can be written."""
     try:
-        return _Place.from_buffer(array)
+        return _Place.from_buffer(array)  # type: ignore[arg-type]
     except (TypeError, ValueError, BufferError):  # read-only, without entries, not in one piece
         return array.__array_interface__["data"][0]
 
@@ -84,19 +84,18 @@ def views(ports: Sequence[Port], arguments: Sequence[object], name: str) -> tupl
 
 
 def layout_of(arrays: Sequence[np.ndarray], batch: tuple[int, ...]) -> str:
-    """How arrays (states, entries) lie; columns only in a batch of one dimension, whose results are then columns too."""
+    """How arrays (states, entries) lie; columns only in a batch of one dimension, whose results are columns then."""
     if all(a.flags.c_contiguous for a in arrays):
-        if len(batch) != 1 or batch[0] < 2 or not any(a.T.flags.c_contiguous for a in arrays if a.shape[1] > 1):
-            return ROWS
-    if len(batch) == 1 and any(a.shape[1] > 1 for a in arrays) and all(a.T.flags.c_contiguous for a in arrays):
+        return ROWS
+    if len(batch) == 1 and all(a.T.flags.c_contiguous for a in arrays):
         return COLUMNS
     return STRIDED
 
 
 def mostly_columns(arrays: Sequence[np.ndarray]) -> bool:
     """Whether of arrays (states, entries) more numbers lie as columns than as rows: results will lie as they do."""
-    by_columns = sum(a.shape[1] if a.strides[0] == BYTES else -a.shape[1] for a in arrays if a.strides[0] and a.shape[1] > 1)
-    return by_columns > 0
+    sized = [a for a in arrays if a.strides[0] and a.shape[1] > 1]
+    return bool(sum(a.shape[1] if a.strides[0] == BYTES else -a.shape[1] for a in sized) > 0)
 
 
 def unflatten(array: np.ndarray, batch: tuple[int, ...], shape: tuple[int, ...]) -> np.ndarray:

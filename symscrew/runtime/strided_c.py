@@ -1,17 +1,19 @@
-"""C that gives a batch function arrays of any strides, of double whatever the function's own type.
+"""C that gives a batch function arrays of any strides, of double whatever the function's own type, and threads.
 
-    int <symbol>_arrays(count, strides, scratch, inputs ..., outputs ..., status)
-    int <symbol>_numpy(count, like, inputs ..., outputs ..., status)
+    int <symbol>_arrays(count, strides, inputs ..., outputs ..., status)
+    int <symbol>_numpy(count, shares, like, inputs ..., outputs ..., status)
 
-Blocks of `BLOCK` states are collected in `scratch`, entry after entry, given to <symbol>_batch_soa, and its results
-spread out. `strides` holds, array after array, the numbers between two states and between two entries; 0 between states
-means the same entries for all.
+Blocks of `BLOCK` states are collected, entry after entry, given to <symbol>_batch_soa, and its results spread out.
+`strides` holds, array after array, the numbers between two states and between two entries; 0 between states means the
+same entries for all.
 
-The second takes NumPy's arrays as they are: it looks at their types, shapes and strides, calls <symbol>_batch or
+The second takes NumPy's arrays as they are: it looks at their types, shapes and strides, and calls <symbol>_batch or
 <symbol>_batch_soa where their layout allows, and else the first. Asking an array for its address from Python takes a
 microsecond, as much as thirty states of a short function; in C it is a field of the object. These fields are part of
 NumPy's ABI (`PyArrayObject_fields`): every compiled extension reads them in place. `NUMPY_AS_EXPECTED` holds if they
-are found where they ought to be; where not (another Python than CPython), nothing calls this function.
+are found where they ought to be; where not (another Python than CPython), nothing calls this function. Compiled with
+`THREADS`, it divides the states among `shares` threads; shares begin where blocks begin, so that each state has the
+neighbours, and the bits, that it has in one thread.
 
 Both are compiled beside the generated files and use nothing of them but the batch functions.
 """
@@ -28,12 +30,14 @@ from symscrew.export import DOUBLE, Precision
 from symscrew.program import Port
 
 BLOCK = 64  # states: eight vectors of eight; all arrays of a block stay in the first cache, copying costs least there
-MISFIT = -1000  # what <symbol>_numpy returns, having done nothing, where an array is not as it expects; no status
-MOST_LOCAL = 128  # entries of all arrays of a function whose block is put on the stack: 64 kB of at least 512
+MISFIT = 1000  # returned where an array is not as expected or there is no memory for a block; above every status
+# With OpenMP for the file made here alone: batches of the generated files would take all processors.
+THREADS = ("-fopenmp", "-U_OPENMP", "-DSYMSCREW_THREADS")
 HEAD = object.__basicsize__  # bytes of every object of Python before its own fields; the last of them is its type
 
 ROUTINES = """\
 #include <stddef.h>
+#include <stdlib.h>
 
 static void collect(
     size_t size, size_t some, const ptrdiff_t *stride, const double *array, REAL *restrict block)
@@ -123,11 +127,6 @@ def _found() -> bool:
 NUMPY_AS_EXPECTED = _found()
 
 
-def scratch_size(inputs: Sequence[Port], outputs: Sequence[Port]) -> int:
-    """Numbers of the function's own type that `scratch` must hold."""
-    return BLOCK * max(sum(port.size for port in (*inputs, *outputs)), 1)
-
-
 def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> str:
     """The text of <symbol>_arrays and <symbol>_numpy."""
     words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD)}
@@ -139,19 +138,27 @@ def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port],
 int {symbol}_batch(size_t count, {", ".join(own)});
 int {symbol}_batch_soa(size_t count, size_t stride, {", ".join(own)});
 """
-    return "\n".join([routines, batches, *_arrays(symbol, inputs, outputs, precision), "", *_numpy(symbol, inputs, outputs, precision), ""])
+    functions = [text for made in (_arrays, _numpy) for text in (*made(symbol, inputs, outputs, precision), "")]
+    return "\n".join([routines, batches, *functions])
 
 
 def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
     real, ports, read = precision.real, (*inputs, *outputs), range(len(inputs))
     taken = ", ".join([f"{'const ' if k in read else ''}double *a{k}" for k in range(len(ports))] + ["int *status"])
-    blocks = [f"scratch + {sum(port.size for port in ports[:k]) * BLOCK}" for k in range(len(ports))]
-    signature = f"int {symbol}_arrays(size_t count, const ptrdiff_t *strides, {real} *scratch, {taken})"
+    blocks = [f"block + {sum(port.size for port in ports[:k]) * BLOCK}" for k in range(len(ports))]
+    signature = f"int {symbol}_arrays(size_t count, const ptrdiff_t *strides, {taken})"
     lines = [
         f"{signature};",
         signature,
         "{",
         "    int worst = 0;",
+        *([] if inputs else ["    (void)collect;"]),
+        *([] if outputs else ["    (void)spread;"]),
+        *([] if ports else ["    (void)strides;"]),
+        f"    {real} *const block = malloc({max(sum(port.size for port in ports), 1) * BLOCK} * sizeof({real}));",
+        "    if (block == NULL) {",
+        f"        return {MISFIT};",
+        "    }",
         f"    for (size_t first = 0; first < count; first += {BLOCK}) {{",
         f"        const size_t some = count - first < {BLOCK} ? count - first : {BLOCK};",
         "        int outcome;",
@@ -170,20 +177,27 @@ def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precis
     for k in range(len(inputs), len(ports)):
         start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
         lines.append(f"        spread({ports[k].size}, some, strides + {2 * k}, {blocks[k]}, {start});")
-    return [*lines, "    }", "    return worst;", "}"]
+    return [*lines, "    }", "    free(block);", "    return worst;", "}"]
 
 
 def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
     ports = (*inputs, *outputs)
     taken = ", ".join(["const Array *like", *(f"const Array *a{k}" for k in range(len(ports))), "const Array *status"])
-    given = ", ".join([*(f"a{k}->data" for k in range(len(ports))), "(int *)(void *)status->data"])
-    signature = f"int {symbol}_numpy(size_t count, {taken})"
+    signature = f"int {symbol}_numpy(size_t count, size_t shares, {taken})"
+
+    def begin(step: str) -> str:
+        starts = (f"a{k}->data + {step.format(k=k, s=2 * k, size=port.size)}" for k, port in enumerate(ports))
+        return ", ".join([*starts, "codes + first"])
+
     lines = [
         f"{signature};",
         signature,
         "{",
         f"    ptrdiff_t strides[{max(2 * len(ports), 1)}];",
-        "    int layout = ROWS | COLUMNS;",
+        "    int layout = ROWS | COLUMNS, worst = 0;",
+        "    int *const codes = (int *)(void *)status->data;",
+        f"    const size_t blocks = (count + {BLOCK - 1}) / {BLOCK};",
+        f"    const size_t step = shares < 2 ? count : (blocks + shares - 1) / shares * {BLOCK};",
     ]
     for k, port in enumerate(ports):
         lines += [
@@ -191,21 +205,28 @@ def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precisi
             f"        return {MISFIT};",
             "    }",
         ]
+    ways = [f"            outcome = {symbol}_arrays(some, strides, {begin('(ptrdiff_t)first * strides[{s}]')});"]
     if precision is DOUBLE:
-        lines += [
-            "    if (layout & ROWS) {",
-            f"        return {symbol}_batch(count, {given});",
-            "    }",
-            "    if (layout & COLUMNS) {",
-            f"        return {symbol}_batch_soa(count, count, {given});",
-            "    }",
+        ways = [
+            f"            outcome = {symbol}_batch(some, {begin('first * {size}')});",
+            "        } else if (layout & COLUMNS) {",
+            f"            outcome = {symbol}_batch_soa(some, count, {begin('first')});",
+            "        } else {",
+            *ways,
         ]
-    entries = sum(port.size for port in ports)
-    if entries > MOST_LOCAL:
-        return [*lines, f"    return {MISFIT};", "}"]
     return [
         *lines,
-        f"    {precision.real} scratch[{max(entries, 1) * BLOCK}];",
-        f"    return {symbol}_arrays(count, strides, scratch, {given});",
+        "#if defined(SYMSCREW_THREADS)",
+        "#pragma omp parallel for schedule(static) reduction(max : worst) num_threads((int)shares) if (shares > 1)",
+        "#endif",
+        "    for (size_t first = 0; first < count; first += step) {",
+        "        const size_t some = count - first < step ? count - first : step;",
+        "        int outcome;",
+        "        if (layout & ROWS) {" if precision is DOUBLE else "        {",
+        *ways,
+        "        }",
+        "        worst = outcome > worst ? outcome : worst;",
+        "    }",
+        "    return worst;",
         "}",
     ]

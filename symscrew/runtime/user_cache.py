@@ -213,7 +213,8 @@ def _opened(path: Path) -> Iterator[int]:
 def _held(path: Path) -> Iterator[None]:
     """A file that one process (and one thread) at a time holds; where files cannot be locked, nobody waits."""
     try:
-        file = os.open(path, os.O_WRONLY | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0), 0o600)
+        flags = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+        file = os.open(path, os.O_WRONLY | os.O_CREAT | flags, 0o600)
     except OSError:
         yield
         return
