@@ -19,6 +19,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -128,7 +129,7 @@ def loadable(content: bytes) -> bool:
     Of ELF, sizes are looked at; of other formats, that there is something.
     """
     if not content.startswith(b"\x7fELF"):
-        return len(content) > 0 and platform.system() != "Linux"
+        return len(content) > 0 and sys.platform != "linux"
     wide, little = content[4:5] == b"\x02", content[5:6] == b"\x01"
     order = "little" if little else "big"
 
@@ -204,7 +205,7 @@ def identity(command: str) -> str | None:
 @cache
 def processor() -> str:
     """What code for this processor depends on: its kind and instructions; where that is unknown, the machine's name."""
-    facts = [platform.system(), platform.machine(), *platform.libc_ver()]
+    facts = [sys.platform, platform.machine(), *platform.libc_ver()]
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").partition("\n\n")[0].splitlines()
     except OSError:

@@ -29,30 +29,45 @@ import numpy as np
 from symscrew.export import DOUBLE, Precision
 from symscrew.program import Port
 
-BLOCK = 64  # states: eight vectors of eight; all arrays of a block stay in the first cache, copying costs least there
+BLOCK = 8  # states: as many as a block of the batch functions; with more, arrays beyond the caches are read too seldom
 MISFIT = 1000  # returned where an array is not as expected or there is no memory for a block; above every status
 # With OpenMP for the file made here alone: batches of the generated files would take all processors.
 THREADS = ("-fopenmp", "-U_OPENMP", "-DSYMSCREW_THREADS")
+LINE = 8  # numbers of a line of the cache
 HEAD = object.__basicsize__  # bytes of every object of Python before its own fields; the last of them is its type
 
 ROUTINES = """\
 #include <stddef.h>
 #include <stdlib.h>
 
-static void collect(
-    size_t size, size_t some, const ptrdiff_t *stride, const double *array, REAL *restrict block)
+/* Asks for numbers of the next block: they lie too far apart for the processor to foresee them. */
+static void ask(const double *array)
 {
+#if defined(__GNUC__)
+    __builtin_prefetch(array);
+#else
+    (void)array;
+#endif
+}
+
+static void collect(
+    size_t size, size_t some, size_t next, const ptrdiff_t *stride, const double *array, REAL *restrict block)
+{
+    if (stride[1] == 1) { /* the entries of a state are neighbours */
+        for (size_t i = some; i < some + next; ++i) {
+            for (size_t k = 0; k < size; k += LINE) {
+                ask(array + (ptrdiff_t)i * stride[0] + k);
+            }
+        }
+    } else if (next > 0) {
+        for (size_t k = 0; k < size; ++k) {
+            ask(array + (ptrdiff_t)some * stride[0] + (ptrdiff_t)k * stride[1]);
+        }
+    }
     for (size_t k = 0; k < size; ++k) {
         const double *entry = array + (ptrdiff_t)k * stride[1];
-        REAL *to = block + k * BLOCK;
-        if (stride[0] == 1) {
-            for (size_t i = 0; i < some; ++i) {
-                to[i] = (REAL)entry[i];
-            }
-        } else {
-            for (size_t i = 0; i < some; ++i) {
-                to[i] = (REAL)entry[(ptrdiff_t)i * stride[0]];
-            }
+        for (size_t i = 0; i < some; ++i) {
+            block[k * BLOCK + i] = (REAL)entry[(ptrdiff_t)i * stride[0]];
         }
     }
 }
@@ -62,9 +77,8 @@ static void spread(
 {
     for (size_t k = 0; k < size; ++k) {
         double *entry = array + (ptrdiff_t)k * stride[1];
-        const REAL *from = block + k * BLOCK;
         for (size_t i = 0; i < some; ++i) {
-            entry[(ptrdiff_t)i * stride[0]] = (double)from[i];
+            entry[(ptrdiff_t)i * stride[0]] = (double)block[k * BLOCK + i];
         }
     }
 }
@@ -129,7 +143,7 @@ NUMPY_AS_EXPECTED = _found()
 
 def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> str:
     """The text of <symbol>_arrays and <symbol>_numpy."""
-    words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD)}
+    words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD), "LINE": str(LINE)}
     routines = ROUTINES
     for word, value in words.items():
         routines = routines.replace(word, value)
@@ -161,18 +175,20 @@ def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precis
         "    }",
         f"    for (size_t first = 0; first < count; first += {BLOCK}) {{",
         f"        const size_t some = count - first < {BLOCK} ? count - first : {BLOCK};",
+        f"        const size_t rest = count - first - some, next = rest < {BLOCK} ? rest : {BLOCK};",
         "        int outcome;",
     ]
     for k in read:
         start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
         lines += [
             f"        if (first == 0 || strides[{2 * k}] != 0) {{",
-            f"            collect({ports[k].size}, some, strides + {2 * k}, {start}, {blocks[k]});",
+            f"            collect({ports[k].size}, some, next, strides + {2 * k}, {start}, {blocks[k]});",
             "        }",
         ]
     lines += [
         f"        outcome = {symbol}_batch_soa(some, {BLOCK}, {', '.join([*blocks, 'status + first'])});",
         "        worst = outcome > worst ? outcome : worst;",
+        *([] if inputs else ["        (void)next;"]),
     ]
     for k in range(len(inputs), len(ports)):
         start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
