@@ -12,11 +12,12 @@ import numpy as np
 
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
-from symscrew.model import Model, derive
+from symscrew.model import Model
 from symscrew.program import Program
 from symscrew.runtime import find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
+from symscrew.simulation.derived_model import derived_model
 from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
@@ -86,7 +87,7 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     Raises:
         DescriptionError: the effects leave no forward dynamics, or the scene commands what a contact determines.
     """
-    model = derive(scene.mechanism, scene.effects)
+    model = derived_model(scene.mechanism, scene.effects)
     if "forward_dynamics" not in model.programs:
         raise DescriptionError(
             f"{scene.name}: these effects leave nothing to simulate, since drives then do not determine accelerations "
