@@ -1,6 +1,6 @@
 """Programs as plain lists of numbers and texts, which JSON holds, and back: to keep what took time to derive.
 
-    Program, Iteration, RankRevealing --to_lists--> lists --json--> text --json--> lists --from_lists--> the same, bit by bit
+    Program, Iteration, RankRevealing --to_lists, json--> text --json, from_lists--> the same, bit by bit
 
 Slots are whole numbers and constants are floating ones in both, and both writers of JSON give shortest digits that read
 back as the same number.
@@ -36,28 +36,25 @@ def to_lists(program: Program | Iteration) -> dict[str, Any]:
         "slots": program.slots,
     }
     if isinstance(program, RankRevealing):
-        parts = {f: to_lists(p) if p is not None else None for f, p in vars(program).items() if f in ("dense", "wrenches")}
-        made["second"] = {**{f: getattr(program, f) for f in SECOND}, **parts}
+        parts = {"dense": program.dense, "wrenches": program.wrenches}
+        kept = {f: to_lists(part) if part is not None else None for f, part in parts.items()}
+        made["second"] = {**{f: getattr(program, f) for f in SECOND}, **kept}
     return made
 
 
 def from_lists(lists: Lists) -> Program | Iteration:
     """The program of which these are the lists."""
-    ports = {key: tuple(Port(*(_tuple(value) for value in port)) for port in lists[key]) for key in ("inputs", "outputs")}
+    own: dict[str, Any] = {key: tuple(Port(*map(_tuple, port)) for port in lists[key]) for key in ("inputs", "outputs")}
     if "step" in lists:
-        step = from_lists(lists["step"])
-        assert isinstance(step, Program)
-        return Iteration(**{f: _tuple(lists[f]) for f in ITERATION}, **ports, step=step)
-    own = {
-        **{key: _tuple(lists[key]) for key in ("name", "description", "results", "guards", "notes", "slots")},
-        **ports,
-        "instructions": tuple(Instruction(target, op, tuple(args)) for target, op, *args in lists["operations"]),
-    }
+        own |= {f: _tuple(lists[f]) for f in ITERATION}
+        return Iteration(**own, step=from_lists(lists["step"]))  # type: ignore[arg-type]
+    own |= {key: _tuple(lists[key]) for key in ("name", "description", "results", "guards", "notes", "slots")}
+    own["instructions"] = tuple(Instruction(target, op, tuple(args)) for target, op, *args in lists["operations"])
     if "second" not in lists:
         return Program(**own)
     second = lists["second"]
-    parts = {f: from_lists(second[f]) if second[f] is not None else None for f in ("dense", "wrenches")}
-    return RankRevealing(**own, **parts, **{f: _tuple(second[f]) for f in SECOND})  # type: ignore[arg-type]
+    own |= {f: from_lists(second[f]) if second[f] is not None else None for f in ("dense", "wrenches")}
+    return RankRevealing(**own, **{f: _tuple(second[f]) for f in SECOND})
 
 
 def _tuple(value: Any) -> Any:

@@ -67,11 +67,10 @@ def derived_model(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
             kept.write(text.encode("ascii"))
             found = json.loads(text)  # the same way, whether it was there or not
     system = System(mechanism, transformed(mechanism, tuple(effects)))
-    system.use_samples()
     programs: Mapping[str, Program | Iteration] = Asked(found["programs"], from_lists)
     shaped = {name: list(zip(found["states"][name], found["sizes"][name], strict=True)) for name in found["states"]}
     states = Asked(shaped, lambda of: tuple(np.array(x, dtype=float).reshape(shape) for x, shape in of))
-    kept_fields = {name: tuple(v) if isinstance(v := found[name], list) else v for name in KEPT}
+    kept_fields: dict[str, Any] = {name: tuple(v) if isinstance(v := found[name], list) else v for name in KEPT}
     return Model(mechanism.name, mechanism, tuple(effects), programs, states, system, **kept_fields)
 
 
