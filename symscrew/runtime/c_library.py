@@ -11,7 +11,7 @@ import os
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from threading import Lock
+from threading import RLock
 from typing import Any, cast
 
 import numpy as np
@@ -37,7 +37,7 @@ class Evaluators:
 
     def __init__(self, make: Callable[[bool], Made]) -> None:
         """Those that `make` returns, without threads or with them."""
-        self._make, self._lock = make, Lock()
+        self._make, self._lock = make, RLock()
         self._made: Made | None = None
         self._threaded: Made | None = None
         self._process = 0

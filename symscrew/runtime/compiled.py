@@ -130,7 +130,8 @@ def load(
         except CompileError as error:
             if backend == "c" or whole or flags or origin.precision is not DOUBLE:
                 raise
-            text = f"{origin.name}: its functions run in CasADi, some ten times slower than compiled: {error}"
+            said = " ".join(str(error).split())
+            text = f"{origin.name}: its functions run in CasADi, some ten times slower than compiled: {said}"
             warnings.warn(text, RuntimeWarning, stacklevel=2)
     return CompiledModel(origin.name, "casadi", _in_casadi(origin))
 

@@ -128,12 +128,17 @@ class CompiledFunction:
             shaped: Sequence[np.ndarray] = self._shaped(results, batch)
         else:
             results, shaped = self._targets(out, batch, arrays)
-            layout = layout if layout_of(results, batch) == layout else STRIDED
+            layout = layout if self.strided is None or layout_of(results, batch) == layout else STRIDED
         found = self.direct(arrays, shares, results) if self.direct is not None else None
         if found is not None:
-            return found[0], shaped, found[2], batch
-        status = np.zeros(math.prod(batch), dtype=np.intc)
-        return self._evaluate(layout, (arrays, results, status), shares), shaped, status, batch
+            worst, _, status = found
+        else:
+            status = np.zeros(math.prod(batch), dtype=np.intc)
+            worst = self._evaluate(layout, (arrays, results, status), shares)
+        for array, result, port in zip(shaped if out is not None else (), results, self.outputs, strict=False):
+            if not np.may_share_memory(array, result):  # what no strides describe
+                array[...] = unflatten(result, batch, port.shape)
+        return worst, shaped, status, batch
 
     def _room(self, layout: str, arrays: Sequence[np.ndarray], batch: tuple[int, ...]) -> list[np.ndarray]:
         """New arrays (states, entries) for the results."""
@@ -155,14 +160,15 @@ class CompiledFunction:
             if not isinstance(array, np.ndarray) or array.dtype != DOUBLE or array.shape != wanted:
                 got = f"{array.dtype} {array.shape}" if isinstance(array, np.ndarray) else type(array).__name__
                 raise ValueError(f"{where} an array of float64 of shape {wanted}, got {got}")
-            flat = flatten(array, batch, port.shape) if array.flags.writeable and array.flags.aligned else None
-            if flat is None or any(step % BYTES for step in flat.strides):
-                raise ValueError(f"{where} writeable, with strides of whole numbers; leave it out")
-            if any(np.may_share_memory(flat, other) for other in (*arrays, *results)):
+            if not array.flags.writeable:
+                raise ValueError(f"{where} writeable")
+            if any(np.may_share_memory(array, other) for other in (*arrays, *results)):
                 raise ValueError(f"{where} apart from all inputs and other outputs, but it overlaps one")
+            flat = flatten(array, batch, port.shape)
+            whole = flat is not None and array.flags.aligned and not any(step % BYTES for step in flat.strides)
+            if flat is None or not whole or (self.strided is None and not flat.flags.c_contiguous):
+                flat = np.empty((math.prod(batch), port.size))
             results.append(flat)
-        if self.strided is None and layout_of(results, batch) != ROWS:
-            raise ValueError(f"{self.name}: expected out to be C-contiguous for this backend")
         return results, given
 
     def _evaluate(
