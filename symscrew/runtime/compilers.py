@@ -33,6 +33,7 @@ FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", 
 # Seconds for one file: the longest of the catalogue with every function and its derivatives takes a minute. A compiler
 # that needs more hangs, or the file is better made with fewer functions.
 LIMIT = 900.0
+ANSWER = 20.0  # seconds to say a version: an installed compiler takes some milliseconds
 # Options of which the result depends on nothing but the files that are named: what is made with others is not kept.
 KNOWN = re.compile(
     r"-(D\w+(=\w*)?|U\w+|O\w?|std=[\w+]+|pedantic(-errors)?|g\w?|shared|fPIC|W(?![alp],)[\w+=-]+|m[\w=+.-]+"
@@ -188,18 +189,28 @@ def _read(files: Sequence[Path]) -> Iterator[tuple[str, bytes | None]]:
                 wanted.append((path.parent / os.fsdecode(quoted), number))
 
 
-@cache
 def identity(command: str) -> str | None:
     """Place, size, time and version of a compiler; None where it does not answer."""
     try:
         path = os.path.realpath(shutil.which(command) or command)
         found = os.stat(path)
-        answer = subprocess.run(
-            [command, "--version"], capture_output=True, stdin=subprocess.DEVNULL, timeout=20, check=True
-        )
+        return f"{path} {found.st_size} {found.st_mtime_ns} {_version(command, found.st_size, found.st_mtime_ns)}"
     except (OSError, subprocess.SubprocessError):
         return None
-    return f"{path} {found.st_size} {found.st_mtime_ns} {answer.stdout.decode('utf-8', 'replace')}"
+
+
+@cache
+def _version(command: str, *_: int) -> str:
+    """What a compiler says of itself, which is asked once while its file stays as it is."""
+    answer = subprocess.run(
+        [command, "--version"],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        timeout=ANSWER,
+        check=True,
+    )
+    return answer.stdout.decode("utf-8", "replace")
 
 
 @cache
