@@ -115,6 +115,10 @@ def library_of(
         try:
             loaded = ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
         except OSError as error:
+            if "undefined symbol" in str(error) or "symbol not found" in str(error).lower():
+                missing = str(error).rpartition(": ")[2]
+                text = f"{name}: manifest.json does not fit the C, which has no {missing}; generate it again"
+                raise OutputError(text) from error
             what = f"{sources[0].name}: the compiler wrote a library that cannot be loaded: {error}"
             raise CompileError(what) from error
     _compare(loaded, name, interface(precision.real, ports))

@@ -90,12 +90,14 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
 
     def derived() -> Model:
         model = model_of(directory, content)
-        _same_interface(directory, model, ports, own)
+        _same_interface(directory, model, name, ports=ports, precision=own)
         return model
 
     if trusted:
         named = (f for f in content["files"] if isinstance(f, str) and f.endswith(".c") and Path(f).name == f)
         sources = sorted((f for f in named if not f.endswith(NOT_THE_LIBRARY)), key=lambda f: (f != f"{name}.c", f))
+        if not sources:
+            raise OutputError(f"{directory}/manifest.json: lists no C files; generate the target c")
         return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources))
     texts: dict[str, Mapping[str, str]] = {}
 
@@ -124,6 +126,8 @@ def read_interface(directory: Path, content: Mapping[str, Any]) -> tuple[str, Po
         what = f"{type(error).__name__}: {shorten(str(error))}"
         text = f"{directory}/manifest.json: expected functions with ports ({what}); generate again"
         raise OutputError(text) from error
+    if not ports:
+        raise OutputError(f"{directory}/manifest.json: expected functions, found none; generate again")
     return name, ports, precision
 
 
@@ -169,9 +173,12 @@ def _selected(model: Model, content: Mapping[str, Any]) -> Model:
     return model.only(tuple(content.get("functions", {}))) if content.get("selected") is True else model
 
 
-def _same_interface(directory: Path, model: Model, ports: Ports, precision: Precision) -> None:
+def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, precision: Precision) -> None:
     """What a manifest says of functions against the model that it should be of."""
-    own = {name: (program.inputs, program.outputs) for name, program in model.programs.items()}
+    own = {function: (program.inputs, program.outputs) for function, program in model.programs.items()}
+    if model.name != name:
+        text = f"{directory}/manifest.json: it is of {name}, {DESCRIPTION} of {model.name}; generate again"
+        raise OutputError(text)
     here, there = interface(precision.real, own), interface(precision.real, ports)
     if here != there:
         wrong = sorted(set(here) ^ set(there))[0]
