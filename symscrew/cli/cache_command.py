@@ -7,7 +7,7 @@ import json
 
 from symscrew.cli.help import DONE
 
-EXAMPLES = ("symscrew cache", "symscrew cache --clear", "SYMSCREW_CACHE=/tmp/mine symscrew cache --json")
+EXAMPLES = ("symscrew cache", "symscrew cache --clear", "symscrew cache --json")
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
