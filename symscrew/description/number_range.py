@@ -25,6 +25,6 @@ def check_range(expression: sympy.Expr, where: str) -> None:
     value = numeric(expression, where=where)
     if value != 0 and not SMALLEST <= abs(value) <= LARGEST:
         raise DescriptionError(
-            f"{where}: expected 0, or a size from 1e-100 to 1e100, beyond which products are too large or too small for "
-            f"code, got {shorten(str(expression))} = {sympy.N(value, 6)}; write 0 where it is zero, or use other units"
+            f"{where}: expected 0, or a size from 1e-100 to 1e100, beyond which products are too large or too small, "
+            f"got {shorten(str(expression))} = {sympy.N(value, 6)}; write 0 where it is zero, or use other units"
         )

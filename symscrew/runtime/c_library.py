@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from threading import RLock
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -65,12 +65,14 @@ class Evaluators:
         """Arrays (states, entries) of any strides."""
         return (self._made or self.ready())[2](inputs, outputs, status)
 
-    def direct(self, given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None) -> Called | None:
+    def direct(
+        self, given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None, told: bool
+    ) -> Called | None:
         """The arguments as they are."""
         call = (self._made or self.ready())[3]
         if threads > 1 and call is not None:
             call = self._with_threads()[3]
-        return call(given, threads, results) if call is not None else None
+        return call(given, threads, results, told) if call is not None else None
 
     def _with_threads(self) -> Made:
         """Those of a library with threads, where the compiler knows how and this is the process that they began in.
@@ -184,13 +186,15 @@ def evaluators(
 
 def _direct(call: Any, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direct:
     """What calls <symbol>_numpy; with matrices, only for arrays (states, entries) that it is given for its results."""
-    call.argtypes = [ctypes.c_size_t, ctypes.c_size_t, *([ctypes.py_object] * (len(inputs) + len(outputs) + 2))]
+    call.argtypes = [ctypes.c_size_t, ctypes.c_size_t, *([ctypes.py_object] * 4)]
     call.restype = ctypes.c_int
     like, sizes = np.zeros(1), [port.size for port in outputs]
     array, empty, integer = np.ndarray, np.empty, np.dtype(np.intc)
     matrices = any(len(port.shape) != 1 for port in inputs)  # whose entries stand in another order
 
-    def direct(given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None) -> Called | None:
+    def direct(
+        given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None, told: bool
+    ) -> Called | None:
         count, first = 1, None
         for argument in given:
             if type(argument) is not array:
@@ -204,16 +208,19 @@ def _direct(call: Any, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direc
             if matrices or (count < 2 and any(argument.ndim != 1 for argument in given)):  # type: ignore[attr-defined]
                 return None
             if count < 2:
-                results, status = [empty(size) for size in sizes], cast(np.ndarray, empty((), integer))
+                results = tuple([empty(size) for size in sizes])
+            elif first.strides[0] == BYTES:  # type: ignore[union-attr]
+                results = tuple([empty((size, count)).T for size in sizes])
             else:
-                side_by_side = first.strides[0] == BYTES  # type: ignore[union-attr]
-                results = [empty((size, count)).T if side_by_side else empty((count, size)) for size in sizes]
-                status = empty(count, integer)
+                results = tuple([empty((count, size)) for size in sizes])
+            batch = (count,) if first is not None else ()
         else:
             count = len(results[0]) if results else count
-            status = empty(count, integer)
-        worst = call(count, min(threads, count // LEAST_SHARE) if threads > 1 else 1, like, *given, *results, status)
-        return None if worst == MISFIT else (worst, results, status)
+            batch = (count,)
+        status = empty(batch, integer) if told else None
+        shares = min(threads, count // LEAST_SHARE) if threads > 1 else 1
+        worst = call(count, shares, like, tuple(given), tuple(results), status)
+        return None if worst == MISFIT else (worst, results, status, batch)
 
     return direct
 

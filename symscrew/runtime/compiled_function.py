@@ -29,11 +29,11 @@ from symscrew.runtime.state_arrays import (
 
 # Reads the first arrays, writes the others; the largest status, where it knows that without looking.
 Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], "int | None"]
-# The largest status, results (states, entries), and the status of every state.
-Called = tuple[int, Sequence[np.ndarray], np.ndarray]
+# The largest status, results (states, entries), the status of every state if that was to be told, shape of the batch.
+Called = tuple[int, Sequence[np.ndarray], "np.ndarray | None", tuple[int, ...]]
 # All at once, of arguments that are arrays (states, entries) or (entries) of float64, in threads, into results where
 # there are some; None, where arguments are something else.
-Direct = Callable[[Sequence[object], int, "Sequence[np.ndarray] | None"], "Called | None"]
+Direct = Callable[[Sequence[object], int, "Sequence[np.ndarray] | None", bool], "Called | None"]
 # States of a thread of Python, at least: starting it takes as long as some thousands of states of a short function.
 LEAST_SHARE = 16384
 SHARE_UNIT = 64  # states: shares begin where blocks begin, so that every state has the neighbours it has in one thread
@@ -91,13 +91,14 @@ class CompiledFunction:
         """
         given = arguments if not named and len(arguments) == len(self.inputs) else self._ordered(arguments, named)
         shares = self.threads if threads is None else threads
-        found = self.direct(given, shares, None) if self.direct is not None and out is None else None
-        if found is not None:
-            worst, results, status = found
-            batch: tuple[int, ...] = status.shape
+        found = self.direct(given, shares, None, not check) if self.direct is not None and out is None else None
+        if found is not None and (found[0] <= 0 or not check):
+            _, results, codes, batch = found
             shaped = results if self._flat else self._shaped(results, batch)
-        else:
-            worst, shaped, status, batch = self._anyhow(given, out, shares)
+            if codes is None:
+                return shaped[0] if len(shaped) == 1 else tuple(shaped)
+            return (*shaped, codes)
+        worst, shaped, status, batch = self._anyhow(given, out, shares)
         if not check:
             return (*shaped, status.reshape(batch))
         if worst > 0:
@@ -129,9 +130,9 @@ class CompiledFunction:
         else:
             results, shaped = self._targets(out, batch, arrays)
             layout = layout if self.strided is None or layout_of(results, batch) == layout else STRIDED
-        found = self.direct(arrays, shares, results) if self.direct is not None else None
-        if found is not None:
-            worst, _, status = found
+        found = self.direct(arrays, shares, results, True) if self.direct is not None else None
+        if found is not None and found[2] is not None:
+            worst, status = found[0], found[2]
         else:
             status = np.zeros(math.prod(batch), dtype=np.intc)
             worst = self._evaluate(layout, (arrays, results, status), shares)

@@ -1,7 +1,7 @@
 """C that gives a batch function arrays of any strides, of double whatever the function's own type, and threads.
 
     int <symbol>_arrays(count, strides, inputs ..., outputs ..., status)
-    int <symbol>_numpy(count, shares, like, inputs ..., outputs ..., status)
+    int <symbol>_numpy(count, shares, like, inputs, outputs, status)
 
 Blocks of `BLOCK` states are collected, entry after entry, given to <symbol>_batch_soa, and its results spread out.
 `strides` holds, array after array, the numbers between two states and between two entries; 0 between states means the
@@ -11,9 +11,10 @@ The second takes NumPy's arrays as they are: it looks at their types, shapes and
 <symbol>_batch_soa where their layout allows, and else the first. Asking an array for its address from Python takes a
 microsecond, as much as thirty states of a short function; in C it is a field of the object. These fields are part of
 NumPy's ABI (`PyArrayObject_fields`): every compiled extension reads them in place. `NUMPY_AS_EXPECTED` holds if they
-are found where they ought to be; where not (another Python than CPython), nothing calls this function. Compiled with
-`THREADS`, it divides the states among `shares` threads; shares begin where blocks begin, so that each state has the
-neighbours, and the bits, that it has in one thread.
+are found where they ought to be; where not (another Python than CPython), nothing calls this function. Inputs and
+outputs come as tuples; where `status` is no array, statuses are not told. Compiled with `THREADS`, it divides the states
+among `shares` threads; shares begin where blocks begin, so that each state has the neighbours, and the bits, that it has
+in one thread.
 
 Both are compiled beside the generated files and use nothing of them but the batch functions.
 """
@@ -35,6 +36,7 @@ MISFIT = 1000  # returned where an array is not as expected or there is no memor
 THREADS = ("-fopenmp", "-U_OPENMP", "-DSYMSCREW_THREADS")
 LINE = 8  # numbers of a line of the cache
 HEAD = object.__basicsize__  # bytes of every object of Python before its own fields; the last of them is its type
+ITEMS = tuple.__basicsize__  # bytes of a tuple before its items
 
 ROUTINES = """\
 #include <stddef.h>
@@ -92,6 +94,11 @@ typedef struct {
     const void *base, *number;
 } Array;
 
+typedef struct {
+    char head[ITEMS];
+    const Array *item[1];
+} Tuple;
+
 enum { ROWS = 1, COLUMNS = 2 };
 
 /* Whether this is an array (count, size) or (size) of the same type as `like`; its strides, and how it may be read. */
@@ -135,7 +142,9 @@ def _found() -> bool:
     dimensions = ctypes.c_int.from_address(id(like) + HEAD + word).value
     kind = ctypes.c_size_t.from_address(id(like) + HEAD - word).value
     expected = (like.__array_interface__["data"][0], id(like.dtype), 1, (3, like.strides[0]), id(np.ndarray))
-    return (field(0), field(5), dimensions, shape, kind) == expected
+    pair = (like, like.dtype)
+    items = [ctypes.c_size_t.from_address(id(pair) + ITEMS + k * word).value for k in range(2)]
+    return (field(0), field(5), dimensions, shape, kind) == expected and items == list(map(id, pair))
 
 
 NUMPY_AS_EXPECTED = _found()
@@ -143,7 +152,7 @@ NUMPY_AS_EXPECTED = _found()
 
 def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> str:
     """The text of <symbol>_arrays and <symbol>_numpy."""
-    words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD), "LINE": str(LINE)}
+    words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD), "LINE": str(LINE), "ITEMS": str(ITEMS)}
     routines = ROUTINES
     for word, value in words.items():
         routines = routines.replace(word, value)
@@ -160,6 +169,7 @@ def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precis
     real, ports, read = precision.real, (*inputs, *outputs), range(len(inputs))
     taken = ", ".join([f"{'const ' if k in read else ''}double *a{k}" for k in range(len(ports))] + ["int *status"])
     blocks = [f"block + {sum(port.size for port in ports[:k]) * BLOCK}" for k in range(len(ports))]
+    codes = "status != NULL ? status + first : NULL"
     signature = f"int {symbol}_arrays(size_t count, const ptrdiff_t *strides, {taken})"
     lines = [
         f"{signature};",
@@ -186,7 +196,7 @@ def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precis
             "        }",
         ]
     lines += [
-        f"        outcome = {symbol}_batch_soa(some, {BLOCK}, {', '.join([*blocks, 'status + first'])});",
+        f"        outcome = {symbol}_batch_soa(some, {BLOCK}, {', '.join([*blocks, codes])});",
         "        worst = outcome > worst ? outcome : worst;",
         *([] if inputs else ["        (void)next;"]),
     ]
@@ -198,12 +208,13 @@ def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precis
 
 def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
     ports = (*inputs, *outputs)
-    taken = ", ".join(["const Array *like", *(f"const Array *a{k}" for k in range(len(ports))), "const Array *status"])
+    taken = "const Array *like, const Tuple *inputs, const Tuple *outputs, const Array *status"
     signature = f"int {symbol}_numpy(size_t count, size_t shares, {taken})"
+    held = [*(f"inputs->item[{k}]" for k in range(len(inputs))), *(f"outputs->item[{k}]" for k in range(len(outputs)))]
 
     def begin(step: str) -> str:
         starts = (f"a{k}->data + {step.format(k=k, s=2 * k, size=port.size)}" for k, port in enumerate(ports))
-        return ", ".join([*starts, "codes + first"])
+        return ", ".join([*starts, "codes != NULL ? codes + first : NULL"])
 
     lines = [
         f"{signature};",
@@ -211,10 +222,11 @@ def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precisi
         "{",
         f"    ptrdiff_t strides[{max(2 * len(ports), 1)}];",
         "    int layout = ROWS | COLUMNS, worst = 0;",
-        "    int *const codes = (int *)(void *)status->data;",
+        "    int *const codes = status->type == like->type ? (int *)(void *)status->data : NULL;",
         f"    const size_t blocks = (count + {BLOCK - 1}) / {BLOCK};",
         f"    const size_t step = shares < 2 ? count : (blocks + shares - 1) / shares * {BLOCK};",
     ]
+    lines += [f"    const Array *const a{k} = {item};" for k, item in enumerate(held)]
     for k, port in enumerate(ports):
         lines += [
             f"    if (!fits(like, a{k}, count, {port.size}, strides + {2 * k}, &layout)) {{",

@@ -309,6 +309,6 @@ def test_where_numpy_is_not_as_expected_addresses_are_asked_for(found: Model, mo
     expected = one_by_one(load(few, backend="c", flags=EXACT).inverse_dynamics, arrays)
     monkeypatch.setattr(c_library, "NUMPY_AS_EXPECTED", False)
     function = load(few, backend="c", flags=EXACT).inverse_dynamics
-    assert function.direct is not None and function.direct(arrays, 1, None) is None
+    assert function.direct is not None and function.direct(arrays, 1, None, True) is None
     for layout in LAYOUTS.values():
         same(expected, function(*map(layout, arrays), check=False))

@@ -41,7 +41,7 @@ def pendulum(place: str, number: str) -> MechanismBuilder:
 @pytest.mark.parametrize("number", TOO_SMALL + TOO_LARGE)
 def test_numbers_that_code_cannot_hold_are_refused(place: str, number: str) -> None:
     with pytest.raises(
-        DescriptionError, match=r"expected 0, or a size from 1e-100 to 1e100 .*write 0 where it is zero"
+        DescriptionError, match=r"expected 0, or a size from 1e-100 to 1e100, .*write 0 where it is zero"
     ):
         pendulum(place, number).build()
 
