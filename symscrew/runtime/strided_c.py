@@ -3,7 +3,7 @@
     int <symbol>_arrays(count, strides, inputs ..., outputs ..., status)
     int <symbol>_numpy(count, shares, like, inputs, outputs, status)
 
-Blocks of `BLOCK` states are collected, entry after entry, given to <symbol>_batch_soa, and its results spread out.
+Blocks of states are collected, entry after entry, given to <symbol>_batch_soa, and its results spread out.
 `strides` holds, array after array, the numbers between two states and between two entries; 0 between states means the
 same entries for all.
 
@@ -12,9 +12,9 @@ The second takes NumPy's arrays as they are: it looks at their types, shapes and
 microsecond, as much as thirty states of a short function; in C it is a field of the object. These fields are part of
 NumPy's ABI (`PyArrayObject_fields`): every compiled extension reads them in place. `NUMPY_AS_EXPECTED` holds if they
 are found where they ought to be; where not (another Python than CPython), nothing calls this function. Inputs and
-outputs come as tuples; where `status` is no array, statuses are not told. Compiled with `THREADS`, it divides the states
-among `shares` threads; shares begin where blocks begin, so that each state has the neighbours, and the bits, that it has
-in one thread.
+outputs come as tuples; where `status` is no array, statuses are not told. Compiled with `THREADS`, it divides the
+states among `shares` threads; shares begin where blocks begin, so that each state has the neighbours, and the bits,
+that it has in one thread.
 
 Both are compiled beside the generated files and use nothing of them but the batch functions.
 """
@@ -30,7 +30,10 @@ import numpy as np
 from symscrew.export import DOUBLE, Precision
 from symscrew.program import Port
 
-BLOCK = 8  # states: as many as a block of the batch functions; with more, arrays beyond the caches are read too seldom
+# States of a block: of arrays that the second cache holds, as many as the first one holds of most functions; of larger
+# ones, as many as the batch functions take at once, so that numbers of the next block arrive while these are computed.
+NEAR, FAR = 32, 8
+NEARBY = 1 << 17  # numbers of all arrays together that the second cache holds: 1 MB
 MISFIT = 1000  # returned where an array is not as expected or there is no memory for a block; above every status
 # With OpenMP for the file made here alone: batches of the generated files would take all processors.
 THREADS = ("-fopenmp", "-U_OPENMP", "-DSYMSCREW_THREADS")
@@ -38,51 +41,59 @@ LINE = 8  # numbers of a line of the cache
 HEAD = object.__basicsize__  # bytes of every object of Python before its own fields; the last of them is its type
 ITEMS = tuple.__basicsize__  # bytes of a tuple before its items
 
-ROUTINES = """\
-#include <stddef.h>
-#include <stdlib.h>
-
-/* Asks for numbers of the next block: they lie too far apart for the processor to foresee them. */
-static void ask(const double *array)
+COPIES = """
+static void collect_LANES(size_t size, size_t some, const ptrdiff_t *stride, const double *array, REAL *restrict block)
 {
-#if defined(__GNUC__)
-    __builtin_prefetch(array);
-#else
-    (void)array;
-#endif
+    for (size_t k = 0; k < size; ++k) {
+        const double *entry = array + (ptrdiff_t)k * stride[1];
+        REAL *to = block + k * LANES;
+        if (stride[0] == 1) {
+            for (size_t i = 0; i < some; ++i) {
+                to[i] = (REAL)entry[i];
+            }
+        } else {
+            for (size_t i = 0; i < some; ++i) {
+                to[i] = (REAL)entry[(ptrdiff_t)i * stride[0]];
+            }
+        }
+    }
 }
 
-static void collect(
-    size_t size, size_t some, size_t next, const ptrdiff_t *stride, const double *array, REAL *restrict block)
+static void spread_LANES(size_t size, size_t some, const ptrdiff_t *stride, const REAL *restrict block, double *array)
 {
+    for (size_t k = 0; k < size; ++k) {
+        double *entry = array + (ptrdiff_t)k * stride[1];
+        const REAL *from = block + k * LANES;
+        for (size_t i = 0; i < some; ++i) {
+            entry[(ptrdiff_t)i * stride[0]] = (double)from[i];
+        }
+    }
+}
+"""
+
+ROUTINES = """
+/* Asks for numbers of the next block: they lie too far apart for the processor to foresee them. */
+static void ask(size_t size, size_t some, size_t next, const ptrdiff_t *stride, const double *array)
+{
+#if defined(__GNUC__)
     if (stride[1] == 1) { /* the entries of a state are neighbours */
         for (size_t i = some; i < some + next; ++i) {
             for (size_t k = 0; k < size; k += LINE) {
-                ask(array + (ptrdiff_t)i * stride[0] + k);
+                __builtin_prefetch(array + (ptrdiff_t)i * stride[0] + k);
             }
         }
     } else if (next > 0) {
         for (size_t k = 0; k < size; ++k) {
-            ask(array + (ptrdiff_t)some * stride[0] + (ptrdiff_t)k * stride[1]);
+            __builtin_prefetch(array + (ptrdiff_t)some * stride[0] + (ptrdiff_t)k * stride[1]);
         }
     }
-    for (size_t k = 0; k < size; ++k) {
-        const double *entry = array + (ptrdiff_t)k * stride[1];
-        for (size_t i = 0; i < some; ++i) {
-            block[k * BLOCK + i] = (REAL)entry[(ptrdiff_t)i * stride[0]];
-        }
-    }
-}
-
-static void spread(
-    size_t size, size_t some, const ptrdiff_t *stride, const REAL *restrict block, double *array)
-{
-    for (size_t k = 0; k < size; ++k) {
-        double *entry = array + (ptrdiff_t)k * stride[1];
-        for (size_t i = 0; i < some; ++i) {
-            entry[(ptrdiff_t)i * stride[0]] = (double)block[k * BLOCK + i];
-        }
-    }
+#else
+    (void)size;
+    (void)some;
+    (void)next;
+    (void)stride;
+    (void)array;
+#endif
 }
 
 typedef struct {
@@ -152,8 +163,8 @@ NUMPY_AS_EXPECTED = _found()
 
 def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> str:
     """The text of <symbol>_arrays and <symbol>_numpy."""
-    words = {"REAL": precision.real, "BLOCK": str(BLOCK), "HEAD": str(HEAD), "LINE": str(LINE), "ITEMS": str(ITEMS)}
-    routines = ROUTINES
+    words = {"REAL": precision.real, "HEAD": str(HEAD), "LINE": str(LINE), "ITEMS": str(ITEMS)}
+    routines = "".join(COPIES.replace("LANES", str(lanes)) for lanes in (NEAR, FAR)) + ROUTINES
     for word, value in words.items():
         routines = routines.replace(word, value)
     own = [*(f"const {precision.real} *" for _ in inputs), *(f"{precision.real} *" for _ in outputs), "int *"]
@@ -162,48 +173,66 @@ int {symbol}_batch(size_t count, {", ".join(own)});
 int {symbol}_batch_soa(size_t count, size_t stride, {", ".join(own)});
 """
     functions = [text for made in (_arrays, _numpy) for text in (*made(symbol, inputs, outputs, precision), "")]
-    return "\n".join([routines, batches, *functions])
+    return "\n".join(["#include <stddef.h>", "#include <stdlib.h>", routines, batches, *functions])
 
 
 def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
     real, ports, read = precision.real, (*inputs, *outputs), range(len(inputs))
     taken = ", ".join([f"{'const ' if k in read else ''}double *a{k}" for k in range(len(ports))] + ["int *status"])
-    blocks = [f"block + {sum(port.size for port in ports[:k]) * BLOCK}" for k in range(len(ports))]
-    codes = "status != NULL ? status + first : NULL"
+    entries = max(sum(port.size for port in ports), 1)
     signature = f"int {symbol}_arrays(size_t count, const ptrdiff_t *strides, {taken})"
-    lines = [
+    used = [*(["collect"] if not inputs else []), *(["spread"] if not outputs else [])]
+    return [
         f"{signature};",
         signature,
         "{",
         "    int worst = 0;",
-        *([] if inputs else ["    (void)collect;"]),
-        *([] if outputs else ["    (void)spread;"]),
+        f"    const size_t lanes = count <= {NEARBY // entries} ? {NEAR} : {FAR};",
+        f"    {real} *const block = malloc({entries} * lanes * sizeof({real}));",
+        *(f"    (void){name}_{lanes};" for name in used for lanes in (NEAR, FAR)),
         *([] if ports else ["    (void)strides;"]),
-        f"    {real} *const block = malloc({max(sum(port.size for port in ports), 1) * BLOCK} * sizeof({real}));",
+        *([] if inputs else ["    (void)ask;"]),
         "    if (block == NULL) {",
         f"        return {MISFIT};",
         "    }",
-        f"    for (size_t first = 0; first < count; first += {BLOCK}) {{",
-        f"        const size_t some = count - first < {BLOCK} ? count - first : {BLOCK};",
-        f"        const size_t rest = count - first - some, next = rest < {BLOCK} ? rest : {BLOCK};",
-        "        int outcome;",
+        f"    if (lanes == {NEAR}) {{",
+        *_blocks(symbol, inputs, outputs, NEAR),
+        "    } else {",
+        *_blocks(symbol, inputs, outputs, FAR),
+        "    }",
+        "    free(block);",
+        "    return worst;",
+        "}",
     ]
-    for k in read:
-        start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
-        lines += [
-            f"        if (first == 0 || strides[{2 * k}] != 0) {{",
-            f"            collect({ports[k].size}, some, next, strides + {2 * k}, {start}, {blocks[k]});",
-            "        }",
-        ]
-    lines += [
-        f"        outcome = {symbol}_batch_soa(some, {BLOCK}, {', '.join([*blocks, codes])});",
-        "        worst = outcome > worst ? outcome : worst;",
-        *([] if inputs else ["        (void)next;"]),
+
+
+def _blocks(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], lanes: int) -> list[str]:
+    """The loop over blocks of so many states; of few, those of the next block are asked for."""
+    ports, read = (*inputs, *outputs), len(inputs)
+    blocks = [f"block + {sum(port.size for port in ports[:k]) * lanes}" for k in range(len(ports))]
+    codes = "status != NULL ? status + first : NULL"
+    lines = [
+        f"        for (size_t first = 0; first < count; first += {lanes}) {{",
+        f"            const size_t some = count - first < {lanes} ? count - first : {lanes};",
+        "            int outcome;",
     ]
-    for k in range(len(inputs), len(ports)):
+    if lanes == FAR and inputs:
+        lines.append(f"            const size_t rest = count - first - some, next = rest < {lanes} ? rest : {lanes};")
+    for k, port in enumerate(ports):
+        given = f"{port.size}, some, strides + {2 * k}"
         start = f"a{k} + (ptrdiff_t)first * strides[{2 * k}]"
-        lines.append(f"        spread({ports[k].size}, some, strides + {2 * k}, {blocks[k]}, {start});")
-    return [*lines, "    }", "    free(block);", "    return worst;", "}"]
+        if k == read:
+            lines.append(f"            outcome = {symbol}_batch_soa(some, {lanes}, {', '.join([*blocks, codes])});")
+        if k >= read:
+            lines.append(f"            spread_{lanes}({given}, {blocks[k]}, {start});")
+            continue
+        lines.append(f"            if (first == 0 || strides[{2 * k}] != 0) {{")
+        if lanes == FAR:
+            lines.append(f"                ask({port.size}, some, next, strides + {2 * k}, {start});")
+        lines += [f"                collect_{lanes}({given}, {start}, {blocks[k]});", "            }"]
+    if not outputs:
+        lines.append(f"            outcome = {symbol}_batch_soa(some, {lanes}, {', '.join([*blocks, codes])});")
+    return [*lines, "            worst = outcome > worst ? outcome : worst;", "        }"]
 
 
 def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
@@ -223,8 +252,8 @@ def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precisi
         f"    ptrdiff_t strides[{max(2 * len(ports), 1)}];",
         "    int layout = ROWS | COLUMNS, worst = 0;",
         "    int *const codes = status->type == like->type ? (int *)(void *)status->data : NULL;",
-        f"    const size_t blocks = (count + {BLOCK - 1}) / {BLOCK};",
-        f"    const size_t step = shares < 2 ? count : (blocks + shares - 1) / shares * {BLOCK};",
+        f"    const size_t blocks = (count + {NEAR - 1}) / {NEAR};",
+        f"    const size_t step = shares < 2 ? count : (blocks + shares - 1) / shares * {NEAR};",
     ]
     lines += [f"    const Array *const a{k} = {item};" for k, item in enumerate(held)]
     for k, port in enumerate(ports):

@@ -1,26 +1,29 @@
 """Arrays of many states from Python beside the direct call of the same C, in every memory order, in pairs.
 
-The direct call is that of a caller who has prepared everything: generated C compiled whole, `<function>_batch` on
-arrays one state after the other or `<function>_batch_soa` on arrays side by side, results and statuses in arrays that
-are there already, pointers known. Arrays of other orders are compared with `<function>_batch` on copies made
-beforehand. Python gets arrays and returns new ones. Both are timed in turns; the ratio is the median over the pairs.
+The direct call is that of a caller who has prepared everything: `<function>_batch` on arrays one state after the other
+or `<function>_batch_soa` on arrays side by side, results and statuses in arrays that are there already, pointers known.
+It is a function of the same library, since the same code at another place takes up to a third longer. Arrays of other
+orders are compared with `<function>_batch` on copies made beforehand. Python gets arrays and returns new ones. Both are
+timed in turns; the ratio is the median over the pairs.
 """
 
 from __future__ import annotations
 
 import ctypes
 import os
+import tempfile
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from symscrew import catalogue
-from symscrew.model import derive
+from symscrew.model import Model, derive
 from symscrew.runtime import CompiledFunction, load
-from symscrew.studies.benchmark.timed_code import Compiled, difference, pointer, states
+from symscrew.studies.benchmark.timed_code import difference, pointer, states
 from symscrew.studies.timing import quartiles
 
 from .tables import table
@@ -38,6 +41,14 @@ AGREEMENT = 1e-9
 THREADS = (2, 4)
 Array = np.ndarray
 Order = Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class Direct:
+    """A model and its compiled functions, to be called without anything between."""
+
+    model: Model
+    library: ctypes.CDLL
 
 
 def _thinned(x: Array) -> Array:
@@ -61,7 +72,9 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
     rows, raw = [], []
     for name, function in CASES:
         model = derive(catalogue.load(name)).only([function])
-        direct, compiled = Compiled(model, [function]), load(model)[function]
+        with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
+            compiled = load(model, backend="c", build_dir=folder)[function]
+            direct = Direct(model, ctypes.CDLL(f"{folder}/lib{model.name}.so"))  # the one that is loaded already
         for count in COUNTS:
             for order in ALL if count > 1 else ALL[:1]:
                 for threads in (1, *THREADS) if count == COUNTS[-1] and order in ALL[:2] else (1,):
@@ -77,7 +90,7 @@ def run(*, repeats: int = 25) -> tuple[str, dict[str, Any]]:
 
 
 def _pair(
-    direct: Compiled, compiled: CompiledFunction, *, order: str, count: int, threads: int, repeats: int
+    direct: Direct, compiled: CompiledFunction, *, order: str, count: int, threads: int, repeats: int
 ) -> dict[str, Any]:
     """Medians of both, and of their ratio."""
     given = _ordered(states(direct.model, compiled.name, count), order)
@@ -105,17 +118,15 @@ def _ordered(arrays: Sequence[Array], order: str) -> list[Array]:
     return [orders[min(k, len(orders) - 1)](x) for k, x in enumerate(arrays)]
 
 
-def _direct(
-    compiled: Compiled, name: str, given: Sequence[Array], order: str
-) -> tuple[Callable[[], object], list[Array]]:
+def _direct(direct: Direct, name: str, given: Sequence[Array], order: str) -> tuple[Callable[[], object], list[Array]]:
     """The call of the C, with all that it needs at hand, and its results (states, entries)."""
-    program, count = compiled.model.programs[name], len(given[0])
+    program, count = direct.model.programs[name], len(given[0])
     columns = order.endswith("(Fortran)")
     arrays = [np.ascontiguousarray(x.T if columns else x) for x in given]
     results = [np.empty((p.size, count) if columns else (count, p.size)) for p in program.outputs]
     status = np.zeros(count, dtype=np.intc)
     held = [*arrays, *results, status]
-    call = compiled.function(name, "_batch_soa" if columns else "_batch")
+    call = getattr(direct.library, f"{direct.model.name}_{name}_batch{'_soa' if columns else ''}")
     counts = [ctypes.c_size_t(count)] * (2 if columns else 1)
     made = partial(_called, call, (*counts, *map(pointer, held)), held)
     return made, [r.T for r in results] if columns else results
