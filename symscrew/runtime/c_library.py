@@ -7,7 +7,6 @@ C of a function, <symbol>_arrays --compile_c--> library --its own table of sizes
 from __future__ import annotations
 
 import ctypes
-import os
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -23,8 +22,8 @@ from symscrew.runtime.compilers import CompileError, compile_c
 from symscrew.runtime.state_arrays import BYTES, place
 from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, strided_source
 
-# States of a thread of OpenMP, at least: it begins within some microseconds, which 200 states of a short function take.
-LEAST_SHARE = 512
+# States of a thread, at least: making it takes as long as some hundred states of a short function.
+LEAST_SHARE = 1024
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 
 
@@ -40,7 +39,6 @@ class Evaluators:
         self._make, self._lock = make, RLock()
         self._made: Made | None = None
         self._threaded: Made | None = None
-        self._process = 0
 
     def ready(self) -> Made:
         """Compile now, if that has not been done.
@@ -75,18 +73,14 @@ class Evaluators:
         return call(given, threads, results, told) if call is not None else None
 
     def _with_threads(self) -> Made:
-        """Those of a library with threads, where the compiler knows how and this is the process that they began in.
-
-        Threads of OpenMP do not survive a fork: a child that waits for them waits for ever.
-        """
+        """Those of a library with threads of its own; without, where the compiler does not know how."""
         with self._lock:
             if self._threaded is None:
                 try:
                     self._threaded = self._make(True)
                 except CompileError:
                     self._threaded = (*self.ready()[:3], None)
-                self._process = os.getpid()
-            return self._threaded if self._process == os.getpid() else (*self._threaded[:3], None)
+            return self._threaded
 
 
 def library_of(

@@ -36,7 +36,7 @@ LIMIT = 900.0
 ANSWER = 20.0  # seconds to say a version: an installed compiler takes some milliseconds
 # Options of which the result depends on nothing but the files that are named: what is made with others is not kept.
 KNOWN = re.compile(
-    r"-(D\w+(=\w*)?|U\w+|O\w?|std=[\w+]+|pedantic(-errors)?|g\w?|shared|fPIC|W(?![alp],)[\w+=-]+|m[\w=+.-]+"
+    r"-(D\w+(=\w*)?|U\w+|O\w?|std=[\w+]+|pedantic(-errors)?|g\w?|shared|fPIC|pthread|W(?![alp],)[\w+=-]+|m[\w=+.-]+"
     r"|f(?!plugin|profile|auto-profile|dump|diagnostics|wrapper)[\w=+-]+|-param=[\w=-]+)",
     re.ASCII,
 )

@@ -35,8 +35,12 @@ from symscrew.program import Port
 NEAR, FAR = 32, 8
 NEARBY = 1 << 17  # numbers of all arrays together that the second cache holds: 1 MB
 MISFIT = 1000  # returned where an array is not as expected or there is no memory for a block; above every status
-# With OpenMP for the file made here alone: batches of the generated files would take all processors.
-THREADS = ("-fopenmp", "-U_OPENMP", "-DSYMSCREW_THREADS")
+# Threads of POSIX, made for a call and gone with it: tens of microseconds each. Those of OpenMP stay and are there at
+# once, but who is ready first spins on its processor, where the other thread could run: beside another program, calls
+# took 3 to 12 times as long as in one thread; and they do not survive a fork.
+THREADS = ("-pthread", "-DSYMSCREW_THREADS")
+PTHREADS = ("#if defined(SYMSCREW_THREADS)", "#include <pthread.h>", "#endif")
+MOST_SHARES = 64  # threads of a call, at most: their parts stand on the stack
 LINE = 8  # numbers of a line of the cache
 HEAD = object.__basicsize__  # bytes of every object of Python before its own fields; the last of them is its type
 ITEMS = tuple.__basicsize__  # bytes of a tuple before its items
@@ -136,6 +140,54 @@ static int fits(const Array *like, const Array *a, size_t count, size_t size, pt
     }
     return 1;
 }
+
+/* Some of the states of a call: what one thread does. */
+typedef struct {
+    size_t first, some, count;
+    int layout;
+    const ptrdiff_t *strides;
+    double *const *data;
+    int *codes;
+    int outcome, started;
+} Part;
+
+/* The largest status of all states, in so many threads, which end with the call. */
+static int divided(void *(*run)(void *), const Part *whole, size_t shares)
+{
+    Part parts[MOST_SHARES];
+    const size_t blocks = (whole->count + NEAR - 1) / NEAR, wanted = shares < MOST_SHARES ? shares : MOST_SHARES;
+    const size_t step = wanted < 2 ? whole->count : (blocks + wanted - 1) / wanted * NEAR;
+    size_t number = 1;
+    int worst;
+#if defined(SYMSCREW_THREADS)
+    pthread_t threads[MOST_SHARES];
+#endif
+    parts[0] = *whole;
+    parts[0].some = step;
+    for (size_t first = step; step > 0 && first < whole->count; first += step, ++number) {
+        Part *const part = parts + number;
+        *part = *whole;
+        part->first = first;
+        part->some = whole->count - first < step ? whole->count - first : step;
+#if defined(SYMSCREW_THREADS)
+        part->started = pthread_create(threads + number, NULL, run, part) == 0;
+#endif
+    }
+    run(parts);
+    worst = parts[0].outcome;
+    for (size_t k = 1; k < number; ++k) {
+        if (!parts[k].started) {
+            run(parts + k);
+        }
+#if defined(SYMSCREW_THREADS)
+        if (parts[k].started) {
+            pthread_join(threads[k], NULL);
+        }
+#endif
+        worst = parts[k].outcome > worst ? parts[k].outcome : worst;
+    }
+    return worst;
+}
 """
 
 
@@ -163,7 +215,14 @@ NUMPY_AS_EXPECTED = _found()
 
 def strided_source(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> str:
     """The text of <symbol>_arrays and <symbol>_numpy."""
-    words = {"REAL": precision.real, "HEAD": str(HEAD), "LINE": str(LINE), "ITEMS": str(ITEMS)}
+    words = {
+        "REAL": precision.real,
+        "HEAD": str(HEAD),
+        "LINE": str(LINE),
+        "ITEMS": str(ITEMS),
+        "MOST_SHARES": str(MOST_SHARES),
+        "NEAR": str(NEAR),
+    }
     routines = "".join(COPIES.replace("LANES", str(lanes)) for lanes in (NEAR, FAR)) + ROUTINES
     for word, value in words.items():
         routines = routines.replace(word, value)
@@ -173,7 +232,7 @@ int {symbol}_batch(size_t count, {", ".join(own)});
 int {symbol}_batch_soa(size_t count, size_t stride, {", ".join(own)});
 """
     functions = [text for made in (_arrays, _numpy) for text in (*made(symbol, inputs, outputs, precision), "")]
-    return "\n".join(["#include <stddef.h>", "#include <stdlib.h>", routines, batches, *functions])
+    return "\n".join(["#include <stddef.h>", "#include <stdlib.h>", *PTHREADS, routines, batches, *functions])
 
 
 def _arrays(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
@@ -235,55 +294,59 @@ def _blocks(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], lanes:
     return [*lines, "            worst = outcome > worst ? outcome : worst;", "        }"]
 
 
+def _part(symbol: str, ports: Sequence[Port], precision: Precision) -> list[str]:
+    """The states of one thread."""
+
+    def begin(step: str) -> str:
+        starts = (f"p->data[{k}] + {step.format(s=2 * k, size=port.size)}" for k, port in enumerate(ports))
+        return ", ".join([*starts, "p->codes != NULL ? p->codes + first : NULL"])
+
+    ways = [f"    p->outcome = {symbol}_arrays(p->some, p->strides, {begin('(ptrdiff_t)first * p->strides[{s}]')});"]
+    if precision is DOUBLE:
+        ways = [
+            "    if (p->layout & ROWS) {",
+            f"        p->outcome = {symbol}_batch(p->some, {begin('first * {size}')});",
+            "    } else if (p->layout & COLUMNS) {",
+            f"        p->outcome = {symbol}_batch_soa(p->some, p->count, {begin('first')});",
+            "    } else {",
+            f"    {ways[0]}",
+            "    }",
+        ]
+    return [
+        f"static void *{symbol}_part(void *argument)",
+        "{",
+        "    Part *const p = argument;",
+        "    const size_t first = p->first;",
+        *ways,
+        "    return NULL;",
+        "}",
+    ]
+
+
 def _numpy(symbol: str, inputs: Sequence[Port], outputs: Sequence[Port], precision: Precision) -> list[str]:
     ports = (*inputs, *outputs)
     taken = "const Array *like, const Tuple *inputs, const Tuple *outputs, const Array *status"
     signature = f"int {symbol}_numpy(size_t count, size_t shares, {taken})"
     held = [*(f"inputs->item[{k}]" for k in range(len(inputs))), *(f"outputs->item[{k}]" for k in range(len(outputs)))]
-
-    def begin(step: str) -> str:
-        starts = (f"a{k}->data + {step.format(k=k, s=2 * k, size=port.size)}" for k, port in enumerate(ports))
-        return ", ".join([*starts, "codes != NULL ? codes + first : NULL"])
-
     lines = [
+        *_part(symbol, ports, precision),
+        "",
         f"{signature};",
         signature,
         "{",
         f"    ptrdiff_t strides[{max(2 * len(ports), 1)}];",
-        "    int layout = ROWS | COLUMNS, worst = 0;",
+        f"    double *data[{max(len(ports), 1)}];",
         "    int *const codes = status->type == like->type ? (int *)(void *)status->data : NULL;",
-        f"    const size_t blocks = (count + {NEAR - 1}) / {NEAR};",
-        f"    const size_t step = shares < 2 ? count : (blocks + shares - 1) / shares * {NEAR};",
+        "    int layout = ROWS | COLUMNS;",
+        *([] if inputs else ["    (void)inputs;"]),
+        *([] if outputs else ["    (void)outputs;"]),
     ]
-    lines += [f"    const Array *const a{k} = {item};" for k, item in enumerate(held)]
-    for k, port in enumerate(ports):
+    for k, (port, item) in enumerate(zip(ports, held, strict=True)):
         lines += [
-            f"    if (!fits(like, a{k}, count, {port.size}, strides + {2 * k}, &layout)) {{",
+            f"    if (!fits(like, {item}, count, {port.size}, strides + {2 * k}, &layout)) {{",
             f"        return {MISFIT};",
             "    }",
+            f"    data[{k}] = {item}->data;",
         ]
-    ways = [f"            outcome = {symbol}_arrays(some, strides, {begin('(ptrdiff_t)first * strides[{s}]')});"]
-    if precision is DOUBLE:
-        ways = [
-            f"            outcome = {symbol}_batch(some, {begin('first * {size}')});",
-            "        } else if (layout & COLUMNS) {",
-            f"            outcome = {symbol}_batch_soa(some, count, {begin('first')});",
-            "        } else {",
-            *ways,
-        ]
-    return [
-        *lines,
-        "#if defined(SYMSCREW_THREADS)",
-        "#pragma omp parallel for schedule(static) reduction(max : worst) num_threads((int)shares) if (shares > 1)",
-        "#endif",
-        "    for (size_t first = 0; first < count; first += step) {",
-        "        const size_t some = count - first < step ? count - first : step;",
-        "        int outcome;",
-        "        if (layout & ROWS) {" if precision is DOUBLE else "        {",
-        *ways,
-        "        }",
-        "        worst = outcome > worst ? outcome : worst;",
-        "    }",
-        "    return worst;",
-        "}",
-    ]
+    whole = "Part whole = {0, count, count, layout, strides, data, codes, 0, 0}"
+    return [*lines, f"    {whole};", f"    return divided({symbol}_part, &whole, shares);", "}"]

@@ -259,7 +259,7 @@ def test_ports_without_entries_and_without_ports() -> None:
 
 @pytest.mark.parametrize("native", [True, False])
 def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatch, native: bool) -> None:
-    """Threads of OpenMP, and threads of Python where there is none."""
+    """Threads of POSIX, and threads of Python where the compiler has none."""
     if not native:
         monkeypatch.setattr("symscrew.runtime.compiled.THREADS", ("-fno-such-option",))
     monkeypatch.setattr(c_library, "LEAST_SHARE", 64)
