@@ -22,8 +22,8 @@ from symscrew.runtime.compilers import CompileError, compile_c
 from symscrew.runtime.state_arrays import BYTES, place
 from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, strided_source
 
-# States of a thread, at least: making it takes as long as some hundred states of a short function.
-LEAST_SHARE = 1024
+# States of a thread, at least: making it takes as long as a thousand states of a short function.
+LEAST_SHARE = 4096
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 
 
