@@ -6,7 +6,9 @@ import pytest
 
 from symscrew.description import MechanismBuilder, to_toml
 from symscrew.description.toml_file import parse_description
+from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
+from symscrew.model import derive
 
 TOO_SMALL = ("1e-400", "1e-101", "1e-200*1e-150", "exp(-300)", "1e-60*k", "sin(1)^2+cos(1)^2-1", "sqrt(2)*1e-120")
 TOO_LARGE = ("1e101", "exp(700)", "1e200*1e150", "1e60/k", "-1e300", "10^64*10^64")
@@ -51,3 +53,9 @@ def test_numbers_that_code_cannot_hold_are_refused(place: str, number: str) -> N
 def test_what_is_accepted_can_be_written_and_read(place: str, number: str) -> None:
     made = pendulum(place, number).build()
     assert to_toml(parse_description(to_toml(made))) == to_toml(made)
+
+
+@pytest.mark.parametrize("number", TOO_SMALL[:4] + TOO_SMALL[5:] + TOO_LARGE[:3] + TOO_LARGE[4:])
+def test_numbers_of_effects_too(number: str) -> None:
+    with pytest.raises(DescriptionError, match=r"gravity: expected finite numbers .* of a size from 1e-100 to 1e100"):
+        derive(pendulum("none", "1").build(), [Gravity((0, 0, number))])
