@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.program import Instruction
+from symscrew.program import Instruction, Program
 
 OPERATIONS = 6  # of a statement: more are hard to follow
 WIDTH = 92  # characters of the right-hand side: with a name in front it stays on one line, nearly always
@@ -106,6 +106,19 @@ def folded(
         yield from released(None)
         yield Found("last" if uses[target] == 1 else "named", target, made.text)
     yield from released(None)
+
+
+def statements(
+    program: Program, order: Sequence[Instruction], table: Mapping[str, str], name: Callable[[int | float], str]
+) -> Iterator[tuple[str, str]]:
+    """(name, right-hand side) of statements in a language that reads results at the end, by their names."""
+    uses = Counter(a for i in order for a in i.args if isinstance(a, int))
+    kept = [*(s for slots in program.results for s in slots), *(s for s, _ in program.guards), *program.checked]
+    for slot in kept:
+        if isinstance(slot, int):
+            uses[slot] += 2  # more than once: it must have a name
+    for found in folded(order, uses, table, name=name, places={}, ends=lambda slot: False):
+        yield name(found.slot), found.text
 
 
 def _too_long(operands: Sequence[Text]) -> bool:

@@ -41,7 +41,7 @@ def identifier(origin: Origin) -> str:
     words += [word for word in (origin.part, quantity, origin.component) if word]
     words += ["by", origin.by] if origin.by else []
     text = re.sub(r"[^A-Za-z0-9]+", "_", "_".join(words)).strip("_")
-    return text if text and not text[0].isdigit() else f"value_{text}"
+    return text if "_" in text and not text[0].isdigit() else f"value_{text}"  # no word of a language has one
 
 
 def value_names(program: Program, taken: Collection[str]) -> Mapping[int, str]:
