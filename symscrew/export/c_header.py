@@ -52,6 +52,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     if precision.suffix:
         about = [f"Single precision: all numbers are of type {precision.real}.", *about]
     measured = single_errors(model) if precision.suffix else {}
+    told = [f"{what}: {text}" for what, text in conventions(model).items()]
     lines = [
         *comment([*banner(model), *(line for text in about for line in ("", *wrapped(text, width=WIDTH)))]),
         f"#ifndef {upper}_H",
@@ -59,7 +60,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "",
         "#include <stddef.h>",
         "",
-        *comment([line for text in conventions(model) for line in wrapped(text, later="  ", width=WIDTH)]),
+        *comment([line for text in told for line in wrapped(text, later="  ", width=WIDTH)]),
         "",
         "/* What functions return; the text of a status says it in words. */",
         *(f"#define {upper}_{macro} {code} /* {plain(STATUS[code])} */" for code, macro in STATUS_MACROS.items()),

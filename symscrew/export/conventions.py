@@ -1,6 +1,6 @@
 """What numbers of generated code mean, said once: in the header, in the manifest, in the documentation.
 
-A page of the documentation (`docs/reference/conventions.md`) says the same; a test holds them together.
+A page of the documentation (`docs/conventions.md`) says the same; a test holds them together.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ CONVENTIONS: Mapping[str, str] = {
     "the child's axes; joint_screws and joint_rates describe the same motion by elementary screws in the parent's.",
     "drives": "u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider "
     "acts along its axis, on the line through the joint's point, on the child; its reaction on the parent.",
-    "reactions": "From parent on child; the drive's share is u, and is not in them twice.",
+    "reactions": "Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.",
 }
 """Subject to what holds, in the order in which it is told."""
 
 
-def conventions(model: Model) -> list[str]:
-    """A sentence or two a subject, those of joints that the mechanism has."""
+def conventions(model: Model) -> dict[str, str]:
+    """Subject to a sentence or two: those of joints that the mechanism has."""
     balls = any(label.endswith(".qw") for p in model.programs.values() for port in p.inputs for label in port.labels)
     left_out = set() if balls else {"quaternions", "rates of ball joints"}
-    return [f"{subject}: {text}" for subject, text in CONVENTIONS.items() if subject not in left_out]
+    return {subject: text for subject, text in CONVENTIONS.items() if subject not in left_out}

@@ -13,10 +13,11 @@ from support import handmade
 from symscrew.description.builder import MechanismBuilder
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
+from symscrew.export.conventions import CONVENTIONS, conventions
 from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
 from symscrew.generation.folder import render
 from symscrew.model import derive
-from symscrew.program.straight_line import COUNTED
+from symscrew.program.straight_line import COUNTED, Port
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +39,19 @@ def test_header_says_all_that_a_user_must_know(model):
     for text in ("in x[2] [m]: test array x", "0 x 0; 1 x 1", "Returns 0, 1, 2", f"operations: {total} "):
         assert text in about
     assert "matrix[6] (2x3, column by column)" in header
+
+
+def test_conventions_are_said_once_and_everywhere_the_same(model):
+    """In the header, in the manifest and on their page; those of ball joints only where there is one."""
+    page = (Path(__file__).parents[2] / "docs/conventions.md").read_text(encoding="utf-8")
+    page = " ".join(page.split())
+    for subject, text in CONVENTIONS.items():
+        assert f"- **{subject}**: {text}" in page
+    header = " ".join(c.print_header(model).replace("\n *", " ").split())
+    assert f"units: {CONVENTIONS['units']}" in header and "rates of ball joints" not in header
+    ball = "ball", (4,), ("1",) * 4, tuple(f"S.q{x}" for x in "wxyz"), ""
+    guarded = replace(model.programs["guarded"], inputs=(*model.programs["guarded"].inputs, Port(*ball)))
+    assert set(conventions(replace(model, programs={"guarded": guarded}))) == set(CONVENTIONS)
 
 
 def test_no_storage_of_its_own(model):
