@@ -201,7 +201,7 @@ def inputs_at(
         "y": q[:, list(independent)],
         "guess": np.repeat(system.reference[None, :], len(q), 0),
     }
-    for name, source in (("pose", known["q"]), ("rate", v), ("gain", a)):
+    for name, source in (("pose", known["q"]), ("rate", v), ("acceleration", a)):
         known[name] = source[:, _hub_entries(system, name == "pose")]
     known["p"] = np.repeat(system.parameter_values[None, :], len(q), 0)
     if program.name in ("closure", "close_position"):  # on the manifold: rounding noise

@@ -14,26 +14,34 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.export import c_parts, c_wide
+from symscrew.export import c_wide
+from symscrew.export.c_function import block_sines
 from symscrew.export.c_names import argument_names, arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
 from symscrew.export.c_printed import Printed
 from symscrew.export.c_wide import LANES
 from symscrew.export.listing import filled
-from symscrew.program import COUNTED, Iteration, Port, Program
+from symscrew.program import COUNTED, Iteration, Program
 
 # Entries of all arrays of a function: a block of more would take over a quarter of a megabyte of the stack, and such a
 # function runs state by state.
 MOST_ENTRIES = 4096
 FEW = 2  # states that are as fast one by one as in a block of eight; more go in a block
-VOID = "static void "
 THREADED = 1024  # states from which on threads are worth their start; fewer stay in one
 BY_LANES = frozenset(op for op, kind in COUNTED.items() if kind != "trig")
 
 
 ROUTINES = """
+/* A function of one state for the batches: its arrays, and what calls it for one state, and for eight side by side. */
+typedef struct {
+    size_t inputs, outputs;
+    size_t size[PORTS]; /* entries of every array */
+    int (*called)(const REAL *const *in, REAL *const *out);
+    void (*block)(size_t stride, const REAL *const *in, REAL *const *out, REAL *total);
+} MODEL_batched;
+
 /* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
-static inline void MODEL_prefetch(size_t size, size_t stride, const REAL *array)
+UPPER_UNUSED static inline void MODEL_prefetch(size_t size, size_t stride, const REAL *array)
 {
 #if defined(__GNUC__)
     for (size_t k = 0; k < size; ++k) {
@@ -48,7 +56,7 @@ static inline void MODEL_prefetch(size_t size, size_t stride, const REAL *array)
 
 /* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one
    fills the lanes that are left. */
-static inline void MODEL_gather(
+UPPER_UNUSED static inline void MODEL_gather(
     size_t size, size_t first, size_t some, size_t stride, const REAL *restrict array,
     REAL *restrict block)
 {
@@ -69,7 +77,7 @@ static inline void MODEL_gather(
     }
 }
 
-static inline void MODEL_scatter(
+UPPER_UNUSED static inline void MODEL_scatter(
     size_t size, size_t first, size_t some, size_t stride, const REAL *restrict block,
     REAL *restrict array)
 {
@@ -89,15 +97,145 @@ static inline void MODEL_scatter(
         }
     }
 }
+
+/* Zeros in the states of a block. */
+UPPER_UNUSED static inline void MODEL_zero_block(REAL *array, size_t size, size_t stride)
+{
+    for (size_t k = 0; k < size; ++k) {
+        for (size_t lane = 0; lane < EIGHT; ++lane) {
+            array[k * stride + lane] = ZERO;
+        }
+    }
+}
+
+/* State `index`: where it is, or copied to `work` if its entries lie apart. */
+UPPER_UNUSED static inline int MODEL_one(
+    const MODEL_batched *function, size_t index, size_t stride,
+    const REAL *const *in, REAL *const *out, REAL *work)
+{
+    const REAL *read[PORTS] = {NULL};
+    REAL *written[PORTS] = {NULL};
+    for (size_t n = 0; n < function->inputs; ++n) {
+        const size_t size = function->size[n];
+        if (size == 0 || stride == 0) {
+            read[n] = size == 0 ? in[n] : in[n] + index * size;
+            continue;
+        }
+        for (size_t k = 0; k < size; ++k) {
+            work[k] = in[n][k * stride + index];
+        }
+        read[n] = work;
+        work += size;
+    }
+    for (size_t n = 0; n < function->outputs; ++n) {
+        const size_t size = function->size[function->inputs + n];
+        written[n] = stride != 0 ? work : size == 0 ? out[n] : out[n] + index * size;
+        work += stride != 0 ? size : 0;
+    }
+    const int outcome = function->called(read, written);
+    for (size_t n = 0; n < function->outputs && stride != 0; ++n) {
+        for (size_t k = 0; k < function->size[function->inputs + n]; ++k) {
+            out[n][k * stride + index] = written[n][k];
+        }
+    }
+    return outcome;
+}
+
+/* Up to eight states from `first` on; a stride of 0 means one state after the other. */
+UPPER_UNUSED static inline int MODEL_some(
+    const MODEL_batched *function, size_t first, size_t some, size_t stride,
+    const REAL *const *in, REAL *const *out, int *status, REAL *work)
+{
+    int worst = 0, together = 0;
+    REAL total[EIGHT] = {ZERO};
+    if (some > FEW && function->block != NULL) {
+        const REAL *read[PORTS] = {NULL};
+        REAL *written[PORTS] = {NULL}, *place = work;
+        const int there = some == EIGHT && stride != 0;
+        const size_t *size = function->size, *sized = size + function->inputs;
+        for (size_t n = 0; n < function->inputs; ++n) {
+            if (size[n] == 0) {
+                read[n] = in[n];
+            } else if (there) {
+                read[n] = in[n] + first;
+            } else {
+                MODEL_gather(size[n], first, some, stride, in[n], place);
+                read[n] = place;
+                place += size[n] * EIGHT;
+            }
+            if (there && first + 2 * EIGHT <= stride && size[n] != 0) {
+                MODEL_prefetch(size[n], stride, read[n] + EIGHT);
+            }
+        }
+        for (size_t n = 0; n < function->outputs; ++n) {
+            written[n] = !there ? place : sized[n] == 0 ? out[n] : out[n] + first;
+            place += there ? 0 : sized[n] * EIGHT;
+            if (there && first + 2 * EIGHT <= stride && sized[n] != 0) {
+                MODEL_prefetch(sized[n], stride, written[n] + EIGHT);
+            }
+        }
+        function->block(there ? stride : EIGHT, read, written, total);
+        for (size_t n = 0; n < function->outputs && !there; ++n) {
+            MODEL_scatter(sized[n], first, some, stride, written[n], out[n]);
+        }
+        together = 1;
+    }
+    if (together) { /* the sum of all is finite if each is: else look at each */
+        const REAL first_half = (total[0] + total[1]) + (total[2] + total[3]);
+        const REAL every = first_half + ((total[4] + total[5]) + (total[6] + total[7]));
+        if (isfinite(every)) {
+            for (size_t lane = 0; status != NULL && lane < some; ++lane) {
+                status[first + lane] = 0;
+            }
+            return 0;
+        }
+    }
+    for (size_t lane = 0; lane < some; ++lane) {
+        int outcome = 0;
+        if (!together || !isfinite(total[lane])) {
+            outcome = MODEL_one(function, first + lane, stride, in, out, work);
+        }
+        if (status != NULL) {
+            status[first + lane] = outcome;
+        }
+        worst = outcome > worst ? outcome : worst;
+    }
+    return worst;
+}
+
+/* Some states of a function, in its own memory. */
+typedef int (*MODEL_some_states)(
+    size_t first, size_t some, size_t stride, const REAL *const *in, REAL *const *out, int *status);
+
+UPPER_UNUSED static inline int MODEL_states(
+    MODEL_some_states function, size_t count, size_t stride,
+    const REAL *const *in, REAL *const *out, int *status)
+{
+    int worst = 0;
+    const size_t blocks = count / EIGHT + (count % EIGHT != 0);
+#if defined(_OPENMP) && _OPENMP >= 201107
+#pragma omp parallel for schedule(static) reduction(max : worst) if (count >= THREADED)
+#endif
+    for (size_t number = 0; number < blocks; ++number) {
+        const size_t first = number * EIGHT;
+        const size_t some = count - first < EIGHT ? count - first : EIGHT;
+        const int outcome = function(first, some, stride, in, out, status);
+        worst = outcome > worst ? outcome : worst;
+    }
+    return worst;
+}
 """
 
 
-def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool) -> list[str]:
+def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool, ports: int) -> list[str]:
     """The types and routines that all batch functions of a model share.
 
-    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles.
+    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles;
+    `ports`: the most arrays of a function.
     """
-    upper, words = model.upper(), {"REAL": precision.real, "EIGHT": str(LANES), "MODEL": model}
+    upper = model.upper()
+    words = {"REAL": precision.real, "EIGHT": str(LANES), "PORTS": str(ports), "FEW": str(FEW)}
+    words |= {"ZERO": precision.number(0.0), "THREADED": str(THREADED), "UPPER": upper, "MODEL": model}
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
         *(c_wide.types(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
@@ -148,47 +286,29 @@ def by_lanes(printed: Printed) -> bool:
     """Whether the lanes of a function can run side by side: arithmetic only, not in parts, blocks of a fair size."""
     ports = (*printed.program.inputs, *printed.program.outputs)
     small = sum(port.size for port in ports) <= MOST_ENTRIES
-    return small and not c_parts.long(printed) and all(i.op in BY_LANES for i in printed.angles.rest)
+    return small and not printed.in_parts and all(i.op in BY_LANES for i in printed.angles.rest)
 
 
 def block(printed: Printed) -> list[str]:
-    """`<symbol>_wide` and `<symbol>_block`: results of states side by side, and of each the sum of what must be finite.
+    """`<symbol>_block`: results of states side by side, and of each the sum of what must be finite.
 
     That sum is NaN at a small pivot.
     """
-    return [*c_wide.function(printed), "", *_eight(printed)]
-
-
-def _eight(printed: Printed) -> list[str]:
-    program, precision = printed.program, printed.precision
-    real, symbol = precision.real, printed.symbol
-    lines = [
-        declare(f"{symbol}_block", ["size_t stride", *arguments(program, precision), f"{real} *restrict total"], VOID),
-        "{",
-    ]
+    real, symbol, lines = printed.precision.real, printed.symbol, list[str]()
     for name, run in printed.cleared:
-        lines += [
-            f"    for (size_t k = {run.start}; k < {run.stop}; ++k) {{",
-            f"        for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-            f"            {name}[k * stride + lane] = {precision.number(0.0)};",
-            "        }",
-            "    }",
-        ]
-    count, own = len(printed.angles.gathered), []
-    if count:
-        size, inputs = count * LANES, [f"{name} + lane" for name in printed.handed(outputs=False)]
-        handed = ", ".join(["stride", str(LANES), *inputs, "angle + lane"])
-        lines += [
-            f"    {real} angle[{size}], sine[{size}], cosine[{size}];",
-            f"    for (size_t lane = 0; lane < {LANES}; ++lane) {{",
-            *wrapped_code(f"{symbol}_angles({handed});", "        "),
-            "    }",
-            f"    {printed.model}_sincos_block({size}, angle, sine, cosine);",
-        ]
-        own = ["sine", "cosine"]
+        place = f"{name} + {run.start} * stride" if run.start else name
+        lines.append(f"    {printed.model}_zero_block({place}, {len(run)}, stride);")
+    own = ["sine", "cosine"] if printed.angles.gathered else []
     handed = ", ".join(["stride", *(f"{name} + lane" for name in [*printed.handed(), *own, "total"])])
+    arrays = f"const {real} *const *in, {real} *const *out"
+    inputs = printed.handed(outputs=False)
     return [
+        f"static void {symbol}_block(size_t stride, {arrays}, {real} *total)",
+        "{",
+        *(f"    const {real} *restrict {name} = in[{n}];" for n, name in enumerate(inputs)),
+        *(f"    {real} *restrict {name} = out[{n}];" for n, name in enumerate(printed.handed()[len(inputs) :])),
         *lines,
+        *block_sines(printed, LANES),
         f"    for (size_t lane = 0; lane < {LANES}; lane += {printed.model.upper()}_WIDE) {{",
         *wrapped_code(f"{symbol}_wide({handed});", "        "),
         "    }",
@@ -198,7 +318,7 @@ def _eight(printed: Printed) -> list[str]:
 
 def signatures(symbol: str, program: Program | Iteration, precision: Precision, restrict: str) -> list[str]:
     """Declarations of both batch functions, without a semicolon."""
-    given = [*arguments(program, precision, restrict), f"int *{restrict} status"]
+    given = [*arguments(program, precision, restrict), f"int *{restrict} status" if restrict else "int *status"]
     return [
         declare(f"{symbol}_batch", ["size_t count", *given]),
         declare(f"{symbol}_batch_soa", ["size_t count", "size_t stride", *given]),
@@ -207,134 +327,43 @@ def signatures(symbol: str, program: Program | Iteration, precision: Precision, 
 
 def batch(model: str, symbol: str, program: Program | Iteration, precision: Precision, *, lanes: bool) -> list[str]:
     """Definitions of both batch functions; `lanes` says whether there is a `<symbol>_block`."""
-    names = argument_names((*program.inputs, *program.outputs))
-    given = arguments(program, precision)
-    passed = ", ".join(names)
-    lines = ["", *_one(model, symbol, program, precision), "", *_some(model, symbol, program, precision, lanes=lanes)]
-    lines += [
-        "",
-        declare(f"{symbol}_states", ["size_t count", "size_t stride", *given, "int *restrict status"], "static int "),
+    ports, real = (*program.inputs, *program.outputs), precision.real
+    names, read = argument_names(ports), len(program.inputs)
+    arrays = f"const {real} *const *in, {real} *const *out"
+    called = ", ".join([*(f"in[{n}]" for n in range(read)), *(f"out[{n}]" for n in range(len(ports) - read))])
+    room = sum(port.size for port in ports) or 1
+    head = f"    {read}, {len(ports) - read}, {{{', '.join(str(port.size) for port in ports)}}}, {symbol}_called, "
+    work = [f"    {real} work[{room}];"]
+    batched = [f"{head}NULL"]
+    if lanes:
+        condition = c_wide.guard(model)
+        work = [f"#if {condition}", f"    {real} work[{room * LANES}];", "#else", *work, "#endif"]
+        batched = [f"#if {condition}", f"{head}{symbol}_block", "#else", *batched, "#endif"]
+    lines = [
+        f"static int {symbol}_called({arrays})",
         "{",
-        "    int worst = 0;",
-        f"    const size_t blocks = count / {LANES} + (count % {LANES} != 0);",
-        "#if defined(_OPENMP) && _OPENMP >= 201107",
-        f"#pragma omp parallel for schedule(static) reduction(max : worst) if (count >= {THREADED})",
-        "#endif",
-        "    for (size_t number = 0; number < blocks; ++number) {",
-        f"        const size_t first = number * {LANES};",
-        f"        const size_t some = count - first < {LANES} ? count - first : {LANES};",
-        *wrapped_code(f"const int outcome = {symbol}_some(first, some, stride, {passed}, status);", "        "),
-        "        worst = outcome > worst ? outcome : worst;",
-        "    }",
-        "    return worst;",
+        *wrapped_code(f"return {symbol}({called});"),
+        "}",
+        "",
+        f"static const {model}_batched {symbol}_batched = {{",
+        *batched,
+        "};",
+        "",
+        f"static int {symbol}_some(size_t first, size_t some, size_t stride, {arrays}, int *status)",
+        "{",
+        *work,
+        f"    return {model}_some(&{symbol}_batched, first, some, stride, in, out, status, work);",
         "}",
     ]
     for signature, stride in zip(signatures(symbol, program, precision, "restrict"), ("0", "stride"), strict=True):
-        call = f"return {symbol}_states(count, {stride}, {passed}, status);"
-        lines += ["", signature, "{"]
-        if stride == "stride":
-            call = f"return stride == 0 && count > 0 ? 2 : {call[7:]}"
-        lines += [*wrapped_code(call), "}"]
-    return lines[1:]
-
-
-def _one(model: str, symbol: str, program: Program | Iteration, precision: Precision) -> list[str]:
-    """State `index` by the function of one state."""
-    ports = (*program.inputs, *program.outputs)
-    names = argument_names(ports)
-    given = ["size_t index", "size_t stride", *arguments(program, precision)]
-    lines = [declare(f"{symbol}_one", given, "static int "), "{", "    if (stride == 0) {"]
-    here = ", ".join(f"{n} + index * {p.size}" if p.size else n for n, p in zip(names, ports, strict=True))
-    lines += [*wrapped_code(f"return {symbol}({here});", "        "), "    }"]
-    sized = [(name, port, k) for k, (name, port) in enumerate(zip(names, ports, strict=True)) if port.size]
-    read = len(program.inputs)
-    lines += [f"    {precision.real} {name}_one[{port.size}] = {{{precision.number(0.0)}}};" for name, port, _ in sized]
-    lines += [
-        text
-        for name, port, k in sized
-        if k < read
-        for text in _copied(port, f"{name}_one[k] = {name}[k * stride + index];")
-    ]
-    here = ", ".join(f"{n}_one" if p.size else n for n, p in zip(names, ports, strict=True))
-    lines += wrapped_code(f"const int outcome = {symbol}({here});")
-    lines += [
-        text
-        for name, port, k in sized
-        if k >= read
-        for text in _copied(port, f"{name}[k * stride + index] = {name}_one[k];")
-    ]
-    return [*lines, "    return outcome;", "}"]
-
-
-def _copied(port: Port, statement: str) -> list[str]:
-    return [f"    for (size_t k = 0; k < {port.size}; ++k) {{", f"        {statement}", "    }"]
-
-
-def _some(model: str, symbol: str, program: Program | Iteration, precision: Precision, *, lanes: bool) -> list[str]:
-    """Up to eight states from `first` on."""
-    names = argument_names((*program.inputs, *program.outputs))
-    given = ["size_t first", "size_t some", "size_t stride", *arguments(program, precision), "int *restrict status"]
-    one = f"{symbol}_one(first + lane, stride, {', '.join(names)})"
-    lines = [declare(f"{symbol}_some", given, "static int "), "{", "    int worst = 0;"]
-    if lanes:
-        lines += [f"#if {c_wide.guard(model)}", *_blocked(model, symbol, program, precision, one=one), "#endif"]
-    return [
-        *lines,
-        "    for (size_t lane = 0; lane < some; ++lane) {",
-        *wrapped_code(f"const int outcome = {one};", "        "),
-        *_told("    "),
-        "    return worst;",
-        "}",
-    ]
-
-
-def _told(indent: str) -> list[str]:
-    """The end of a loop over states: the outcome goes to the caller."""
-    lines = [
-        "    if (status != NULL) {",
-        "        status[first + lane] = outcome;",
-        "    }",
-        "    worst = outcome > worst ? outcome : worst;",
-        "}",
-    ]
-    return [indent + line for line in lines]
-
-
-def _blocked(model: str, symbol: str, program: Program | Iteration, precision: Precision, *, one: str) -> list[str]:
-    """Three to eight states as a block: where they are, if they lie side by side, else in a copy."""
-    ports = (*program.inputs, *program.outputs)
-    names, read = argument_names(ports), len(program.inputs)
-    sized = [(name, port, k < read) for k, (name, port) in enumerate(zip(names, ports, strict=True)) if port.size]
-    here = [f"{n} + first" if p.size else n for n, p in zip(names, ports, strict=True)]
-    copies = [f"{n}_block" if p.size else n for n, p in zip(names, ports, strict=True)]
-    return [
-        f"    if (some > {FEW}) {{",
-        f"        {precision.real} total[{LANES}];",
-        f"        if (some == {LANES} && stride != 0) {{",
-        f"            if (first + {2 * LANES} <= stride) {{",
-        *(f"                {model}_prefetch({p.size}, stride, {n} + first + {LANES});" for n, p, _ in sized),
-        "            }",
-        *wrapped_code(f"{symbol}_block({', '.join(['stride', *here, 'total'])});", " " * 12),
-        "        } else {",
-        *(f"            {precision.real} {name}_block[{port.size * LANES}];" for name, port, _ in sized),
-        *(
-            f"            {model}_gather({p.size}, first, some, stride, {n}, {n}_block);"
-            for n, p, given in sized
-            if given
-        ),
-        *wrapped_code(f"{symbol}_block({', '.join([str(LANES), *copies, 'total'])});", " " * 12),
-        *(
-            f"            {model}_scatter({p.size}, first, some, stride, {n}_block, {n});"
-            for n, p, given in sized
-            if not given
-        ),
-        "        }",
-        "        for (size_t lane = 0; lane < some; ++lane) {",
-        "            int outcome = 0;",
-        "            if (!isfinite(total[lane])) {",
-        *wrapped_code(f"outcome = {one};", " " * 16),
-        "            }",
-        *_told("        "),
-        "        return worst;",
-        "    }",
-    ]
+        zero = "stride == 0 && count > 0 ? 2 : " if stride == "stride" else ""
+        lines += [
+            "",
+            signature,
+            "{",
+            f"    const {real} *const in[] = {{{', '.join(names[:read]) or 'NULL'}}};",
+            f"    {real} *const out[] = {{{', '.join(names[read:]) or 'NULL'}}};",
+            f"    return {zero}{model}_states({symbol}_some, count, {stride}, in, out, status);",
+            "}",
+        ]
+    return lines

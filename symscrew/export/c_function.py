@@ -7,14 +7,16 @@ several states side by side are another one (see `c_wide`): a `Form` says what i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Sequence
 
 from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
 from symscrew.export.c_names import arguments, declare, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
+from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions
-from symscrew.program import Instruction, Packing
+from symscrew.program import Packing
 
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
@@ -24,113 +26,196 @@ def inlined(printed: Printed) -> str:
     return f"static inline {printed.model.upper()}_INLINE"
 
 
-def lane(printed: Printed) -> list[str]:
-    """`<symbol>_angles` and `<symbol>_lane`: everything of one state but the decision about the status.
-
-    The lane returns the sum of all that must be finite and leaves its pivots in `pivot`.
-    """
-    pivots = [("pivot", k, slot) for k, (slot, _) in enumerate(printed.program.guards)]
-    found, total = statements(printed, printed.alone, [*printed.stored, *pivots])
-    body = [*(f"    {statement}" for statement in found), f"    return {total};"]
-    head = f"{inlined(printed)} {printed.precision.real} "
-    return [*angles_function(printed), *_lane(printed, f"{printed.symbol}_lane", head, body)]
-
-
-def statements(printed: Printed, form: Form, stored: Iterable[tuple[str, int, int | float]]) -> tuple[list[str], str]:
-    """The statements of a function in a form, and the sum of all that must be finite.
+def body(printed: Printed) -> list[str]:
+    """The body of a function, for one state or for several side by side, as the macros of `c_widths` say.
 
     What is read is read where it is first needed, results are written and summed where they are known, so that few
-    values live at once. What is only summed comes first: at the end it would wait for the results in its sum.
+    values live at once. What is only checked comes first: at the end it would wait for the results in its sum.
     """
-    body = _Body(printed, form)
-    for array, k, slot in stored:
-        body.goes_to(slot, form.written.format(place(array, k, form.stride)))
-    firsts, others = c_unread.fours(printed.inputs, body.waiting)
-    if form.stride == "1" and firsts:
-        body.sum_fours(firsts, others)
-    used = {s for i in printed.order for s in (i.target, *i.args) if isinstance(s, int)}
-    used |= {slot for slot in body.slots.values() if isinstance(slot, int)}
-    for slot in [s for s in body.waiting if s not in used]:
-        body.read(slot)
-        body.ready(slot)
-    texts = expressions(printed.order, form.table, printed.operand)
-    for instruction, (target, text) in zip(printed.order, texts, strict=True):
-        for arg in instruction.args:
-            body.read(arg)
-        body.known.add(target)
-        body.lines.append(f"const {form.real} {printed.prefix}{target} = {text};")
-        body.ready(target)
-    for slot in [*(body.slots[text] for text in body.places), *body.waiting]:
-        body.read(slot)
-        body.ready(slot)
-    sums = [f"sum{k}" for k in range(min(body.terms, SUMS))]
-    return body.lines, balanced_sum(sums or [printed.precision.number(0.0)])
+    real = printed.precision.real
+    given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
+    head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
+    return [head, "{", *unread(printed), *(f"    {line}" for line in _Body(printed).lines()), "}"]
 
 
 class _Body:
-    """Statements while they are written: what is read already, where results go, and what is to be summed yet."""
+    """Statements while they are written: where results go, and what is to be checked yet."""
 
-    def __init__(self, printed: Printed, form: Form) -> None:
-        self.printed, self.form, self.entered = printed, form, printed.entered(form)
-        self.lines: list[str] = []
-        self.known: set[int] = set()
-        self.places: dict[str, list[str]] = {}  # by the text of what goes there: as keys 1.0 and slot 1 are one
-        self.slots: dict[str, int | float] = {}
+    def __init__(self, printed: Printed) -> None:
+        self.printed = printed
+        own = ("sine", "cosine")
+        self.entered = {
+            slot: f"{'SINES' if array in own else 'READ'}({array}, {k})" for slot, (array, k) in printed.entries.items()
+        }
+        self.written: list[str] = []
+        self.places: dict[int, list[tuple[str, int]]] = {}
+        self.constants: list[str] = []
+        for array, k, slot in printed.stored:
+            if isinstance(slot, int):
+                self.places.setdefault(slot, []).append((array, k))
+            else:
+                self.constants.append(f"WRITE({array}, {k}, CONSTANT({printed.named(slot)}));")
         self.waiting = dict.fromkeys(checked_slots(printed.program))
         self.terms = 0
 
-    def goes_to(self, slot: int | float, at: str) -> None:
-        """A result is stored at a place."""
-        text = self.printed.operand(slot)
-        self.places.setdefault(text, []).append(at)
-        self.slots[text] = slot
+    def lines(self) -> list[str]:
+        """The statements, the last of which gives the state's status."""
+        printed = self.printed
+        uses = Counter(a for i in printed.order for a in i.args if isinstance(a, int))
+        read = set(uses)
+        for slot, places in self.places.items():
+            uses[slot] += len(places)
+        guards = [slot for slot, _ in printed.program.guards]
+        uses.update(guards)
+        uses.update(slot for slot in self.waiting if slot not in self.places)
+        self._inputs(uses)
+        table = printed.precision.body_table
+        known = set[int]()
+        found = folded(
+            printed.order, uses, table, name=printed.named, places=self.entered,
+            ends=lambda slot: slot not in read and slot not in guards,
+        )  # fmt: skip
+        for item in found:
+            if item.kind == "last":
+                self._last(item.slot, item.text)
+                continue
+            text = item.text or self.entered[item.slot]
+            self.written.append(f"const REAL {printed.called[item.slot]} = {text};")
+            if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
+                self._ready(item.slot)
+            known.add(item.slot)
+        for slot in [*self.places, *self.waiting, *guards]:
+            if slot in self.entered and slot not in known:
+                known.add(slot)
+                self.written.append(f"const REAL {printed.called[slot]} = {self.entered[slot]};")
+                self._ready(slot)
+        return [*self.written, *self.constants, self._status()]
 
-    def sum_fours(self, firsts: Sequence[int], others: Iterable[int]) -> None:
-        """The sum starts with inputs that are only checked, four at a time."""
-        self.waiting = dict.fromkeys(others)
-        self.lines.append(c_unread.statement(self.printed.model, self.printed.inputs, firsts))
-        self.lines.append(f"{self.form.real} sum0 = {c_unread.total(self.printed.model)};")
-        self.terms = 1
-
-    def read(self, slot: int | float) -> None:
-        """A slot that is there from the start gets its variable when it is first needed."""
-        if isinstance(slot, int) and slot not in self.known:
-            self.known.add(slot)
-            self.lines.append(f"const {self.form.real} {self.printed.prefix}{slot} = {self.entered[slot]};")
-
-    def ready(self, slot: int | float) -> None:
-        """What is known goes to its places, and into the sum."""
-        operand = self.printed.operand(slot)
-        text = operand if isinstance(slot, int) else self.form.constant.format(operand)
-        self.lines.extend(f"{at} = {text};" for at in self.places.pop(operand, ()))
-        if isinstance(slot, int) and slot in self.waiting:
+    def _inputs(self, uses: Counter[int]) -> None:
+        """What is read only to be checked: inputs of functions that leave out what a scene does not call for."""
+        only = [s for s in self.waiting if s in self.entered and uses[s] == 1 and s not in self.places]
+        firsts, others = c_unread.fours(self.printed.inputs, only)
+        terms = [f"FOUR({array}, {k})" for array, k in (self.printed.inputs[slot] for slot in firsts)]
+        if terms:
+            self.written.append(f"const FOURS fours = {balanced_sum(terms)};")
+            self.written.append("REAL checked0 = SUM_OF_FOUR(fours);")
+            self.terms = 1
+        for slot in only:
             del self.waiting[slot]
-            name = f"sum{self.terms % SUMS}"
-            summed = f"{name} = {name} + {text};" if self.terms >= SUMS else f"{self.form.real} {name} = {text};"
-            self.lines.append(summed)
+        for slot in others:
+            self._checked(self.entered[slot])
+
+    def _last(self, slot: int, text: str) -> None:
+        """A value that only goes to its place, or is only checked."""
+        checked = slot in self.waiting
+        self.waiting.pop(slot, None)
+        ((array, k),) = self.places.pop(slot, [("", 0)])
+        if not array:
+            self._checked(text)
+        elif checked and self.terms >= SUMS:
+            self.written.append(f"RESULT(checked{self.terms % SUMS}, {array}, {k}, {text});")
             self.terms += 1
+        elif checked:
+            name = self.printed.called[slot]
+            self.written.append(f"const REAL {name} = {text};")
+            self.written.append(f"WRITE({array}, {k}, {name});")
+            self._checked(name)
+        else:
+            self.written.append(f"WRITE({array}, {k}, {text});")
+
+    def _ready(self, slot: int) -> None:
+        """What is known goes to its places, and into a sum."""
+        name = self.printed.called[slot]
+        self.written += [f"WRITE({array}, {k}, {name});" for array, k in self.places.pop(slot, ())]
+        if slot in self.waiting:
+            del self.waiting[slot]
+            self._checked(name)
+
+    def _checked(self, text: str) -> None:
+        """What must be finite goes into one of some sums, side by side."""
+        name = f"checked{self.terms % SUMS}"
+        loose = " " in text
+        text = f"({text})" if loose and self.terms >= SUMS else text
+        self.written.append(f"{name} = {name} + {text};" if self.terms >= SUMS else f"REAL {name} = {text};")
+        self.terms += 1
+
+    def _status(self) -> str:
+        printed = self.printed
+        sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
+        limits = [(printed.called[s], printed.precision.threshold(t)) for s, t in printed.program.guards]
+        small = " OR ".join(f"SMALL({name}, {limit})" for name, limit in limits)
+        return f"FINITE_UNLESS({small}, {sums});" if small else f"FINITE({sums});" if self.terms else "UNCHECKED();"
 
 
-def angles_function(printed: Printed) -> list[str]:
-    """`<symbol>_angles`, if the function has any: the angles whose sines and cosines come first."""
+def angles_symbol(printed: Printed) -> str:
+    """The function of the angles whose sines and cosines come first, shared by functions with the same angles."""
     program, real, angles = printed.program, printed.precision.real, printed.angles
-    if not angles.gathered:
-        return []
     form = Form(real, printed.precision.table, "stride", "pitch")
-    strides = ["size_t stride", "size_t pitch"]
-    given = [*strides, *arguments(program, printed.precision)[: len(program.inputs)], f"{real} *restrict angle"]
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
-    return [
-        declare(f"{printed.symbol}_angles", given, f"{inlined(printed)} void "),
+    given = ["size_t stride", "size_t pitch", *_angle_inputs(printed, "const {} *restrict {}")]
+    first = {i.target for i in angles.first}
+    entered = printed.entered(form)
+
+    def called(value: int | float) -> str:
+        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.precision.number(value)
+
+    assert printed.shared is not None
+    used = read & set(printed.entries) - first
+    lines = [
+        declare("NAME", [*given, f"{real} *restrict angle"], f"{inlined(printed)} void "),
         "{",
         "    (void)stride;",
         "    (void)pitch;",
-        *printed.unused(program.inputs, read),
-        *printed.loads(sorted(read & set(printed.entries) - {i.target for i in angles.first}), form),
-        *_statements(printed, angles.first),
-        *(f"    {place('angle', k, 'pitch')} = {printed.operand(a)};" for k, (a, *_) in enumerate(angles.gathered)),
+        *(f"    const {real} a{t} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
+        *(f"    {place('angle', k, 'pitch')} = {called(a)};" for k, (a, *_) in enumerate(angles.gathered)),
         "}",
         "",
+    ]
+    assert used <= set(entered), program.name
+    return printed.shared.symbol("angles", "\n".join(lines))
+
+
+def _angle_inputs(printed: Printed, form: str) -> list[str]:
+    """The inputs that angles are made of, in a form of type and name."""
+    angles = printed.angles
+    read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
+    arrays = {array for slot, (array, _) in printed.inputs.items() if slot in read}
+    return [form.format(printed.precision.real, name) for name in printed.handed(outputs=False) if name in arrays]
+
+
+def sines_symbol(printed: Printed) -> str:
+    """The function that takes sines and cosines of one state's angles."""
+    real, count, group = printed.precision.real, len(printed.angles.gathered), printed.precision.group
+    size, zero = -(-count // group) * group, printed.precision.number(0.0)
+    inputs = _angle_inputs(printed, "{1}")
+    given = [*_angle_inputs(printed, "const {} *restrict {}"), f"{real} *restrict sine", f"{real} *restrict cosine"]
+    lines = [
+        declare("NAME", given, f"{inlined(printed)} void "),
+        "{",
+        f"    {real} angle[{size}] = {{{zero}}};",
+        *wrapped_code(f"{angles_symbol(printed)}({', '.join(['1', '1', *inputs, 'angle'])});"),
+        *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
+        *calls(printed.model, count, printed.precision),
+        "}",
+        "",
+    ]
+    assert printed.shared is not None
+    return printed.shared.symbol("sines", "\n".join(lines))
+
+
+def block_sines(printed: Printed, lanes: int) -> list[str]:
+    """Sines and cosines of several states side by side, in the function of a block."""
+    count, real = len(printed.angles.gathered), printed.precision.real
+    if not count:
+        return []
+    inputs = [f"{name} + lane" for name in _angle_inputs(printed, "{1}")]
+    handed = ", ".join(["stride", str(lanes), *inputs, "angle + lane"])
+    return [
+        f"    {real} angle[{count * lanes}], sine[{count * lanes}], cosine[{count * lanes}];",
+        f"    for (size_t lane = 0; lane < {lanes}; ++lane) {{",
+        *wrapped_code(f"{angles_symbol(printed)}({handed});", "        "),
+        "    }",
+        f"    {printed.model}_sincos_block({count * lanes}, angle, sine, cosine);",
     ]
 
 
@@ -181,13 +266,7 @@ def unread(printed: Printed) -> list[str]:
     for name, which in (("sine", 1), ("cosine", 2)) if gathered else ():
         if all(entry[which] is None for entry in gathered):
             lines.append(f"    (void){name};")
-    return lines
-
-
-def _statements(printed: Printed, instructions: Iterable[Instruction]) -> list[str]:
-    real, table = printed.precision.real, printed.precision.table
-    found = expressions(instructions, table, printed.operand)
-    return [f"    const {real} {printed.prefix}{target} = {text};" for target, text in found]
+    return [f"    {' '.join(line.strip() for line in lines)}"] if lines else []
 
 
 def outcome(printed: Printed, total: str) -> str:
@@ -234,39 +313,38 @@ def _sines(printed: Printed) -> list[str]:
     if not count:
         return []
     size, zero = -(-count // group) * group, printed.precision.number(0.0)
+    handed = ", ".join([*_angle_inputs(printed, "{1}"), "sine", "cosine"])
     return [
-        f"    {real} angle[{size}] = {{{zero}}}, sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
-        *wrapped_code(f"{printed.symbol}_angles({', '.join(['1', '1', *printed.handed(outputs=False), 'angle'])});"),
-        *(f"    angle[{k}] = angle[{count - 1}];" for k in range(count, size)),
-        *calls(printed.model, count, printed.precision),
+        f"    {real} sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
+        *wrapped_code(f"{sines_symbol(printed)}({handed});"),
     ]
 
 
 def _zeros(printed: Printed) -> list[str]:
-    """Zeros of one state's outputs that the lane does not write."""
-    return [
-        line
-        for name, run in printed.cleared
-        for line in (
-            f"    for (size_t k = {run.start}; k < {run.stop}; ++k) {{",
-            f"        {name}[k] = {printed.precision.number(0.0)};",
-            "    }",
-        )
-    ]
+    """Zeros of one state's outputs that the body does not write."""
+    places = ((f"{name} + {run.start}" if run.start else name, len(run)) for name, run in printed.cleared)
+    return [f"    {printed.model}_zero({place}, {size});" for place, size in places]
 
 
 def _one_by_one(printed: Printed, signature: str, second: str) -> list[str]:
+    """A function around its body; a long one, whose lane is in parts, around that."""
     program, precision = printed.program, printed.precision
-    real, guards = precision.real, program.guards
     lines = [signature, "{", *_sines(printed), *_zeros(printed)]
-    lines += [f"    {real} pivot[{len(guards)}] = {{{precision.number(0.0)}}};"] if guards else []
     handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
-    call = f"{printed.symbol}_lane({', '.join([*handed, *(['pivot'] if guards else [])])});"
-    if not checked_slots(program):
-        return [*lines, *wrapped_code(f"(void){call}"), "    return 0;", "}"]
-    lines += wrapped_code(f"const {real} total = {call}")
-    lines += wrapped_code(f"const int outcome = {outcome(printed, 'total')};")
-    if second and guards:
+    guards, real = len(program.guards), precision.real
+    if printed.in_parts:
+        lines += [f"    {real} pivot[{guards}] = {{{precision.number(0.0)}}};"] if guards else []
+        call = f"{printed.symbol}_lane({', '.join([*handed, *(['pivot'] if guards else [])])});"
+        if not checked_slots(program):
+            return [*lines, *wrapped_code(f"(void){call}"), "    return 0;", "}"]
+        lines += wrapped_code(f"const {real} total = {call}")
+        lines += wrapped_code(f"const int outcome = {outcome(printed, 'total')};")
+    else:
+        call = f"{printed.symbol}_body({', '.join(['1', *handed, 'NULL'])})"
+        if not checked_slots(program):
+            return [*lines, *wrapped_code(f"return {call};"), "}"]
+        lines += wrapped_code(f"const int outcome = {call};")
+    if second and program.guards:
         lines += ["    if (outcome == 1) {", f"        return {second};", "    }"]
     lines += ["    if (outcome != 0) {"]
     for port in (p for p in program.outputs if p.size):

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from symscrew.export.c_function import function, lane
+from symscrew.export.c_function import body, function
 from symscrew.export.c_names import argument_names, arguments, declare, wrapped_code
+from symscrew.export.c_parts import lane_in_parts
 from symscrew.export.c_precision import Precision
-from symscrew.export.c_printed import Printed
+from symscrew.export.c_printed import Printed, Shared
 from symscrew.export.listing import balanced_sum, step_ports
 from symscrew.program import Iteration
 
 
-def iteration_functions(model: str, symbol: str, iteration: Iteration, precision: Precision) -> list[str]:
+def iteration_functions(
+    model: str, symbol: str, iteration: Iteration, precision: Precision, *, shared: Shared
+) -> list[str]:
     """A step, Newton's iteration at one target, and the homotopy from the guess with doubled substeps."""
     step = iteration.step
-    printed = Printed(model, f"{symbol}_step", step, precision)
-    lines = lane(printed)
+    printed = Printed(model, f"{symbol}_step", step, precision, shared=shared)
+    lines = lane_in_parts(printed) if printed.in_parts else body(printed)
     lines += ["", *function(printed, declare(f"{symbol}_step", arguments(step, precision), "static int "))]
     lines += ["", *_newton(symbol, iteration, precision), "", *_substeps(symbol, iteration, precision)]
     real, zero = precision.real, precision.number(0.0)

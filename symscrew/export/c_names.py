@@ -18,6 +18,8 @@ NAMES_OF_LOCALS = "count status k worst outcome total next residual change orien
 NAMES_OF_LOCALS += " rate_scale row_scale inertia load closure curvature turn work multipliers rank sized shifted"
 NAMES_OF_LOCALS += " loads columns mix amount internal moved part factor largest i j"
 NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some block blocks number"
+NAMES_OF_LOCALS += " checked0 checked1 checked2 checked3 result_ in out read written work place together there"
+NAMES_OF_LOCALS += " size sized outcome function inputs outputs called batched"
 NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
@@ -32,12 +34,16 @@ def arguments(program: Program | Iteration, precision: Precision, restrict: str 
     names = argument_names((*program.inputs, *program.outputs))
     read = len(program.inputs)
     real = precision.real
-    return [f"{'const ' if i < read else ''}{real} *{restrict} {name}" for i, name in enumerate(names)]
+    return [
+        f"{'const ' if i < read else ''}{real} *{f'{restrict} ' if restrict else ''}{name}"
+        for i, name in enumerate(names)
+    ]
 
 
 def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
-    """A declaration with an argument per line."""
-    return f"{prefix}{symbol}(\n    " + ",\n    ".join(given or ["void"]) + ")"
+    """A declaration, over as many lines as its arguments take."""
+    text = f"{prefix}{symbol}({', '.join(given or ['void'])})"
+    return "\n".join(wrapped(text, later="    ", width=110))
 
 
 def wrapped_code(statement: str, indent: str = "    ") -> list[str]:

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
-from symscrew.export.c_function import angles_function, sines
+from symscrew.export.c_function import sines
 from symscrew.export.c_loops import Entry, Loop, loop_statements
 from symscrew.export.c_names import arguments, declare, wrapped_code
 from symscrew.export.c_printed import Printed
@@ -28,22 +28,12 @@ from symscrew.export.c_repeats import Run, runs
 from symscrew.export.listing import balanced_sum, checked_slots, expressions
 from symscrew.program import Instruction
 
-# Functions of more than so many instructions and entries stored are printed in parts, without blocks of states; up to
-# there in one piece, which has blocks and takes some seconds to compile at most.
-LONG = 5500
-STORED = 4  # instructions that an entry of an output counts as: compilers take a function's stores by pairs
 PART = 500  # instructions of a part: those of 250 and of 1000 are not faster
-
-
-def long(printed: Printed) -> bool:
-    """Whether a function is printed in parts."""
-    program = printed.program
-    return len(program.instructions) + STORED * sum(port.size for port in program.outputs) > LONG
 
 
 def prologue(model: str, functions: Iterable[Printed]) -> list[str]:
     """What keeps the compiler from joining the parts again."""
-    if not any(long(printed) for printed in functions):
+    if not any(printed.in_parts for printed in functions):
         return []
     macro = f"{model.upper()}_PART"
     return [
@@ -227,7 +217,7 @@ def lane_in_parts(printed: Printed) -> list[str]:
     given = [*arguments(program, precision), *sines(printed)]
     given += [f"{real} *restrict pivot"] if program.guards else []
     handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.guards else [])]
-    lines, sums = angles_function(printed), []
+    lines, sums = list[str](), []
     checked = checked_slots(program)
     for k in range(len(parts.pieces)):
         head = declare(f"{printed.symbol}_part{k}", [*given, f"{real} *restrict waiting"], f"{_macro(printed)} {real} ")

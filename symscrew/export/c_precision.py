@@ -76,6 +76,12 @@ class Precision:
             found[op] = text
         return found
 
+    @property
+    def body_table(self) -> Mapping[str, str]:
+        """The same in bodies of any width: roots and what has no sign in C by macros."""
+        macros = {"sqrt": "SQRT({0})", "abs": "ABS({0})", "less": "LESS({0}, {1})", "select": "SELECT({0}, {1}, {2})"}
+        return {**self.table, **macros}
+
     def number(self, value: float) -> str:
         """The shortest decimal that reads back as `value` in this type, negative ones in parentheses."""
         if not self.suffix or not math.isfinite(value):

@@ -12,16 +12,21 @@ from functools import cached_property
 from itertools import groupby
 
 from symscrew.export.c_angles import Angles, gather
-from symscrew.export.c_names import argument_names
+from symscrew.export.c_names import TAKEN, argument_names
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import checked_slots, input_entries, live_instructions
+from symscrew.export.value_names import value_names
 from symscrew.program import Instruction, Packing, Port, Program, packed
 
 # Instructions of functions that are tried in lanes: of fewer, gathering costs what is saved; of more, finding what goes
 # together takes half a second and more (within: forward dynamics of the 6-UPS, 0.73 of the time limb after limb).
 PACKED = range(100, 4000)
 PER_OUTPUT = 6  # and how many there must be for every output: else the time goes into taking results out
+# Functions of more than so many instructions and entries stored are printed in parts, without blocks of states; up to
+# there in one piece, which has blocks and takes some seconds to compile at most.
+LONG = 5500
+STORED = 4  # instructions that an entry of an output counts as: compilers take a function's stores by pairs
 RUN = 8  # so many zeros in a row are written by a loop before the lane; fewer with the other results
 
 
@@ -49,6 +54,22 @@ def place(array: str, entry: int, step: str = "1") -> str:
     return f"{array}[{entry}]" if step == "1" else f"{array}[{entry} * {step}]"
 
 
+class Shared:
+    """Functions that several functions call, printed once: their text with `NAME` in place of the symbol, by symbol."""
+
+    def __init__(self, model: str) -> None:
+        """None yet."""
+        self.model, self.symbols = model, dict[str, str]()
+
+    def symbol(self, stem: str, text: str) -> str:
+        """The symbol of a function with this text."""
+        return self.symbols.setdefault(text, f"{self.model}_{stem}{len(self.symbols)}")
+
+    def lines(self) -> list[str]:
+        """All of them."""
+        return [line for text, symbol in self.symbols.items() for line in text.replace("NAME", symbol).split("\n")]
+
+
 @dataclass(frozen=True)
 class Printed:
     """A straight-line program on its way into C: the names of its arguments, its angles, its pivots."""
@@ -58,6 +79,13 @@ class Printed:
     program: Program
     precision: Precision
     lanes: bool = False
+    shared: Shared | None = None
+
+    @cached_property
+    def in_parts(self) -> bool:
+        """Whether it is a long function, printed in parts (see `c_parts`)."""
+        entries = sum(port.size for port in self.program.outputs)
+        return len(self.program.instructions) + STORED * entries > LONG
 
     @cached_property
     def packing(self) -> Packing | None:
@@ -99,6 +127,15 @@ class Printed:
     def operand(self, value: int | float) -> str:
         """A slot or constant."""
         return f"{self.prefix}{value}" if isinstance(value, int) else self.precision.number(value)
+
+    @cached_property
+    def called(self) -> Mapping[int, str]:
+        """What slots are called in C: by their place in the theory."""
+        return value_names(self.program, {*TAKEN, *self.names.values()})
+
+    def named(self, value: int | float) -> str:
+        """A slot by its name, or a constant."""
+        return self.called[value] if isinstance(value, int) else self.precision.number(value)
 
     def handed(self, *, outputs: bool = True) -> list[str]:
         """The names of the arguments, to hand them on."""

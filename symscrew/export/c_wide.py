@@ -12,11 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 
-from symscrew.export.c_function import sines, statements, unread
-from symscrew.export.c_names import arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
-from symscrew.export.c_printed import Form, Printed
-from symscrew.export.listing import checked_slots
 
 LANES = 8  # states of a block: those of one AVX-512 register of doubles, and of two or four smaller ones
 
@@ -58,47 +54,83 @@ def types(model: str, precision: Precision, operations: Set[str]) -> list[str]:
         f"typedef {precision.integer} {wide}_mask __attribute__((vector_size({upper}_WIDE * {size})));",
         f"typedef {real} {wide}_there",
         f"    __attribute__((vector_size({upper}_WIDE * {size}), aligned({size}), may_alias));",
-        f"#define {upper}_READ(place) (*(const {wide}_there *)&(place))",
-        f"#define {upper}_WRITTEN(place) (*({wide}_there *)&(place))",
         f"#define {zero} (({wide}){{{precision.number(0.0)}}})",
         *(line for op, lines in routines.items() if op in operations for line in lines),
         "#endif",
     ]
 
 
-def _form(printed: Printed) -> Form:
-    """How several states are written in vectors."""
-    upper, wide = printed.model.upper(), f"{printed.model}_wide"
-    vector = f"{{}} - {upper}_ZERO"  # of a number, too; the difference is folded
-    table = dict(printed.precision.table)
-    table["sqrt"] = f"{wide}_sqrt({{0}})"
-    for op, count in (("abs", 1), ("less", 2), ("select", 3)):
-        table[op] = f"{wide}_{op}({', '.join(vector.format(f'{{{k}}}') for k in range(count))})"
-    read, written = f"{upper}_READ({{}})", f"{upper}_WRITTEN({{}})"
-    return Form(wide, table, "stride", str(LANES), read, written, vector)
-
-
-def function(printed: Printed) -> list[str]:
-    """`<symbol>_wide`: results, and of each state the sum of what must be finite, NaN at a small pivot."""
-    program, precision, form = printed.program, printed.precision, _form(printed)
-    mask = f"({printed.model}_wide_mask)"
-    given = ["size_t stride", *arguments(program, precision), *sines(printed), f"{precision.real} *restrict total"]
-    found, total = statements(printed, form, printed.stored)
-    if not checked_slots(program):
-        total = form.constant.format(total)
-    small = []
-    for slot, threshold in program.guards:
-        pivot, limit = printed.operand(slot), precision.threshold(threshold)
-        small.append(f"({mask}({pivot} <= {limit}) & {mask}({pivot} >= -{limit}))")
-    if small:  # all bits set are a NaN
-        total = f"({form.real})({mask}({total}) | {' | '.join(small)})"
+def one_state(model: str, precision: Precision) -> list[str]:
+    """The macros of bodies that take one state."""
+    upper, real, fabs = model.upper(), precision.real, precision.function("fabs")
+    one, zero = precision.number(1.0), precision.number(0.0)
     return [
-        "__attribute__((noinline))",
-        declare(f"{printed.symbol}_wide", given, "static void "),
-        "{",
-        "    (void)stride;",
-        *unread(printed),
-        *(line for statement in found for line in wrapped_code(statement)),
-        *wrapped_code(f"{form.written.format('total[0]')} = {total};"),
-        "}",
+        "/* Bodies of functions are written once. Here they take one state ... */",
+        f"#define BODY(function) static inline {upper}_INLINE int function##_body",
+        f"#define REAL {real}",
+        "#define READ(array, k) ((array)[k])",
+        "#define SINES(array, k) ((array)[k])",
+        "#define WRITE(array, k, x) ((array)[k] = (x))",
+        "#define CONSTANT(x) (x)",
+        f"#define SQRT(x) {precision.function('sqrt')}(x)",
+        f"#define ABS(x) {fabs}(x)",
+        f"#define LESS(a, b) ((a) < (b) ? {one} : {zero})",
+        f"#define SELECT(condition, a, b) ((condition) != {zero} ? (a) : (b))",
+        f"#define FOURS {model}_four",
+        f"#define FOUR(array, k) {upper}_FOUR((array) + (k))",
+        f"#define SUM_OF_FOUR(x) {upper}_SUM(x)",
+        f"#define SMALL(pivot, limit) ({fabs}(pivot) <= (limit))",
+        "#define OR ||",
+        "#define FINITE_UNLESS(small, sum) (void)stride, (void)total; return (small) ? 1 : isfinite(sum) ? 0 : 2",
+        "#define FINITE(sum) (void)stride, (void)total; return isfinite(sum) ? 0 : 2",
+        "#define UNCHECKED() (void)stride, (void)total; return 0",
+        *RESULT,
+    ]
+
+
+# A result goes to its place and into a sum that tells at the end whether all results are finite.
+RESULT = [
+    "#define RESULT(checked, array, k, x) \\",
+    "    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }",
+]
+_MACROS = """
+    BODY REAL READ SINES WRITE CONSTANT SQRT ABS LESS SELECT FOURS FOUR SUM_OF_FOUR SMALL OR FINITE_UNLESS FINITE
+    UNCHECKED RESULT
+"""
+MACROS = tuple(_MACROS.split())
+
+
+def undefined() -> list[str]:
+    """The end of these macros."""
+    return [f"#undef {macro}" for macro in MACROS]
+
+
+def states(model: str, precision: Precision) -> list[str]:
+    """The macros of bodies that take as many states as a vector holds."""
+    upper, wide, mask = model.upper(), f"{model}_wide", f"({model}_wide_mask)"
+    zero = f"{upper}_ZERO"
+    return [
+        "/* ... and here as many states as a vector holds: entry k of an argument lies at k * stride. */",
+        "#define BODY(function) __attribute__((noinline)) static void function##_wide",
+        f"#define REAL {wide}",
+        f"#define READ(array, k) (*(const {wide}_there *)&(array)[(k) * stride])",
+        f"#define SINES(array, k) (*(const {wide}_there *)&(array)[(k) * {LANES}])",
+        f"#define WRITE(array, k, x) (*({wide}_there *)&(array)[(k) * stride] = (x))",
+        f"#define CONSTANT(x) ((x) - {zero})",
+        f"#define SQRT(x) {wide}_sqrt(x)",
+        f"#define ABS(x) {wide}_abs((x) - {zero})",
+        f"#define LESS(a, b) {wide}_less((a) - {zero}, (b) - {zero})",
+        f"#define SELECT(condition, a, b) {wide}_select((condition) - {zero}, (a) - {zero}, (b) - {zero})",
+        f"#define FOURS {wide}",
+        "#define FOUR(array, k) \\",
+        "    ((READ(array, k) + READ(array, (k) + 1)) + (READ(array, (k) + 2) + READ(array, (k) + 3)))",
+        "#define SUM_OF_FOUR(x) (x)",
+        f"#define SMALL(pivot, limit) ({mask}((pivot) <= (limit)) & {mask}((pivot) >= -(limit)))",
+        "#define OR |",
+        "/* All bits set are a NaN. */",
+        "#define FINITE_UNLESS(small, sum) \\",
+        f"    (void)stride, *({wide}_there *)total = ({wide})({mask}(sum) | (small))",
+        f"#define FINITE(sum) (void)stride, *({wide}_there *)total = (sum)",
+        f"#define UNCHECKED() (void)stride, *({wide}_there *)total = {zero}",
+        *RESULT,
     ]

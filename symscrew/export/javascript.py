@@ -11,19 +11,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import fields
 
+from symscrew.export.folding import statements
 from symscrew.export.listing import (
-    Operand,
     balanced_sum,
     banner,
     check_names,
     checked_slots,
     decimal,
-    expressions,
     function_lines,
     input_entries,
     live_instructions,
     wrapped,
 )
+from symscrew.export.value_names import value_names
 from symscrew.model import Model
 from symscrew.program import Iteration, Program, RankRevealing
 
@@ -41,8 +41,8 @@ TABLE = {
     "tan": "Math.tan({0})",
     "atan2": "Math.atan2({0}, {1})",
     "abs": "Math.abs({0})",
-    "less": "{0} < {1} ? 1.0 : 0.0",
-    "select": "{0} !== 0.0 ? {1} : {2}",
+    "less": "({0} < {1} ? 1.0 : 0.0)",
+    "select": "({0} !== 0.0 ? {1} : {2})",
 }
 
 WORDS = "arguments debugger eval function implements in instanceof interface let module null package super undefined"
@@ -156,16 +156,17 @@ def _comment(lines: Sequence[str]) -> list[str]:
     return ["/*", *(f" * {line}" for line in lines), " */"]
 
 
-def _operand(value: int | float) -> str:
-    return f"${value}" if isinstance(value, int) else decimal(value)
-
-
 def _sizes(program: Program | Iteration) -> str:
     return "{ " + "".join(f"{port.name}: {port.size}, " for port in program.inputs).rstrip(", ") + " }"
 
 
-def _function(name: str, program: Program, operand: Operand = _operand) -> list[str]:
+def _function(name: str, program: Program) -> list[str]:
     """The definition of a straight-line function: load, compute, check."""
+    called = value_names(program, ())
+
+    def operand(value: int | float) -> str:
+        return called[value] if isinstance(value, int) else decimal(value)
+
     live, read = live_instructions(program)
     place = {port.name: i for i, port in enumerate(program.inputs)}
     loads = [
@@ -184,7 +185,7 @@ def _function(name: str, program: Program, operand: Operand = _operand) -> list[
         f"function {name}(...given) {{",
         f'  check("{name}", {_sizes(program)}, given);',
         *loads,
-        *(f"  const {operand(target)} = {text};" for target, text in expressions(live, TABLE, operand)),
+        *(f"  const {slot} = {text};" for slot, text in statements(program, live, TABLE, operand)),
         f"  const guard = {f'Math.min({pivots})' if pivots else 'Infinity'};",
         f"  return finish({f'{small} ? 1 : 0' if small else '0'}, {total}, {{",
         *outputs,

@@ -14,6 +14,7 @@ from typing import Any
 from symscrew import __version__
 from symscrew.effects import Effect, effect_from_table, effect_to_table
 from symscrew.errors import DescriptionError
+from symscrew.export.conventions import conventions
 from symscrew.export.listing import model_hash, statuses
 from symscrew.kinematics import characteristic_length
 from symscrew.model import Model
@@ -44,6 +45,7 @@ def manifest(
         "parameters": _parameters(model),
         "characteristic_length": _characteristic_length(model),
         "notes": list(model.notes),
+        "conventions": conventions(model),
         **({"precision": precision} if precision != "double" else {}),
         "targets": list(targets),
         "files": sorted(files),

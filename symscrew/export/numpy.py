@@ -10,18 +10,18 @@ from __future__ import annotations
 import inspect
 from collections.abc import Sequence
 
+from symscrew.export.folding import statements
 from symscrew.export.listing import (
-    Operand,
     banner,
     check_names,
     checked_slots,
     decimal,
-    expressions,
     function_lines,
     input_entries,
     live_instructions,
     wrapped,
 )
+from symscrew.export.value_names import value_names
 from symscrew.model import Model
 from symscrew.program import RANK, Iteration, Program, RankRevealing, second_path
 
@@ -157,26 +157,29 @@ def _second_path_alone() -> list[str]:
 
 
 def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
+    called = value_names(program, ())
+
     def operand(value: int | float) -> str:
-        return f"x{value}" if isinstance(value, int) else decimal(value)
+        return called[value] if isinstance(value, int) else decimal(value)
 
     def several(terms: Sequence[str]) -> str:
         return "(" + ", ".join(terms) + ("," if len(terms) == 1 else "") + ")"
 
     sizes = ", ".join(f'"{port.name}": {port.size}' for port in program.inputs)
-    unpacked = "".join(f"x{k}, " for k in range(len(input_entries(program))))
+    given = [operand(k) for k in range(len(input_entries(program)))]
+    unpacked = wrapped(", ".join(given) + ",", first=" " * 8, later=" " * 8)
     guards = several([f"({operand(slot)}, {decimal(threshold)})" for slot, threshold in program.guards])
     checked = several([operand(slot) for slot in checked_slots(program)])
     outputs = [several([operand(slot) for slot in slots]) for slots in program.results]
-    body = [f"{target} = {text}" for target, text in _statements(program, operand)]
+    body = [f"{slot} = {text}" for slot, text in statements(program, live_instructions(program)[0], TABLE, operand)]
     return [
         f"def {name}(*arguments):",
         *_docstring(about),
         f'    entries, batch = _entries("{name}", {{{sizes}}}, arguments)',
-        *([f"    {unpacked.rstrip()} = entries"] if unpacked else []),
+        *(["    (", *unpacked, "    ) = entries"] if given else []),
         '    with np.errstate(all="ignore"):',
         *(f"        {line}" for line in body),
-        f"        return _finish(batch, {several(outputs)}, {guards}, {checked})",
+        *wrapped(f"return _finish(batch, {several(outputs)}, {guards}, {checked})", first=" " * 8, later=" " * 12),
     ]
 
 
@@ -197,11 +200,6 @@ def _with_second_path(name: str, program: RankRevealing) -> list[str]:
         f"    settings = ({scales}, {program.regular}, {decimal(RANK)})",
         f"    return _rank_revealing({', '.join(called)}, arguments, *settings)",
     ]
-
-
-def _statements(program: Program, operand: Operand) -> list[tuple[str, str]]:
-    live, _ = live_instructions(program)
-    return [(f"x{target}", text) for target, text in expressions(live, TABLE, operand)]
 
 
 def _iteration(name: str, iteration: Iteration) -> list[str]:

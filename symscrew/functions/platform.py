@@ -33,7 +33,7 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
     v_at = [k for link in hub for k in range(link.v.start, link.v.stop)]
     pose = _part(q_port(system), "pose", q_at, "coordinates of the platform's joint, consistent")
     rate = _part(v_port(system), "rate", v_at, "rates of the platform's joint, consistent")
-    gain = _part(a_port(system), "gain", v_at, "accelerations of the platform's joint, consistent")
+    gain = _part(a_port(system), "acceleration", v_at, "accelerations of the platform's joint, consistent")
     q_in, v_in, a_in = (
         [nodes[k] for k in at]
         for nodes, at in ((system.inputs.q, q_at), (system.inputs.v, v_at), (system.inputs.a, v_at))

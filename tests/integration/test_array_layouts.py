@@ -15,7 +15,7 @@ from support.batches import EXACT, difference, inputs, only
 from support.model_states import model
 
 from symscrew import catalogue
-from symscrew.export import c_parts
+from symscrew.export import c_printed
 from symscrew.model import Model, derive
 from symscrew.runtime import (
     CompiledFunction,
@@ -240,7 +240,7 @@ def test_run_time_parameters_are_one_for_all_or_one_each() -> None:
 
 def test_functions_without_blocks(found: Model, monkeypatch: pytest.MonkeyPatch) -> None:
     """Long ones run state by state; so do those of computed angles."""
-    monkeypatch.setattr(c_parts, "LONG", 10)
+    monkeypatch.setattr(c_printed, "LONG", 10)
     few = only(found, "inverse_dynamics")
     function = load(few, backend="c", flags=EXACT).inverse_dynamics
     arrays = inputs(few, "inverse_dynamics", COUNT)

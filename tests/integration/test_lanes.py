@@ -112,15 +112,15 @@ def test_limbs_side_by_side_equal_limb_after_limb(name: str, function: str, tmp_
 def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
     """With AVX2 the packed function is compiled and called; without it, or on demand, it is not."""
     name = "three_ups_upu_s_physical"
-    (tmp_path / "m.c").write_text(
+    (tmp_path / f"{name}.c").write_text(
         print_source(replace(model(name), programs={PLATFORM: model(name).programs[PLATFORM]}))
     )
     (tmp_path / f"{name}.h").write_text("#include <stddef.h>\n")
 
     def kept(*flags: str) -> bool:
-        command = [str(find_compiler()), "-E", *flags, "-I", str(tmp_path), str(tmp_path / "m.c")]
+        command = [str(find_compiler()), "-E", *flags, "-I", str(tmp_path), str(tmp_path / f"{name}.c")]
         text = subprocess.run(command, capture_output=True, text=True, check=False).stdout
-        assert "_lane(" in text
+        assert "_body(" in text
         return f"{name}_{PLATFORM}_packed_lane(pose," in text
 
     assert not kept(f"-D{name.upper()}_LIMB_BY_LIMB")

@@ -12,7 +12,7 @@ from benchmarks.mechanisms import chain, platform
 from support.marks import slow
 
 from symscrew.description.mechanism import Mechanism
-from symscrew.export import c_parts, c_repeats
+from symscrew.export import c_parts, c_printed, c_repeats
 from symscrew.export.c import print_source
 from symscrew.export.c_loops import Loop
 from symscrew.export.c_precision import DOUBLE
@@ -44,7 +44,7 @@ def sized(kind: str) -> Model:
 @pytest.fixture
 def everything_long(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every function in parts, and short runs as loops."""
-    monkeypatch.setattr(c_parts, "LONG", 1)
+    monkeypatch.setattr(c_printed, "LONG", 1)
     monkeypatch.setattr(c_repeats, "SAVED", 8)
 
 

@@ -61,5 +61,5 @@ def states(given_model: Model, name: str) -> list[np.ndarray]:
     ports = given_model.programs[name].inputs
     known = {"q": q, "v": v, "a": a}
     given = zip(ports, inputs_at(given_model.system, given_model.programs[name], (q, v, a)), strict=True)
-    known |= {p.name: values for p, values in given if p.name in ("pose", "rate", "gain")}
+    known |= {p.name: values for p, values in given if p.name in ("pose", "rate", "acceleration")}
     return [known.get(p.name, random.uniform(-1, 1, (len(q), p.size))) for p in ports]

@@ -13,10 +13,11 @@ from support import handmade
 from symscrew.description.builder import MechanismBuilder
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
+from symscrew.export.conventions import CONVENTIONS, conventions
 from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
 from symscrew.generation.folder import render
 from symscrew.model import derive
-from symscrew.program.straight_line import COUNTED
+from symscrew.program.straight_line import COUNTED, Port
 
 
 @pytest.fixture(scope="module")
@@ -35,15 +36,28 @@ def test_header_says_all_that_a_user_must_know(model):
     header = c.print_header(model)
     about = header[header.index(" * handmade_guarded:") : header.index("int handmade_guarded(")]
     total = model.programs["guarded"].operations["total"]
-    for text in ("x[2] [m]: test array x", "0 x 0; 1 x 1", "1 near-singular", f"Operations: {total}"):
+    for text in ("in x[2] [m]: test array x", "0 x 0; 1 x 1", "Returns 0, 1, 2", f"operations: {total} "):
         assert text in about
     assert "matrix[6] (2x3, column by column)" in header
+
+
+def test_conventions_are_said_once_and_everywhere_the_same(model):
+    """In the header, in the manifest and on their page; those of ball joints only where there is one."""
+    page = (Path(__file__).parents[2] / "docs/conventions.md").read_text(encoding="utf-8")
+    page = " ".join(page.split())
+    for subject, text in CONVENTIONS.items():
+        assert f"- **{subject}**: {text}" in page
+    header = " ".join(c.print_header(model).replace("\n *", " ").split())
+    assert f"units: {CONVENTIONS['units']}" in header and "rates of ball joints" not in header
+    ball = "ball", (4,), ("1",) * 4, tuple(f"S.q{x}" for x in "wxyz"), ""
+    guarded = replace(model.programs["guarded"], inputs=(*model.programs["guarded"].inputs, Port(*ball)))
+    assert set(conventions(replace(model, programs={"guarded": guarded}))) == set(CONVENTIONS)
 
 
 def test_no_storage_of_its_own(model):
     source = c.print_source(model)
     assert not re.search(r"\b(malloc|calloc|free|alloca|pow)\s*\(", source)
-    assert not re.search(r"^static (?!void|int|inline)|^[ \t]+static", source, re.MULTILINE)
+    assert not re.search(r"^static (?!void|int|inline|const)|^[ \t]+static", source, re.MULTILINE)
 
 
 def test_a_constant_is_no_slot_of_the_same_number():
@@ -52,8 +66,8 @@ def test_a_constant_is_no_slot_of_the_same_number():
     builder.body("flap", mass=1, com=[1, 0, 0])
     builder.joint("pin", "R", parent="base", child="flap", point=[0, 0, 0], axes=[[0, 1, 0]])
     text = c.print_c(derive(builder.build()))["hinge.c"]
-    lane = text[text.index("hinge_body_poses_lane(") :]
-    assert re.search(r"poses\[4\] = 1\.0;", lane[: lane.index("\n}")])
+    body = text[text.index("BODY(hinge_body_poses)(") :]
+    assert "WRITE(poses, 4, CONSTANT(1.0));" in body[: body.index("\n}")]
 
 
 def test_constants_read_back_exactly():
@@ -78,13 +92,12 @@ def test_python_code_is_never_evaluated():
 
 
 def test_operations_are_what_is_printed(model):
-    """Count the operations in the text of the C function itself and of the lane that it runs."""
+    """Count the operations in the text of the body of the C function."""
     source = c.print_source(model, batches=False)
-    body = source[source.index("handmade_guarded_lane(\n") : source.index("handmade_assemble_step_lane(\n")]
-    lines = (line for line in body.splitlines() if "=" in line or "return x" in line or "return (" in line)
-    code = re.sub(r"= (co)?sine\[", "sin(", "\n".join(lines))
-    code = re.sub(r"e[+-]\d+|x\d+ =|\[[^]]*\]|const double", " ", code)
-    count = sum(code.count(sign) for sign in (" + ", " - ", " * ", " / ", "sin(", "fabs(", " <= ", "isfinite("))
+    body = source[source.index("BODY(handmade_guarded)(") :]
+    code = re.sub(r"e[+-]\d+", " ", body[: body.index("\n}")])
+    signs = (" + ", " - ", " * ", " / ", "SINES(", "FINITE", "SMALL(")
+    count = sum(code.count(sign) for sign in signs) + code.count("SMALL(")  # an absolute value and a comparison
     operations = json.loads(render(model, ("c",))["ops.json"])["guarded"]
     assert count == operations["total"]
     assert operations["total"] == sum(n for key, n in operations.items() if key != "total")

@@ -23,7 +23,7 @@ OWN_AXES = frozenset((
     "opening", "opening_rate", "opening_bias", "arm", "closure", "pivot", "determinant", "factor", "null_space",
     "limb_target", "limb_length", "force", "transmitted", "balance", "multiplier", "multiplier_part", "drive", "aside",
     "generalised_force", "composite", "mass_matrix", "stiffness", "answer", "effort", "handed_inertia", "handed_force",
-    "follows", "q", "v", "a", "u", "pose", "rate", "gain", "y", "y_dot", "y_ddot",
+    "follows", "q", "v", "a", "u", "pose", "rate", "y", "y_dot", "y_ddot",
 ))  # fmt: skip
 """Quantities that equal limbs have under equal names: scalars, and vectors in axes that a link carries.
 

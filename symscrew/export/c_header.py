@@ -1,0 +1,182 @@
+"""The header of generated C: conventions and entries of arrays once, then a paragraph and declarations a function."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+from symscrew.export import c_batch
+from symscrew.export.c_names import arguments, declare
+from symscrew.export.c_parameters import parameter_type
+from symscrew.export.c_precision import DOUBLE, Precision
+from symscrew.export.c_single import error_lines, single_errors
+from symscrew.export.c_wide import LANES
+from symscrew.export.conventions import conventions
+from symscrew.export.listing import MAX_LABELS, banner, packed, plain, statuses, unit_of, wrapped
+from symscrew.model import Model
+from symscrew.program import STATUS, Iteration, Port, Program, RankRevealing
+
+STATUS_MACROS = {
+    -2: "RANK_LOST",
+    -1: "RANK_REVEALING",
+    0: "SUCCESS",
+    1: "NEAR_SINGULAR",
+    2: "NOT_FINITE",
+    3: "NOT_CONVERGED",
+    4: "OTHER_BRANCH",
+}
+ENUMERATED = 64  # entries of an array that get names: longer arrays are read in loops, and their order is described
+WIDTH = 116  # characters of a line of a comment
+ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL.
+Nothing is allocated and no state is kept: functions may run in several threads at once. On failure all outputs are
+NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish."""
+ABOUT_BATCHES = """A batch writes the status of each of `count` states to `status` unless that is NULL, and returns
+the largest. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
+of state i at [k * stride + i], stride >= count. Both take eight states at once on vector
+units; results may differ from those of single calls by rounding (not where the compiler contracts nothing and the
+sines are the same). With -fopenmp, %d states and more are shared among threads. The stack holds blocks of eight
+states, %d bytes and temporaries at most: define %s_STATE_BY_STATE to do without."""
+ABOUT_LANES = """Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster;
+results are those of limb after limb, but for what the compiler contracts. Define %s_LIMB_BY_LIMB to do without."""
+
+
+def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool = True) -> str:
+    """Declarations, sizes and what a user must know of every function."""
+    upper = model.name.upper()
+    about = [ABOUT_ARRAYS]
+    if batches:
+        room = max((sum(p.size for p in (*f.inputs, *f.outputs)) for f in model.programs.values()), default=0)
+        stack = LANES * room * precision.size
+        about += [ABOUT_BATCHES % (c_batch.THREADED, stack, upper), ABOUT_LANES % upper]
+    if precision.suffix:
+        about = [f"Single precision: all numbers are of type {precision.real}.", *about]
+    measured = single_errors(model) if precision.suffix else {}
+    told = [f"{what}: {text}" for what, text in conventions(model).items()]
+    lines = [
+        *comment([*banner(model), *(line for text in about for line in ("", *wrapped(text, width=WIDTH)))]),
+        f"#ifndef {upper}_H",
+        f"#define {upper}_H",
+        "",
+        "#include <stddef.h>",
+        "",
+        *comment([line for text in told for line in wrapped(text, later="  ", width=WIDTH)]),
+        "",
+        "/* What functions return; the text of a status says it in words. */",
+        *(f"#define {upper}_{macro} {code} /* {plain(STATUS[code])} */" for code, macro in STATUS_MACROS.items()),
+        "",
+        *_entries(model),
+        "",
+        "#ifdef __cplusplus",
+        'extern "C" {',
+        "#endif",
+        "",
+        f"const char *{model.name}_status_text(int status);",
+        *parameter_type(model, precision),
+    ]
+    named = _described_once(model)
+    for name, program in model.programs.items():
+        symbol = f"{model.name}_{name}"
+        errors = error_lines(program, measured.get(name)) if precision.suffix else []
+        lines += ["", *comment([*_paragraph(symbol, program, named), *errors]), *_sizes(symbol, program)]
+        lines += [declare(symbol, arguments(program, precision, "")) + ";"]
+        if batches:
+            lines += [text + ";" for text in c_batch.signatures(symbol, program, precision, "")]
+    lines += ["", "#ifdef __cplusplus", "}", "#endif", "", f"#endif /* {upper}_H */", ""]
+    return "\n".join(lines)
+
+
+def comment(lines: Iterable[str]) -> list[str]:
+    """Lines as a comment of C."""
+    return ["/*", *((f" * {line}").rstrip() for line in lines), " */"]
+
+
+def _ports(model: Model) -> list[Port]:
+    return [port for p in model.programs.values() for port in (*p.inputs, *p.outputs)]
+
+
+def _key(port: Port) -> tuple[object, ...]:
+    return port.name, port.labels, port.units
+
+
+def _described_once(model: Model) -> dict[tuple[object, ...], Port]:
+    """Arrays of several functions with the same entries under the same name, one of each; none of two kinds."""
+    ports = {_key(port): port for port in _ports(model) if port.size > 1 and len(port.labels) == port.size}
+    kinds, times = Counter(port.name for port in ports.values()), Counter(map(_key, _ports(model)))
+    chosen = {
+        key for key, port in ports.items() if kinds[port.name] == 1 and times[key] > 1 and port.size <= ENUMERATED
+    }
+    return {key: port for key, port in ports.items() if key in chosen}
+
+
+def _labels(port: Port) -> list[str]:
+    """The entries of an array: all of them, or the parts and their components where each part has the same."""
+    unit = unit_of(port)
+    units = ["" if unit is not None else f" [{u}]" for u in port.units]
+    for mark in (".", "|"):
+        split = [label.rpartition(mark) for label in port.labels]
+        parts = list(dict.fromkeys(first for first, _, _ in split))
+        inner = list(dict.fromkeys(f"{last}{u}" for (_, _, last), u in zip(split, units, strict=True)))
+        entries = [(first, f"{last}{u}") for (first, _, last), u in zip(split, units, strict=True)]
+        if len(parts) > 1 and len(inner) > 1 and entries == [(part, entry) for part in parts for entry in inner]:
+            text = f"for each of {', '.join(parts)}: {', '.join(inner)}"
+            return wrapped(text, first="    ", later="    ", width=WIDTH)
+    entries_ = [f"{k} {label}{u}" for k, (label, u) in enumerate(zip(port.labels, units, strict=True))][:MAX_LABELS]
+    if port.size > MAX_LABELS:
+        entries_.append(f"... {port.size} entries; all labels are in manifest.json")
+    return packed([plain(entry) for entry in entries_], indent="    ", width=WIDTH)
+
+
+def _entries(model: Model) -> list[str]:
+    """Indices of the entries of arrays that several functions have, as enumerations."""
+    lines = ["/* Entries of arrays that several functions have. */"]
+    for port in _described_once(model).values():
+        stem = f"{model.name.upper()}_{port.name.upper()}"
+        names = [re.sub(r"[^A-Za-z0-9]+", "_", f"{stem}_{label}").upper() for label in port.labels]
+        if len(set(names)) == port.size and port.size <= ENUMERATED:
+            text = ", ".join(names)
+            unit = unit_of(port)
+            units = ", ".join(f"{u} {n}" for u, n in Counter(port.units).items()) if unit is None else unit
+            lines.append(f"/* {port.name}[{port.size}] [{units}]: {plain(port.description)} */")
+            lines += wrapped(f"enum {model.name}_{port.name} {{ {text} }};", later="    ", width=WIDTH)
+    return lines if len(lines) > 1 else []
+
+
+def _paragraph(symbol: str, program: Program | Iteration, named: dict[tuple[object, ...], Port]) -> list[str]:
+    """All that a user must know to call a function, beyond what is said once."""
+    lines = wrapped(f"{symbol}: {program.description}", width=WIDTH)
+    for title, ports in (("in", program.inputs), ("out", program.outputs)):
+        once = [p for p in ports if _key(p) in named]
+        if title == "in" and len(once) == len(ports):
+            continue
+        for port in ports:
+            if port in once and title == "in":
+                continue
+            unit = unit_of(port)
+            shape = f" ({'x'.join(map(str, port.shape))}, column by column)" if len(port.shape) > 1 else ""
+            head = f"{title} {port.name}[{port.size}]{shape}{'' if unit is None else f' [{unit}]'}"
+            lines += wrapped(f"{head}: {port.description}", first="  ", later="    ", width=WIDTH)
+            if port not in once and port.size > 1 and len(port.labels) == port.size:
+                lines += _labels(port)
+            elif len(port.labels) == 1 and port.size == 1:
+                lines[-1] += f" ({plain(port.labels[0])})"
+    count, codes = program.operations, ", ".join(map(str, statuses(program)))
+    parts = ", ".join(f"{key} {n}" for key, n in count.items() if n and key != "total")
+    what = "operations"
+    if isinstance(program, RankRevealing):
+        what = "operations where no pivot is small"
+    if isinstance(program, Iteration):
+        what = f"operations of one Newton step (at most {program.max_steps} per substep)"
+    lines += wrapped(f"Returns {codes}; {what}: {count['total']} ({parts})", first="  ", later="    ", width=WIDTH)
+    for note in program.notes:
+        lines += wrapped(f"Note: {note}", first="  ", later="    ", width=WIDTH)
+    return lines
+
+
+def _sizes(symbol: str, program: Program | Iteration) -> list[str]:
+    ports: Sequence[Port] = (*program.inputs, *program.outputs)
+    names = [port.name.upper() for port in ports]
+    if len(set(names)) != len(names):
+        names = [port.name for port in ports]
+    sizes = [f"{symbol.upper()}_{name}_SIZE = {port.size}" for name, port in zip(names, ports, strict=True)]
+    return wrapped(f"enum {{ {', '.join(sizes)} }};", later="    ", width=WIDTH) if sizes else []

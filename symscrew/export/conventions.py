@@ -1,0 +1,31 @@
+"""What numbers of generated code mean, said once: in the header, in the manifest, in the documentation.
+
+A page of the documentation (`docs/conventions.md`) says the same; a test holds them together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from symscrew.model import Model
+
+CONVENTIONS: Mapping[str, str] = {
+    "units": "SI; angles in rad, not wrapped.",
+    "axes": "Vectors are in absolute axes unless it is said otherwise; screws are taken at the origin O: a twist is "
+    "(omega ; v_O), a wrench (f ; m_O), a momentum screw (p ; L_O).",
+    "matrices": "Column by column.",
+    "quaternions": "(w, x, y, z), of unit length: they turn coordinates in the child's axes into the parent's.",
+    "rates of ball joints": "v and a hold the angular velocity of the child relative to the parent, and its rate, in "
+    "the child's axes; joint_screws and joint_rates describe the same motion by elementary screws in the parent's.",
+    "drives": "u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider "
+    "acts along its axis, on the line through the joint's point, on the child; its reaction on the parent.",
+    "reactions": "Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.",
+}
+"""Subject to what holds, in the order in which it is told."""
+
+
+def conventions(model: Model) -> dict[str, str]:
+    """Subject to a sentence or two: those of joints that the mechanism has."""
+    balls = any(label.endswith(".qw") for p in model.programs.values() for port in p.inputs for label in port.labels)
+    left_out = set() if balls else {"quaternions", "rates of ball joints"}
+    return {subject: text for subject, text in CONVENTIONS.items() if subject not in left_out}

@@ -1,0 +1,126 @@
+"""Statements of some operations each: values that are read once are written into their readers.
+
+    t1 = a b; t2 = c d; x = t1 + t2     -->     x = a b + c d
+
+The order of the operations stays what it is, but for neighbours inside of a statement: a value is folded only if
+everything between it and its reader is folded into that reader, too. So no value lives longer than before: folding
+whatever is read once costs blocks of states 4 % where at most one operand lives longer, else 6 %. What is computed
+stays the same bit for bit: parentheses keep the association.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from symscrew.program import Instruction, Program
+
+OPERATIONS = 6  # of a statement: more are hard to follow
+WIDTH = 92  # characters of the right-hand side: with a name in front it stays on one line, nearly always
+LOOSE, SUM, PRODUCT, ATOM = range(4)  # how tightly a text holds together
+# operation -> how tightly its operands must hold together, and how tightly it does itself
+BINDING: Mapping[str, tuple[tuple[int, ...], int]] = {
+    "add": ((SUM, PRODUCT), SUM),
+    "sub": ((SUM, PRODUCT), SUM),
+    "mul": ((PRODUCT, ATOM), PRODUCT),
+    "div": ((PRODUCT, ATOM), PRODUCT),
+    "neg": ((ATOM,), SUM),
+    "reciprocal": ((ATOM,), PRODUCT),
+}
+
+
+@dataclass(frozen=True)
+class Text:
+    """A printed expression: its operations, and how tightly it holds together."""
+
+    text: str
+    binding: int = ATOM
+    operations: int = 0
+
+    def within(self, binding: int) -> str:
+        """The text, in parentheses where it would fall apart."""
+        return self.text if self.binding >= binding else f"({self.text})"
+
+
+@dataclass(frozen=True)
+class Found:
+    """A value that gets a name (`named`), is read from where it is (`read`), or goes to its one place (`last`)."""
+
+    kind: str
+    slot: int
+    text: str = ""
+
+
+def expression(op: str, table: Mapping[str, str], operands: Sequence[Text]) -> Text:
+    """An operation on printed operands; functions and what else is not in `BINDING` is an atom in the table."""
+    needs, own = BINDING.get(op, ((LOOSE,) * len(operands), ATOM))
+    texts = [operand.within(need) for operand, need in zip(operands, needs, strict=True)]
+    return Text(table[op].format(*texts), own, 1 + sum(operand.operations for operand in operands))
+
+
+def folded(
+    order: Sequence[Instruction],
+    uses: Counter[int],
+    table: Mapping[str, str],
+    *,
+    name: Callable[[int | float], str],
+    places: Mapping[int, str],
+    ends: Callable[[int], bool],
+) -> Iterator[Found]:
+    """Statements in order.
+
+    `uses`: how often a slot is read, by instructions and as a result; `places`: what reads slots that are there from
+    the start, which is written out where it is read once; `ends`: slots that are read once, and by no instruction.
+    """
+    waiting: dict[int, Text] = {}
+    known: set[int] = set()
+
+    def released(until: int | None) -> Iterator[Found]:
+        for slot in list(waiting):
+            yield Found("named", slot, waiting.pop(slot).text)
+            if slot == until:
+                return
+
+    for instruction in order:
+        own = [a for a in dict.fromkeys(instruction.args) if isinstance(a, int) and a in waiting]
+        while own and _too_long([waiting[a] for a in own]):
+            oldest = next(slot for slot in waiting if slot in own)
+            yield from released(oldest)
+            own = [a for a in own if a in waiting]
+        operands = []
+        for arg in instruction.args:
+            if isinstance(arg, int) and arg in waiting:
+                operands.append(waiting.pop(arg))
+            elif isinstance(arg, int) and arg in places and uses[arg] == 1:
+                operands.append(Text(places[arg]))
+            else:
+                if isinstance(arg, int) and arg in places and arg not in known:
+                    known.add(arg)
+                    yield Found("read", arg)
+                operands.append(Text(name(arg)))
+        made, target = expression(instruction.op, table, operands), instruction.target
+        if uses[target] == 1 and not ends(target):
+            waiting[target] = made
+            continue
+        yield from released(None)
+        yield Found("last" if uses[target] == 1 else "named", target, made.text)
+    yield from released(None)
+
+
+def statements(
+    program: Program, order: Sequence[Instruction], table: Mapping[str, str], name: Callable[[int | float], str]
+) -> Iterator[tuple[str, str]]:
+    """(name, right-hand side) of statements in a language that reads results at the end, by their names."""
+    uses = Counter(a for i in order for a in i.args if isinstance(a, int))
+    kept = [*(s for slots in program.results for s in slots), *(s for s, _ in program.guards), *program.checked]
+    for slot in kept:
+        if isinstance(slot, int):
+            uses[slot] += 2  # more than once: it must have a name
+    for found in folded(order, uses, table, name=name, places={}, ends=lambda slot: False):
+        yield name(found.slot), found.text
+
+
+def _too_long(operands: Sequence[Text]) -> bool:
+    several = 1 + sum(operand.operations for operand in operands) > OPERATIONS
+    return several or sum(len(operand.text) for operand in operands) > WIDTH

@@ -1,0 +1,71 @@
+"""What values are called in generated code: by their place in the theory, `limb1_lower_omega_x`.
+
+    Program.origins --> slot -> identifier, one for each slot, none of those taken
+
+The opposite of a quantity starts with `minus_`; values that the theory has no name for are t1, t2, ... in order.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping
+
+from symscrew.algebra import Origin
+from symscrew.program import Program
+
+LONGEST = 40  # characters of a name: C99 tells 63 apart, and a line of some operations should fit a screen
+ANONYMOUS = re.compile(r"t\d+")
+# quantities that are understood from their component, and words that are shorter in code
+SHORT = {
+    "acceleration_matrix": "U",
+    "acceleration_matrix_still": "U_still",
+    "joint_acceleration": "joint_acc",
+    "joint_acceleration_still": "joint_acc_still",
+    "acceleration": "acc",
+    "acceleration_still": "acc_still",
+    "momentum_rate": "rate",
+    "momentum_rate_at_O": "rate_at_O",
+    "velocity": "vel",
+    "multiplier_part": "part",
+    "transmitted": "sent",
+    "joint_transmitted": "joint_sent",
+}
+
+
+def identifier(origin: Origin) -> str:
+    """A name of letters, digits and underscores: part, quantity, component, and what it belongs to."""
+    quantity = SHORT.get(origin.quantity, origin.quantity)
+    if origin.component.startswith(f"{quantity}_"):  # force_x of the force
+        quantity = ""
+    words = ["minus"] if origin.negative else []
+    words += [word for word in (origin.part, quantity, origin.component) if word]
+    words += ["by", origin.by] if origin.by else []
+    text = re.sub(r"[^A-Za-z0-9]+", "_", "_".join(words)).strip("_")
+    return text if "_" in text and not text[0].isdigit() else f"value_{text}"  # no word of a language has one
+
+
+def value_names(program: Program, taken: Collection[str]) -> Mapping[int, str]:
+    """Slot to identifier: unique, none of `taken`, nothing that starts with an underscore or is longer than needed."""
+    used = set(taken)
+    found: dict[int, str] = {}
+    anonymous = 0
+    slots = [*range(sum(port.size for port in program.inputs)), *(i.target for i in program.instructions)]
+    for slot in slots:
+        origin = program.origins.get(slot)
+        name = identifier(origin) if origin is not None else ""
+        if not name or len(name) > LONGEST or ANONYMOUS.fullmatch(name):
+            name = ""
+        if not name:
+            anonymous += 1
+            name = f"t{anonymous}"
+            while name in used:
+                anonymous += 1
+                name = f"t{anonymous}"
+        elif name in used:
+            number = 2
+            while f"{name}_{number}" in used:
+                number += 1
+            name = f"{name}_{number}"
+        used.add(name)
+        found[slot] = name
+    return found
