@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism, Reader
-from symscrew.effects import Effect, Gravity, transformed
+from symscrew.effects import Effect, Gravity, joints_read, transformed
 from symscrew.functions import (
     MASSLESS_NOTE,
     Motion,
@@ -136,7 +136,7 @@ def derive(
     if length is not None:
         read = Reader(dict(mechanism.parameters)).characteristic_length(length)
         mechanism = replace(mechanism, characteristic_length=read)
-    system = System(mechanism, transformed(mechanism, tuple(effects)))
+    system = System(mechanism, transformed(mechanism, tuple(effects)), read=joints_read(tuple(effects)))
     system.use_samples()
     ways = fewest_operations(system, effects, independent)
     loops = ways.plain

@@ -5,7 +5,7 @@ Mechanism --> Structure --linkage, cuts--> System
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -38,12 +38,15 @@ class Coordinates:
 class Structure:
     """A mechanism on a tape of its own. Attributes are derived once and never change."""
 
-    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None) -> None:
-        """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then."""
+    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None, read: Collection[str] = ()) -> None:
+        """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then.
+
+        `read`: joints whose displacements effects ask for.
+        """
         self.mechanism = loaded or mechanism
         self.tape = Tape()
         self.geometry = Geometry(mechanism, self.tape)
-        self.tree: Tree = spanning_tree(mechanism)
+        self.tree: Tree = spanning_tree(mechanism, read)
         self.frames: tuple[Frame, ...] = link_frames(mechanism, self.tree, self.geometry)
         self.inputs = self._inputs()
 
@@ -120,7 +123,7 @@ class Structure:
         placed = [Placement(IDENTITY, IDENTITY, ZERO)]
         for link, frame in zip(self.tree.links[1:], self.frames[1:], strict=True):
             placed.append(link.pair.placement(self.tape, frame, q[link.q], known.get(link.index)))
-        return Linkage(self.tree, self.frames, tuple(placed))
+        return Linkage(self.tree, self.frames, tuple(placed), tuple(q))
 
     def local_point(self, link: int, point: Vector) -> Vector:
         """A point given in the reference configuration, in link coordinates."""
