@@ -73,7 +73,7 @@ def displacements(model: symscrew.Model, steps: int, along: dict[str, float]) ->
     return found
 
 
-@pytest.mark.parametrize("order", itertools.permutations(SCREW))
+@pytest.mark.parametrize("order", list(itertools.permutations(SCREW)))
 def test_a_nut_follows_its_screw_over_any_number_of_turns(order: tuple[str, ...]) -> None:
     model = symscrew.derive(mechanism(SCREW, order), [])
     turns = {"spin": 20.0, "guide": -20 * PITCH, "thread": -20.0}
@@ -119,7 +119,7 @@ def kept(joints: dict[str, dict], order: Sequence[str], effects: Sequence[Effect
     return System(mechanism(joints, order), read=read)
 
 
-@pytest.mark.parametrize("order", itertools.permutations(SPATIAL))
+@pytest.mark.parametrize("order", list(itertools.permutations(SPATIAL)))
 def test_a_thread_in_space_is_never_cut(order: tuple[str, ...]) -> None:
     assert "thread" in kept(SPATIAL, order).tree.joints
 
