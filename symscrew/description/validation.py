@@ -262,7 +262,7 @@ def _only_about_normal(mechanism: Mechanism, rows: Sequence[Numbers]) -> bool:
     about = [_CONTEXT.fdot(row, normal) for row in rows]
     moment = _CONTEXT.fdot(about, normal)
     rest = [abs(rows[i][j] - moment * normal[i] * normal[j]) for i in range(3) for j in range(3)]
-    return max(rest) <= INERTIA_TOLERANCE * abs(moment)
+    return bool(max(rest) <= INERTIA_TOLERANCE * abs(moment))
 
 
 def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None) -> str | None:

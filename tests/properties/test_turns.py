@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import symscrew
-from symscrew.effects import Effect, JointSpring
+from symscrew.effects import Acting, Effect, JointSpring
 from symscrew.kinematics import System
 
 PITCH = 0.001 / (2 * np.pi)
@@ -143,6 +143,14 @@ def test_a_joint_in_space_whose_displacement_an_effect_reads_is_not_cut() -> Non
     system = kept(SPATIAL, order, [JointSpring("turn", stiffness=1)])
     assert {"turn", "thread"} <= set(system.tree.joints)
     assert {joint.name for joint in system.tree.cut} == {"ball"}
+
+
+def test_an_effect_that_does_not_say_what_it_reads_is_refused_where_turns_are_lost() -> None:
+    """Rather than a displacement that wraps."""
+    system = kept(SPATIAL, ["thread", "turn", "ball", "cross"])
+    assert "turn" not in system.tree.joints
+    with pytest.raises(symscrew.DescriptionError, match="names the joint in its property 'reads'"):
+        Acting(system, [JointSpring("turn", stiffness=1)])
 
 
 def test_a_loop_of_which_no_joint_may_be_cut_is_refused() -> None:
