@@ -9,8 +9,12 @@ from collections.abc import Iterable
 class DescriptionError(ValueError):
     """A description that cannot be used: says where, what was expected, what came, and the cure.
 
-    The command line turns it into exit code 2.
+    The command line turns it into exit code 2. `in_file`: the file in which it is, which the text then begins with.
     """
+
+    def __init__(self, text: str = "", *, in_file: str = "") -> None:
+        super().__init__(f"{in_file}: {text}" if in_file else text)
+        self.in_file = in_file
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

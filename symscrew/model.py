@@ -16,9 +16,8 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism, Reader
-from symscrew.effects import Effect, Gravity, transformed
+from symscrew.effects import Effect, Gravity, joints_read, transformed
 from symscrew.functions import (
-    MASSLESS_NOTE,
     Motion,
     assembly,
     closing_functions,
@@ -30,6 +29,7 @@ from symscrew.functions import (
     fewest_operations,
     forward_functions,
     kinematic_functions,
+    left_out,
     loop_notes,
     margin_functions,
     momentum_functions,
@@ -136,7 +136,7 @@ def derive(
     if length is not None:
         read = Reader(dict(mechanism.parameters)).characteristic_length(length)
         mechanism = replace(mechanism, characteristic_length=read)
-    system = System(mechanism, transformed(mechanism, tuple(effects)))
+    system = System(mechanism, transformed(mechanism, tuple(effects)), read=joints_read(tuple(effects)))
     system.use_samples()
     ways = fewest_operations(system, effects, independent)
     loops = ways.plain
@@ -169,7 +169,7 @@ def derive(
     entries, states = [entry.q for entry in loops.entries], system.sample_states
     inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}
     moves = "forward_dynamics" in programs or moves_mass(system, effects, loops)
-    massless = () if moves else (MASSLESS_NOTE,)
+    massless = () if moves else (left_out(system),)
     notes = (*mechanism.warnings, *massless, *untried_notes(system), *mode.notes(alone=one_mode))
     notes = (*notes, *dict.fromkeys(n for p in programs.values() for n in p.notes))
     labels = tuple(system.tree.q[k].label for k in entries) if system.cuts else ()

@@ -76,7 +76,7 @@ def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mecha
     try:
         return parse_description(read_text(file), run_time=run_time)
     except DescriptionError as error:
-        raise DescriptionError(f"{file.name}: {error}") from error
+        raise DescriptionError(str(error), in_file=file.name) from error
 
 
 def read_text(file: Path) -> str:

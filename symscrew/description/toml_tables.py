@@ -22,7 +22,9 @@ def from_file(path: str | Path, loads: Callable[..., Read]) -> Read:
     try:
         return loads(read_text(file), folder=file.parent, name=file.stem)
     except DescriptionError as error:
-        raise DescriptionError(f"{file.name}: {error}") from error
+        if error.in_file:  # of a file that this one names
+            raise
+        raise DescriptionError(str(error), in_file=file.name) from error
 
 
 def check_sections(

@@ -14,6 +14,7 @@ import sympy
 
 from symscrew.description.expressions import numeric
 from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Vector
+from symscrew.description.planar_motion import planar_normal
 from symscrew.errors import DescriptionError, did_you_mean
 
 AXIS_TOLERANCE = 1e-14
@@ -242,7 +243,7 @@ def _check_inertia(mechanism: Mechanism, body: Body) -> mpmath.mpf | None:
         raise DescriptionError(
             f"{where}.inertia: expected principal moments of at least 0, got {shown} kg m^2; check signs and axes"
         )
-    if moments[0] + moments[1] - moments[2] < limit:
+    if moments[0] + moments[1] - moments[2] < limit and not _only_about_normal(mechanism, rows):
         raise DescriptionError(
             f"{where}.inertia: no body has the principal moments {shown} kg m^2: the largest exceeds the sum "
             f"of the other two by {mpmath.nstr(moments[2] - moments[0] - moments[1], 6)}; check units and "
@@ -251,6 +252,17 @@ def _check_inertia(mechanism: Mechanism, body: Body) -> mpmath.mpf | None:
     if mass == 0:
         raise DescriptionError(f"{where}.mass: expected a positive mass with the inertia {shown} kg m^2, got 0")
     return moments[2]
+
+
+def _only_about_normal(mechanism: Mechanism, rows: Sequence[Numbers]) -> bool:
+    """Whether an inertia is one moment about the normal of a planar mechanism: no other moment counts there."""
+    normal = planar_normal(mechanism)
+    if normal is None:
+        return False
+    about = [_CONTEXT.fdot(row, normal) for row in rows]
+    moment = _CONTEXT.fdot(about, normal)
+    rest = [abs(rows[i][j] - moment * normal[i] * normal[j]) for i in range(3) for j in range(3)]
+    return bool(max(rest) <= INERTIA_TOLERANCE * abs(moment))
 
 
 def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None) -> str | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Effect, transformed
+from symscrew.effects.effect import Effect, joints_read, transformed
 from symscrew.effects.records import Contact, State
 from symscrew.effects.registry import (
     check_effects,
@@ -35,6 +35,7 @@ __all__ = [
     "check_effects",
     "effect_from_table",
     "effect_to_table",
+    "joints_read",
     "known_effects",
     "load_effects",
     "simplifications",

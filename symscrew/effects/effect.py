@@ -47,6 +47,11 @@ class Effect:
         """
         return frozenset()
 
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Joints whose displacement it asks for, which a loop is then not cut at if turns would be lost."""
+        return ()
+
     def __post_init__(self) -> None:
         """Exact numbers as texts and lists as tuples, so that an effect read back from a file is the same."""
         for f in dataclasses.fields(self):
@@ -89,3 +94,8 @@ def transformed(mechanism: Mechanism, effects: tuple[Effect, ...]) -> Mechanism:
     for effect in sorted(effects, key=lambda e: not e.simplifies):
         mechanism = effect.transform(mechanism)
     return mechanism
+
+
+def joints_read(effects: tuple[Effect, ...]) -> tuple[str, ...]:
+    """Joints whose displacements the effects ask for."""
+    return tuple(dict.fromkeys(name for effect in effects for name in effect.reads))

@@ -66,6 +66,11 @@ class EndStop(Effect):
             ),
         )  # fmt: skip
 
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Its joint."""
+        return (self.joint,)
+
     def act(self, acting: Acting) -> None:
         """The force of both ends, or the input of a rigid stop."""
         what = f"end stop of joint {self.joint!r}"

@@ -42,6 +42,11 @@ class JointSpring(Effect):
     energy: str = ""
     freedom: int | None = None
 
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Its joint."""
+        return (self.joint,)
+
     def act(self, acting: Acting) -> None:
         """The force on the freedom, what the spring stores and what the damper takes."""
         what = f"spring in joint {self.joint!r}"

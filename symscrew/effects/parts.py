@@ -13,7 +13,7 @@ import sympy
 from symscrew.algebra import Node, dot, expression_node
 from symscrew.description import Joint, Point, Reader, check_name, check_range, exact
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.kinematics import System, closure_rate, cut_displacement, drive_row, tree_displacement
+from symscrew.kinematics import System, closure_rate, cut_displacement, drive_row, tree_displacement, turns_are_lost
 
 TIME = sympy.Symbol("t", real=True)
 
@@ -171,6 +171,13 @@ class Parts:
             raise DescriptionError(
                 f"{what}: joint {joint!r} turns freely in space and has no single displacement; "
                 "expected a joint of revolute, prismatic or helical motions"
+            )
+        cut = next((c for c in self.system.cuts if c.joint.name == joint), None)
+        lost = cut is not None and turns_are_lost(cut, self.system.linkage, self.system.geometry)
+        if lost and not found.kind.universal and found.kind.freedoms[freedom].turns:
+            raise DescriptionError(
+                f"{what}: a loop is cut at joint {joint!r}, where whole turns are not known; an effect that asks for a "
+                "displacement names the joint in its property 'reads', so that the loop is cut elsewhere"
             )
         return self.displacements(found)[freedom]
 

@@ -33,6 +33,11 @@ class PositionServo(Effect):
     freedom: int | None = None
     name: str = ""
 
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Its joint."""
+        return (self.joint,)
+
     def act(self, acting: Acting) -> None:
         """The servo's force on the freedom."""
         what = f"position servo of joint {self.joint!r}"

@@ -21,7 +21,7 @@ from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
 from symscrew.description import Mechanism, read_tables, read_text
-from symscrew.effects.effect import Effect, transformed
+from symscrew.effects.effect import Effect, joints_read, transformed
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
 HELPERS = ("acting", "effect", "parts", "records", "registry")  # files of this folder that hold no effect
@@ -171,4 +171,4 @@ def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:
     from symscrew.kinematics import System
 
     every = tuple(effects)
-    Acting(System(mechanism, transformed(mechanism, every)), every)
+    Acting(System(mechanism, transformed(mechanism, every), read=joints_read(every)), every)

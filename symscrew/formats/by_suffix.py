@@ -80,7 +80,7 @@ def load_format(path: str | Path, *, formats: Sequence[Format] = FORMATS) -> Mec
     try:
         return mechanism(readers[root.tag](root, file.name))
     except DescriptionError as error:
-        raise DescriptionError(f"{file.name}: {error}") from error
+        raise DescriptionError(str(error), in_file=file.name) from error
 
 
 def save_as(model: Mechanism, path: str | Path) -> None:

@@ -5,10 +5,10 @@ from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
 from symscrew.functions.forward import (
-    MASSLESS_NOTE,
     closing_functions,
     driven,
     forward_functions,
+    left_out,
     moves_mass,
     second_paths,
 )
@@ -41,7 +41,6 @@ from symscrew.functions.regressor import regressor_functions
 from symscrew.functions.untried import untried_notes
 
 __all__ = [
-    "MASSLESS_NOTE",
     "NO_DRIVE",
     "THRESHOLD",
     "TWIST_LABELS",
@@ -71,6 +70,7 @@ __all__ = [
     "inertial_parameters",
     "joint_freedom_labels",
     "kinematic_functions",
+    "left_out",
     "loop_notes",
     "margin_functions",
     "mass_properties",

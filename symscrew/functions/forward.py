@@ -34,6 +34,10 @@ class SecondPath:
 
 
 MASSLESS_NOTE = "a motion that the loops allow moves no mass: forward dynamics is left out; give its bodies inertia"
+SINGULAR_NOTE = (
+    "all bodies have mass and inertia, but near the reference configuration the loops are too near to losing rank to "
+    "find the motions that they allow: forward dynamics is left out; describe the mechanism in another configuration"
+)
 State = list[tuple[Port, Sequence[Node]]]
 
 
@@ -61,6 +65,15 @@ def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool
 def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
     """Whether every motion that the loops allow moves mass: else accelerations do not follow from forces."""
     return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
+
+
+def left_out(system: System) -> str:
+    """Why there is no forward dynamics where `moves_mass` says no: a body without inertia, or the reference."""
+    mechanism = system.structure.mechanism  # with the inertias that effects leave
+    bodies = [body for name, body in mechanism.bodies.items() if name != mechanism.ground]
+    given = [(mechanism.number(b.mass or 0), b.inertia or ()) for b in bodies]
+    heavy = all(mass > 0 and any(entry != 0 for row in rows for entry in row) for mass, rows in given)
+    return SINGULAR_NOTE if heavy else MASSLESS_NOTE
 
 
 def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:

@@ -28,6 +28,7 @@ from symscrew.kinematics import (
     joint_screws,
     pair_of,
     tree_displacement,
+    turns_are_lost,
 )
 from symscrew.program import Function, Port, lower
 
@@ -296,9 +297,10 @@ def _joint_displacements(system: System) -> Function:
     units = tuple("m" if kind == "length" else "rad" for _, kind, _ in labels)
     port = Port("displacements", (len(labels),), units, tuple(label for label, _, _ in labels), "all joints")
     text = "Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes."
-    return function(
-        system, "joint_displacements", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)]
-    )
+    inputs = [(q_port(system), system.inputs.q)]
+    wrapped = [c.joint.name for c in system.cuts if turns_are_lost(c, system.linkage, system.geometry)]
+    notes = [f"within half a turn, as a pose tells no whole turns: {', '.join(wrapped)}"] if wrapped else []
+    return function(system, "joint_displacements", text, inputs=inputs, outputs=[(port, values)], notes=notes)
 
 
 def rates_of_joints(system: System, motion: Motion) -> dict[str, list[Node]]:

@@ -13,7 +13,7 @@ from symscrew.kinematics.joint_displacements import cut_displacement, tree_displ
 from symscrew.kinematics.link_inertias import combined, regrouped
 from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Placement, Rates, Wrench
 from symscrew.kinematics.linkage import Linkage
-from symscrew.kinematics.loop_closure import closure_bias, closure_rate
+from symscrew.kinematics.loop_closure import closure_bias, closure_rate, turns_are_lost
 from symscrew.kinematics.momentum_screws import MassProperties, momentum_rate, momentum_screw
 from symscrew.kinematics.pairs import LowerPair, Turn, pair_of, quaternion_matrix
 from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, own_screws, rates, twists
@@ -63,6 +63,7 @@ __all__ = [
     "regrouped",
     "spanning_tree",
     "tree_displacement",
+    "turns_are_lost",
     "twists",
     "universal_axes",
 ]

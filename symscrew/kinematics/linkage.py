@@ -35,11 +35,12 @@ from symscrew.kinematics.tree import GROUND, Tree
 
 @dataclass(frozen=True, eq=False)
 class Linkage:
-    """The tree's links, their frames and their placements, ground first."""
+    """The tree's links, their frames and their placements, ground first; the coordinates q that place them."""
 
     tree: Tree
     frames: tuple[Frame, ...]
     placed: tuple[Placement, ...]
+    q: tuple[Node, ...] = ()
 
     @cached_property
     def poses(self) -> tuple[Pose, ...]:

@@ -26,6 +26,7 @@ from symscrew.algebra import (
 )
 from symscrew.kinematics.cut_joints import Cut, universal_axes
 from symscrew.kinematics.geometry_nodes import Geometry
+from symscrew.kinematics.kept_joints import SAME_DIRECTION
 from symscrew.kinematics.link_quantities import Rates
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.tree import GROUND
@@ -125,11 +126,58 @@ def _named(values: Sequence[Node], quantity: str, cut: Cut) -> tuple[Node, ...]:
 
 
 def hub_angle(cut: Cut, at: Linkage, geometry: Geometry) -> Node:
-    """Angle by which the hub has turned about the joint's axis relative to the tip, from the reference [rad]."""
+    """Angle by which the hub has turned about the joint's axis relative to the tip, from the reference [rad].
+
+    Where all that turns on the way from tip to hub turns about parallel axes, it is the sum of these turns: continuous
+    over any number of them. Elsewhere it is what the pose says, in (-pi, pi].
+    """
+    turns = parallel_turns(cut, at, geometry)
+    if turns is not None:
+        angle = geometry.tape.zero
+        for link, sign in turns:
+            turned = at.q[at.tree.links[link].q.start] - at.frames[link].reference
+            angle = angle + turned if sign > 0 else angle - turned
+        return angle
     a, b, _ = cut.triad
     # the hub's copy of the tip's first transverse axis, carried to the tip
     carried = at.carry(cut.hub, cut.tip, transform(cut.reference, a))
     return geometry.tape.function("atan2", dot(carried, b), dot(carried, a))
+
+
+def parallel_turns(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[tuple[int, int], ...] | None:
+    """The links whose turns add up to the hub's against the tip, with signs; None if an axis is not parallel."""
+    common = at.tree.common(cut.tip, cut.hub)
+    axis = geometry.motion_axes(cut.joint)[-1]
+    found = []
+    for end, sign in ((cut.hub, 1), (cut.tip, -1)):
+        for link in at.tree.path(end):
+            if link == common:
+                break
+            if not at.tree.links[link].motion.turns:
+                continue
+            along = _along(at, link, axis, geometry)
+            if along == 0:
+                return None
+            found.append((link, sign * along))
+    return tuple(sorted(found)) if at.q else None
+
+
+def turns_are_lost(cut: Cut, at: Linkage, geometry: Geometry) -> bool:
+    """Whether an angle of a cut joint is known within half a turn only: by the pose."""
+    kind = cut.joint.kind
+    if kind.spherical or not kind.turning:
+        return False
+    return kind.universal or parallel_turns(cut, at, geometry) is None
+
+
+def _along(at: Linkage, link: int, axis: Vector, geometry: Geometry) -> int:
+    """1 or -1 where a link turns about that direction or against it, else 0."""
+    if at.tree.links[link].motion.spherical:
+        return 0
+    cosine = geometry.tape.settle(dot(transpose(at.frames[link].axes)[2], axis)).value
+    if cosine is None or abs(abs(cosine) - 1) > SAME_DIRECTION:
+        return 0
+    return 1 if cosine > 0 else -1
 
 
 def relative_rotation(cut: Cut, at: Linkage) -> Matrix:

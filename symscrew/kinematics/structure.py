@@ -5,7 +5,7 @@ Mechanism --> Structure --linkage, cuts--> System
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -51,12 +51,15 @@ class Coordinates:
 class Structure:
     """A mechanism on a tape of its own. Attributes are derived once and never change."""
 
-    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None) -> None:
-        """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then."""
+    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None, read: Collection[str] = ()) -> None:
+        """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then.
+
+        `read`: joints whose displacements effects ask for.
+        """
         self.mechanism = loaded or mechanism
         self.tape = Tape()
         self.geometry = Geometry(mechanism, self.tape)
-        self.tree: Tree = spanning_tree(mechanism)
+        self.tree: Tree = spanning_tree(mechanism, read)
         self.frames: tuple[Frame, ...] = link_frames(mechanism, self.tree, self.geometry)
         self.inputs = self._inputs()
 
@@ -140,7 +143,7 @@ class Structure:
             here = link.pair.placement(self.tape, frame, q[link.q], known.get(link.index))
             _name(here, link, self.tree.part(link.index))
             placed.append(here)
-        return Linkage(self.tree, self.frames, tuple(placed))
+        return Linkage(self.tree, self.frames, tuple(placed), tuple(q))
 
     def local_point(self, link: int, point: Vector) -> Vector:
         """A point given in the reference configuration, in link coordinates."""

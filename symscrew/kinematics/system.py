@@ -10,7 +10,7 @@ before its rotation (w = turn v), which is where the limbs' wrenches arrive.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -41,13 +41,19 @@ class System:
     """The mechanism on a tape. Attributes are derived once and never change."""
 
     def __init__(
-        self, mechanism: Mechanism, loaded: Mechanism | None = None, *, configuration: Configuration | None = None
+        self,
+        mechanism: Mechanism,
+        loaded: Mechanism | None = None,
+        *,
+        read: Collection[str] = (),
+        configuration: Configuration | None = None,
     ) -> None:
         """The system of a mechanism; `loaded` is the same one with other inertias, which are taken then.
 
+        `read` names the joints whose displacements effects ask for, which then are no places to cut a loop.
         With a `configuration` it is the system of that, else at the inputs of the tree.
         """
-        here = configuration or _at_inputs(Structure(mechanism, loaded))
+        here = configuration or _at_inputs(Structure(mechanism, loaded, read))
         self.structure, self.samples, self.inputs, self.closure = (
             here.structure,
             here.samples,

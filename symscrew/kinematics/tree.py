@@ -8,12 +8,14 @@ cut: every limb is then a chain of its own, and only the platform's equations co
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import sympy
 
 from symscrew.description import NO_MOTION, Joint, Mechanism, Motion, Vector
+from symscrew.kinematics.kept_joints import SAME_DIRECTION, keeping
 from symscrew.kinematics.pairs import LowerPair, pair_of
 
 GROUND = 0  # index of the ground among the links: the first of them, which all others hang on
@@ -25,9 +27,6 @@ and only its own equations couple them. With two limbs a single loop through the
 SPATIAL_PATH, PLANAR_PATH = 5, 3
 """Freedoms of the shortest path to the platform from which on a free joint (six freedoms), or in a planar mechanism a
 planar one (three), is not many more. Below, the platform stays at the end of its shortest path."""
-
-SAME_DIRECTION = 1e-25
-"""Components of unit axes that differ by less, of 30 digits, are equal; a planar mechanism must be so by design."""
 
 FAR_OUT = 10**6
 """A depth that no chain of joints reaches: bodies beyond a platform on its own joint come after all others."""
@@ -128,13 +127,17 @@ class Tree:
         return tuple(i for link in links for i in range(link.v.start, link.v.stop))
 
 
-def spanning_tree(mechanism: Mechanism) -> Tree:
-    """The tree of a mechanism; every mechanism, serial or parallel, goes through here."""
+def spanning_tree(mechanism: Mechanism, read: Collection[str] = ()) -> Tree:
+    """The tree of a mechanism; every mechanism, serial or parallel, goes through here.
+
+    `read`: joints whose displacements effects ask for, over any number of turns; see `keeping`.
+    """
     virtual = _virtual_joint(mechanism)
     joints = dict(mechanism.joints)
     if virtual is not None:
         joints[virtual.name] = virtual
     reached = _grow(mechanism, joints, virtual)
+    reached = keeping(mechanism, joints, reached, read=read, grow=lambda some: _grow(mechanism, some, virtual))
     tree_joints = {name for name, _ in reached.values()}
     order = [j for j in joints.values() if j.name in tree_joints]
     coordinates = _coordinates(order)

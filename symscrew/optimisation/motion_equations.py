@@ -19,7 +19,7 @@ from functools import cached_property
 from symscrew.algebra import Node
 from symscrew.description import Mechanism
 from symscrew.dynamics import Admissible, generalised_forces
-from symscrew.effects import Acting, Effect, transformed
+from symscrew.effects import Acting, Effect, joints_read, transformed
 from symscrew.errors import DescriptionError
 from symscrew.functions import (
     Equations,
@@ -59,7 +59,7 @@ class PointEquations:
         self, mechanism: Mechanism, effects: Sequence[Effect], independent: Sequence[str] | None = None
     ) -> None:
         self.effects = tuple(effects)
-        self.system = System(mechanism, transformed(mechanism, self.effects))
+        self.system = System(mechanism, transformed(mechanism, self.effects), read=joints_read(self.effects))
         self.system.use_samples()
         self.loops = Loops(self.system, independent)
         self.acting, self.drives = driven(self.system, self.effects)

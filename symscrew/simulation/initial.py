@@ -14,6 +14,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import System
 from symscrew.model import Model
 from symscrew.scene import Scene
+from symscrew.simulation.start_branch import leaves_every_branch
 
 # Intermediate targets on the way from the reference configuration; more where fewer fail. Long strides may lead to
 # another assembly branch, which nothing here would notice: hence eight also where Newton's method would manage one.
@@ -114,6 +115,11 @@ class _Closure:
         (jacobian,), _ = self.model("closure_jacobian", q, *self.extra)
         matrix = jacobian.reshape(n, len(self.rows)).T
         return residual * self.rows, matrix * self.rows[:, None] * self.units
+
+    def bias(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """(dJ/dt) v, without units."""
+        (found,), _ = self.model("closure_bias", q, v, *self.extra)
+        return np.asarray(found * self.rows)
 
 
 def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, float]:
@@ -234,5 +240,11 @@ def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Sce
         raise DescriptionError(
             f"initial.rates: the loops do not allow {_shown(scene.initial.rates)} in this configuration; check the "
             "values, or give only the rates of independent coordinates"
+        )
+    if len(jacobian) and leaves_every_branch(jacobian, closure.bias(q, v * closure.units), v):
+        raise DescriptionError(
+            f"initial.rates: the loops lose rank in this configuration, where branches of the motion meet, and "
+            f"{_shown(scene.initial.rates)} with the smallest rates of all others belongs to none of them; give the "
+            "rates of further joints, as they are on the branch that is meant"
         )
     return np.asarray(v * closure.units)

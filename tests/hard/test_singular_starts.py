@@ -1,0 +1,112 @@
+"""Rates at a singular start: those of a branch are taken, what belongs to none is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.four_bars_in_a_row import n_four_bar
+
+from symscrew.description import MechanismBuilder
+from symscrew.description.toml_tables import from_file
+from symscrew.errors import DescriptionError
+from symscrew.functions.forward import MASSLESS_NOTE, SINGULAR_NOTE, left_out
+from symscrew.kinematics import System
+from symscrew.model import Model, derive
+from symscrew.scene import load_scene, parse_scene
+from symscrew.simulation.initial import initial_state
+from symscrew.simulation.start_branch import leaves_every_branch
+
+SQUARE = """
+[scene]
+mechanism = "four_bar"
+duration = 1
+"""
+
+
+@pytest.fixture(scope="module")
+def row() -> Model:
+    """Two square four-bars in a row, whose flat positions are singular."""
+    return derive(n_four_bar(2), [])
+
+
+def started(model: Model, angle: float, rates: dict[str, float]) -> np.ndarray:
+    """Rates at the start with the cranks at an angle."""
+    scene = parse_scene(SQUARE)
+    initial = replace(scene.initial, coordinates={"A0": angle}, rates=rates)
+    _, v = initial_state(replace(scene, mechanism=model.mechanism, initial=initial), model, np.zeros(0))
+    labels = [c.label for c in model.system.tree.v]
+    return np.array([v[labels.index(name)] for name in labels])
+
+
+@pytest.mark.parametrize("rate", [-4.8877397639399747404, 1e-3, 30.0])
+def test_rates_of_no_branch_are_refused(row: Model, rate: float) -> None:
+    with pytest.raises(DescriptionError, match=r"branches of the motion meet, and A0 = .* belongs to none of them"):
+        started(row, -np.pi / 2, {"A0": rate})
+
+
+@pytest.mark.parametrize("rate", [-4.8877397639399747404, 1e-3])
+def test_rates_of_a_branch_are_taken_and_zero_rates_too(row: Model, rate: float) -> None:
+    """All cranks turn alike: the branch on which the couplers stay level."""
+    labels = [c.label for c in row.system.tree.v]
+    wanted = {name: rate if name[0] == "A" else -rate for name in labels if name[0] in "AB"}
+    given = started(row, -np.pi / 2, wanted)
+    assert given == pytest.approx([wanted.get(n, given[labels.index(n)]) for n in labels], abs=1e-12 * abs(rate))
+    assert not started(row, -np.pi / 2, {}).any()
+
+
+@pytest.mark.parametrize("angle", [-np.pi / 2 + 1e-3, -1.0, 0.5])
+def test_one_rate_is_enough_beside_a_singular_position(row: Model, angle: float) -> None:
+    labels = [c.label for c in row.system.tree.v]
+    found = dict(zip(labels, started(row, angle, {"A0": 2.0}), strict=True))
+    assert all(found[name] == pytest.approx(2.0) for name in labels if name[0] == "A")
+
+
+def test_a_lost_row_is_one_below_its_threshold() -> None:
+    """On either side of `LOST`, and whatever the size of the rates."""
+    for speed in (1e-3, 1.0, 1e3):
+        bias, rates = np.array([0.0, speed * speed]), np.array([speed, 0.0])
+        assert leaves_every_branch(np.diag([1.0, 1e-8]), bias, rates)
+        assert not leaves_every_branch(np.diag([1.0, 1e-6]), bias, rates)
+        assert not leaves_every_branch(np.diag([1.0, 0.0]), bias * 1e-8, rates)
+    assert not leaves_every_branch(np.diag([1.0, 0.0]), np.ones(2), np.zeros(2))
+
+
+def arm(inertia: list[object], axis: list[object]) -> MechanismBuilder:
+    builder = MechanismBuilder("arm").body("a", mass=1, com=[1, 0, 0], inertia=inertia)
+    return builder.joint("A", "R", parent="base", child="a", point=[0, 0, 0], axes=[axis], driven=True)
+
+
+def test_a_planar_body_may_have_the_moment_about_the_normal_alone() -> None:
+    mechanism = arm([0, 0, "1/12"], [0, 0, 1]).build()
+    model = derive(mechanism, [])
+    (u,), _ = model("inverse_dynamics", np.zeros(1), np.zeros(1), np.ones(1))
+    assert u[0] == pytest.approx(1 + 1 / 12, rel=1e-15)
+    for wrong in ([0, "1/12", 0], [0, "1/100", "1/12"]):
+        with pytest.raises(DescriptionError, match="no body has the principal moments"):
+            arm(wrong, [0, 0, 1]).build()
+    in_space = arm([0, 0, "1/12"], [0, 0, 1]).body("b", mass=1, com=[1, 0, 0], inertia=[0, 0, 0])
+    in_space.joint("B", "R", parent="a", child="b", point=[1, 0, 0], axes=[[1, 0, 0]])
+    with pytest.raises(DescriptionError, match="no body has the principal moments"):
+        in_space.build()
+
+
+def test_why_forward_dynamics_is_left_out() -> None:
+    """The words about missing inertia only where inertia is missing."""
+    assert left_out(System(arm([0, 1, 1], [0, 0, 1]).build())) == SINGULAR_NOTE
+    bare = MechanismBuilder("bare").body("a")
+    bare.joint("A", "R", parent="base", child="a", point=[0, 0, 0], axes=[[0, 0, 1]])
+    assert left_out(System(bare.build())) == MASSLESS_NOTE
+
+
+def test_an_error_in_a_mechanism_file_names_that_file_once(tmp_path: Path) -> None:
+    joint = '{ type = "Q", parent = "base", child = "a", point = [0, 0, 0] }'
+    (tmp_path / "wrong.toml").write_text(f'[mechanism]\nname = "w"\n[bodies]\na = {{}}\n[joints]\nA = {joint}\n')
+    (tmp_path / "scene.toml").write_text('[scene]\nmechanism = "wrong.toml"\nduration = 1\n')
+    with pytest.raises(DescriptionError, match=r"^wrong\.toml: joints\.A"):
+        load_scene(tmp_path / "scene.toml")
+    (tmp_path / "other.toml").write_text('[scene]\nmechanism = "four_bar"\nduration = -1\n')
+    with pytest.raises(DescriptionError, match=r"^other\.toml: scene\.duration"):
+        from_file(tmp_path / "other.toml", parse_scene)

@@ -1,0 +1,161 @@
+"""A displacement is continuous over any number of turns, whichever joint of its loop is cut."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+import symscrew
+from symscrew.effects import Acting, Effect, JointSpring
+from symscrew.kinematics import System
+
+PITCH = 0.001 / (2 * np.pi)
+SCREW = {  # a lead screw: a nut on a guide
+    "spin": {"type": "R", "parent": "base", "child": "screw"},
+    "thread": {"type": "H", "parent": "screw", "child": "nut", "pitch": "0.001/(2*pi)"},
+    "guide": {"type": "P", "parent": "base", "child": "nut"},
+}
+LENGTHS = (0.7, 1.9, 1.6, 2.0)  # crank, coupler, follower, ground: the crank turns fully
+ROCKER = {
+    "A": {"type": "R", "parent": "base", "child": "crank", "point": [0, 0, 0]},
+    "B": {"type": "R", "parent": "crank", "child": "coupler", "point": [0, "0.7", 0]},
+    "C": {"type": "R", "parent": "coupler", "child": "follower", "point": ["1.5", "1.5", 0]},
+    "D": {"type": "R", "parent": "base", "child": "follower", "point": [2, 0, 0]},
+}
+SPATIAL = {  # freedoms 1 + 3 + 1 + 2: both R and H may close the loop, and the axis of H is no other's
+    "turn": {"type": "R", "parent": "one", "child": "two", "point": [1, 0, 0], "axes": [["3/5", 0, "4/5"]]},
+    "thread": {
+        "type": "H",
+        "parent": "two",
+        "child": "three",
+        "point": [1, 1, 0],
+        "axes": [[0, "3/5", "4/5"]],
+        "pitch": "1/50",
+    },
+    "ball": {"type": "S", "parent": "base", "child": "one", "point": [0, 0, 0]},
+    "cross": {"type": "U", "parent": "base", "child": "three", "point": [0, 1, "0.5"], "axes": [[1, 0, 0], [0, 1, 0]]},
+}
+
+
+def mechanism(joints: dict[str, dict], order: Sequence[str], swapped: Sequence[str] = ()) -> symscrew.Mechanism:
+    """The joints in an order, some with parent and child exchanged; bodies have unit inertias."""
+    builder = symscrew.MechanismBuilder("loop")
+    bodies = dict.fromkeys(j[end] for j in joints.values() for end in ("parent", "child"))
+    for body in bodies:
+        if body != "base":
+            builder.body(body, mass=1, com=(0, 0, 0), inertia=(1, 1, 1))
+    for name in order:
+        given = {"point": [0, 0, 0], "axes": [[0, 0, 1]], **joints[name]}
+        kind, parent, child = given.pop("type"), given.pop("parent"), given.pop("child")
+        if kind == "S":
+            del given["axes"]
+        ends = (child, parent) if name in swapped else (parent, child)
+        builder.joint(name, kind, parent=ends[0], child=ends[1], **given)
+    return builder.build()
+
+
+def displacements(model: symscrew.Model, steps: int, along: dict[str, float]) -> list[dict[str, np.ndarray]]:
+    """All joints' displacements on the way: a tree's coordinates moved by `along` and closed, in equal steps."""
+    system, found = model.system, []
+    labels = [c.label for c in system.tree.q]
+    y = list(model.independent)
+    q = np.array(system.reference)
+    for step in range(1, steps + 1):
+        target = np.array([system.reference[labels.index(name)] + along[name] * step / steps for name in y])
+        (q,), status = model("assemble", target, q)
+        assert status == 0
+        (values,), _ = model("joint_displacements", q)
+        names = model.programs["joint_displacements"].outputs[0].labels
+        found.append(dict(zip(names, values, strict=True)))
+    return found
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(SCREW)))
+def test_a_nut_follows_its_screw_over_any_number_of_turns(order: tuple[str, ...]) -> None:
+    model = symscrew.derive(mechanism(SCREW, order), [])
+    turns = {"spin": 20.0, "guide": -20 * PITCH, "thread": -20.0}
+    at = displacements(model, 40, turns)[-1]
+    for name, value in turns.items():
+        assert at[name] == pytest.approx(value, abs=1e-12)
+
+
+@pytest.mark.parametrize("order", [("A", "B", "C", "D"), ("D", "C", "B", "A"), ("B", "C", "A", "D")])
+@pytest.mark.parametrize("swapped", [(), ("C", "D"), ("B",)])
+def test_angles_of_a_planar_loop_add_up(order: tuple[str, ...], swapped: tuple[str, ...]) -> None:
+    """The turns around a planar loop add up to nothing, over several turns, and none of them jumps."""
+    model = symscrew.derive(mechanism(ROCKER, order, swapped), [], independent=["A"])
+    found = displacements(model, 120, {"A": 20.0})
+    signs = {name: -1 if name in swapped else 1 for name in ROCKER}
+    for at in found:
+        right = {name: signs[name] * at[name] for name in ROCKER}
+        assert right["A"] + right["B"] + right["C"] - right["D"] == pytest.approx(0, abs=1e-12)
+    for before, after in itertools.pairwise(found):
+        assert max(abs(after[name] - before[name]) for name in ROCKER) < 1.0
+
+
+@pytest.mark.parametrize("joint", list(ROCKER))
+def test_a_spring_pulls_back_as_far_as_its_joint_has_turned(joint: str) -> None:
+    """A spring's energy is k s^2 / 2 with the displacement s that its joint has, cut or not."""
+    spring = JointSpring(joint, stiffness=2)
+    model = symscrew.derive(mechanism(ROCKER, ["D", "C", "B", "A"]), [spring], independent=["A"])
+    q = np.array(model.system.reference)
+    for angle in np.linspace(0.1, 15.0, 100):
+        (q,), status = model("assemble", np.array([angle]), q)
+        assert status == 0
+    (moved,), _ = model("joint_displacements", q)
+    s = moved[["D", "C", "B", "A"].index(joint)]
+    assert abs(s) > (6 if joint in "AB" else 0)
+    energies, _ = model("energy", q, np.zeros(3))
+    potential = [p.name for p in model.programs["energy"].outputs]
+    assert sum(float(np.sum(e)) for e in energies) == pytest.approx(s * s, rel=1e-12), potential
+
+
+def kept(joints: dict[str, dict], order: Sequence[str], effects: Sequence[Effect] = ()) -> System:
+    """The system under effects."""
+    read = tuple(name for effect in effects for name in effect.reads)
+    return System(mechanism(joints, order), read=read)
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(SPATIAL)))
+def test_a_thread_in_space_is_never_cut(order: tuple[str, ...]) -> None:
+    assert "thread" in kept(SPATIAL, order).tree.joints
+
+
+@pytest.mark.parametrize("order", [("turn", "thread", "ball", "cross"), ("thread", "turn", "cross", "ball")])
+def test_a_thread_in_space_moves_on_by_its_pitch(order: tuple[str, ...]) -> None:
+    """Whatever is cut, the closure of the loop goes on over whole turns of the thread: no thread is slipped."""
+    system = kept(SPATIAL, order)
+    (link,) = system.tree.links_of("thread")
+    q = np.array(system.reference)
+    turned = np.array(q)
+    turned[link.q] += 2 * np.pi
+    residual = system.numeric(system.residual, (system.inputs.q, np.stack([q, turned])))
+    assert np.abs(residual[0]).max() < 1e-14
+    assert np.abs(residual[1]).max() > 0.05  # 2 pi 0.02 m of which most is across a row's direction
+
+
+def test_a_joint_in_space_whose_displacement_an_effect_reads_is_not_cut() -> None:
+    order = ["thread", "turn", "ball", "cross"]
+    assert "turn" not in kept(SPATIAL, order).tree.joints
+    system = kept(SPATIAL, order, [JointSpring("turn", stiffness=1)])
+    assert {"turn", "thread"} <= set(system.tree.joints)
+    assert {joint.name for joint in system.tree.cut} == {"ball"}
+
+
+def test_an_effect_that_does_not_say_what_it_reads_is_refused_where_turns_are_lost() -> None:
+    """Rather than a displacement that wraps."""
+    system = kept(SPATIAL, ["thread", "turn", "ball", "cross"])
+    assert "turn" not in system.tree.joints
+    with pytest.raises(symscrew.DescriptionError, match="names the joint in its property 'reads'"):
+        Acting(system, [JointSpring("turn", stiffness=1)])
+
+
+def test_a_loop_of_which_no_joint_may_be_cut_is_refused() -> None:
+    every = [JointSpring(name, stiffness=1) for name in ("A", "B", "C", "D")]
+    axes = (["3/5", 0, "4/5"], [0, "3/5", "4/5"], [0, 0, 1], [1, 0, 0])
+    skew = {name: {**ROCKER[name], "axes": [axis]} for name, axis in zip(ROCKER, axes, strict=True)}
+    with pytest.raises(symscrew.DescriptionError, match="of which one has to be cut; divide one of them"):
+        kept(skew, list(ROCKER), every)
