@@ -226,7 +226,7 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
-    constraints = limb_constraints(limbs) if limbs and mechanism.platform is not None else None
+    constraints = limb_constraints(limbs, network.length) if limbs and mechanism.platform is not None else None
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     return Mobility(
