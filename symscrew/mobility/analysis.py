@@ -9,14 +9,14 @@ Formulas, redundant constraints and singularities are found when they are first 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Set
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -45,6 +45,17 @@ from symscrew.mobility.symbols import (
     symbolic_screws,
 )
 
+WELL_ABOVE = 1e-20
+"""A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
+has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
+WITHDRAWN = {
+    "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
+    "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
+    "poses": "withheld: it does not agree with screws displaced by exponentials",
+    "finite": "undecided: another route does not confirm how the configuration was judged",
+}
+"""Statement that falls with a failed check -> what is said instead of it."""
+
 
 @dataclass(frozen=True)
 class Mobility:
@@ -61,6 +72,7 @@ class Mobility:
         decisions: how every rank was decided.
         closed_to: closure residual of the configuration, in units of the mechanism's size.
         coordinates: joint coordinates that were asked for [rad, m].
+        withdrawn: statements whose check failed (keys of `WITHDRAWN`); they are not made.
     """
 
     mechanism: Mechanism
@@ -73,6 +85,7 @@ class Mobility:
     decisions: Decisions
     closed_to: float = 0.0
     coordinates: Mapping[str, Any] = field(default_factory=dict)
+    withdrawn: frozenset[str] = frozenset()
 
     def __repr__(self) -> str:
         finite = "not decided" if self.finite.dof is None else self.finite.dof
@@ -80,6 +93,14 @@ class Mobility:
             f"<Mobility of {self.mechanism.name}: {self.dof} instantaneous, {finite} finite, "
             f"{self.platform.body} {self.platform.type}, {self.overconstraints} redundant constraints>"
         )
+
+    def without(self, statements: Set[str]) -> Mobility:
+        """The result without the named statements (keys of `WITHDRAWN`): they are withheld, with the reason."""
+        finite = self.finite
+        if "finite" in statements:
+            evidence = (WITHDRAWN["finite"], *finite.evidence)
+            finite = FiniteMobility(None, False, None, "undecided", evidence, False)
+        return replace(self, finite=finite, withdrawn=self.withdrawn | statements)
 
     @property
     def in_reference(self) -> bool:
@@ -133,7 +154,9 @@ class Mobility:
 
         Symbols describe the reference configuration.
         """
-        return symbolic_mobility(self.mechanism) if self.in_reference else None
+        if not self.in_reference or "symbols" in self.withdrawn:
+            return None
+        return symbolic_mobility(self.mechanism)
 
     @cached_property
     def without_symbols(self) -> str | None:
@@ -142,6 +165,8 @@ class Mobility:
             return None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
+        if "symbols" in self.withdrawn:
+            return WITHDRAWN["symbols"]
         try:
             symbolic_screws(self.mechanism)
         except NotPolynomialError as error:
@@ -155,12 +180,17 @@ class Mobility:
             return "no symbols away from the reference configuration"
         if not self.network.chords:
             return "no loops"
+        if "loops" in self.withdrawn:
+            return WITHDRAWN["loops"]
         return symbolic_loops(self.mechanism, self.platform.body)
 
     @cached_property
     def limb_poses(self) -> dict[str, LimbPose | str]:
         """Limb -> its constraints in symbols for the displacements of its own joints, or why they are not given."""
-        return {limb.name: limb_pose(self.mechanism, limb.name) for limb in self.limbs if limb.constraints.basis}
+        named = [limb.name for limb in self.limbs if limb.constraints.basis]
+        if "poses" in self.withdrawn:
+            return dict.fromkeys(named, WITHDRAWN["poses"])
+        return {name: limb_pose(self.mechanism, name) for name in named}
 
     @cached_property
     def redundant(self) -> Overconstraints:
@@ -233,7 +263,7 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         mechanism,
         network,
         first_order,
-        finite_mobility(network),
+        _judged(network, first_order, decisions),
         platform,
         limbs,
         constraints,
@@ -241,3 +271,23 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         residual,
         coordinates,
     )
+
+
+def _judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:
+    """The finite mobility: proved where the ranks that a proof rests on were decided, else as sampled."""
+    rank, dof = first_order.closure.rank, first_order.dof
+    full = rank in (len(first_order.rows), network.freedoms)
+    if decisions.closure_exact and not full and decisions.groups is not None and sum(decisions.groups) == rank:
+        dimensions = " + ".join(map(str, decisions.groups))
+        text = (
+            f"each loop moves in a group of displacements (dimensions {dimensions}, by brackets over "
+            f"{decisions.field}), and the closure has that rank: smooth (implicit functions)"
+        )
+        return smooth_mobility(network, dof, text)
+    found = finite_mobility(network)
+    if not found.proved or decisions.closure_exact or not network.chords:
+        return found
+    if full and first_order.closure.smallest_pivot > WELL_ABOVE:  # no rounding of 60 digits makes such a pivot
+        return found
+    text = "sampled: the rank of the closure, on which this rests, was decided in 60 digits, which is no proof"
+    return replace(found, proved=False, evidence=(*found.evidence, text))

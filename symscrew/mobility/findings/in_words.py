@@ -67,7 +67,7 @@ def key_figures(found: Mobility) -> list[tuple[str, str]]:
     branches = "smooth" if finite.branches is None else ", ".join(map(str, finite.branches)) or "isolated"
     figures = [
         ("instantaneous mobility", str(found.dof)),
-        ("finite mobility", "not decided" if finite.dof is None else str(finite.dof)),
+        ("finite mobility", "not decided" if finite.dof is None else f"{finite.dof} ({finite.judgement})"),
         ("branches", branches),
         ("Kutzbach-Gruebler", str(found.kutzbach)),
         ("redundant constraints", str(found.overconstraints)),
@@ -95,14 +95,18 @@ def _summary(found: Mobility) -> list[str]:
             "or it does not move at all; --body shows another body"
         )
     if finite.smooth:
-        lines.append(f"Finite mobility {finite.dof}: a smooth point of the configuration space")
+        lines.append(f"Finite mobility {finite.dof}, {finite.judgement}: a smooth point of the configuration space")
     elif finite.dof is None:
         lines.append("A singular point of the configuration space; the finite mobility is not decided")
     elif not finite.branches:
-        lines.append("No finite mobility: the configuration is isolated, its freedoms are infinitesimal (shaky)")
+        lines.append(
+            f"No finite mobility, {finite.judgement}: the configuration is isolated, its freedoms are infinitesimal "
+            "(shaky)"
+        )
     else:
         lines.append(
-            f"Finite mobility {finite.dof}: a singular point ({finite.kind}); dimensions of the branches through it: "
+            f"Finite mobility {finite.dof}, {finite.judgement}: a singular point ({finite.kind}); "
+            "dimensions of the branches through it: "
             + ", ".join(map(str, finite.branches))
         )
     if found.dof_drives_locked is not None:

@@ -55,6 +55,8 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "nearly_parallel": list(found.nearly_parallel),
         "evidence": list(finite.evidence),
         "proved": finite.proved,
+        "judgement": finite.judgement,
+        "withdrawn": sorted(found.withdrawn),
     }
 
 

@@ -14,7 +14,7 @@
     witnesses        what every claim rests on, checked again by another of these routes
 """
 
-from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility
+from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.finite.local_solutions import CLOSED
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.finite.witnesses import recheck
@@ -28,4 +28,5 @@ __all__ = [
     "finite_mobility",
     "moved",
     "recheck",
+    "smooth_mobility",
 ]

@@ -68,6 +68,8 @@ def limb_pose(mechanism: Mechanism, name: str) -> LimbPose | str:
         return "a spherical joint inside the limb has no angles to be symbols"
     if not inner:
         return "no displacement inside the limb: its constraints keep their form and move with its first joint"
+    if rounded := _rounded_axis(mechanism, inner):
+        return rounded
     reason = f"more than {MOST_SYMBOLS} symbols"
     for count in range(min(len(inner), MOST_SYMBOLS), 0, -1):
         symbols = _symbols(mechanism, inner[:count])
@@ -96,6 +98,19 @@ def _chain(mechanism: Mechanism, name: str) -> list[_Freedom]:
         body = joint.child if forward else joint.parent
         chain += [_Freedom(joint, k, motion, 1 if forward else -1) for k, motion in motions]
     return chain
+
+
+def _rounded_axis(mechanism: Mechanism, inner: Sequence[_Freedom]) -> str:
+    """Why there is no exact rotation about an axis that has unit length only to rounding; empty where all have."""
+    for freedom in inner:
+        for axis in freedom.joint.axes:
+            square = sum(mechanism.number(c) ** 2 for c in axis)
+            if square.is_Rational and square != 1:
+                return (
+                    f"no symbols: an axis of {freedom.joint.name} has unit length only to {abs(float(square - 1)):.0e}, "
+                    "so there is no exact rotation about it; write it as a direction over its length"
+                )
+    return ""
 
 
 def _symbols(mechanism: Mechanism, inner: Sequence[_Freedom]) -> list[sympy.Symbol]:
