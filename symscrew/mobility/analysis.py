@@ -16,7 +16,7 @@ from typing import Any
 
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility, smooth_mobility
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, smooth_mobility, without_spins
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -32,7 +32,7 @@ from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel
 from symscrew.mobility.screw_systems import ScrewSystem
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
-from symscrew.mobility.singularities import Singularities, singularities
+from symscrew.mobility.singularities import MarginValue, Singularities, singularities
 from symscrew.mobility.symbols import (
     LimbPose,
     Locus,
@@ -40,6 +40,7 @@ from symscrew.mobility.symbols import (
     SymbolicLoops,
     SymbolicMobility,
     limb_pose,
+    rounded_axis,
     symbolic_loops,
     symbolic_mobility,
     symbolic_screws,
@@ -182,6 +183,8 @@ class Mobility:
             return "no loops"
         if "loops" in self.withdrawn:
             return WITHDRAWN["loops"]
+        if rounded := rounded_axis(self.mechanism.joints.values(), self.mechanism):
+            return rounded
         return symbolic_loops(self.mechanism, self.platform.body)
 
     @cached_property
@@ -200,7 +203,25 @@ class Mobility:
     @cached_property
     def singularities(self) -> Singularities:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
-        return singularities(self.mechanism, self.coordinates)
+        found = singularities(self.mechanism, self.coordinates)
+        return found if found.margins is None else replace(found, margins=tuple(map(self._with_rank, found.margins)))
+
+    def _with_rank(self, margin: MarginValue) -> MarginValue:
+        """The margin with what the ranks of this configuration say that it does not: freedoms lost all along."""
+        if margin.kind == "limb":
+            for limb in self.limbs:
+                most = min(6, len(limb.screws))
+                if limb.name == margin.name and limb.constraints.rank < most:
+                    joints = [self.mechanism.joints[name].type for name in limb.joints]
+                    why = " (a passive spin between its spherical joints)" if joints.count("S") > 1 else ""
+                    return replace(margin, note=f"{limb.constraints.rank} of {most} screws are independent here{why}")
+        left = self.dof_drives_locked
+        if margin.kind == "actuation" and margin.name == "all drives" and left:
+            spins = without_spins(self.network)[1]
+            if left > spins:
+                text = f"{left} freedom{'s' * (left > 1)} left with all drives locked here"
+                return replace(margin, note=f"{text}, {spins} of them passive spins" if spins else text)
+        return margin
 
     @property
     def not_tried(self) -> tuple[str, ...]:

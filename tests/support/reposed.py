@@ -76,12 +76,13 @@ def posed(joints: Joints, *, seed: int, digits: str, unit: str) -> Joints:
     return result
 
 
-def _axis(components: list[sympy.Rational], digits: str) -> list[sympy.Expr]:
-    """Doubles are unit vectors as they are; fewer digits are a direction, divided by its length exactly."""
+def _axis(components: list[sympy.Rational], digits: str) -> list[sympy.Rational]:
+    """Doubles are unit vectors as they are; of fewer digits the unit vector in 20, as the refusal of others asks."""
     if digits == "double":
-        return list(components)
-    size = sympy.sqrt(sum(c**2 for c in components))
-    return [c / size for c in components]
+        return components
+    numbers = [high_precision(c) for c in components]
+    size = CONTEXT.sqrt(sum(c * c for c in numbers))
+    return [sympy.Rational(CONTEXT.nstr(c / size, 20)) for c in numbers]
 
 
 def judged(name: str, mechanism: Mechanism, expected: dict[str, Any]) -> Posed:

@@ -16,6 +16,7 @@
 
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.finite.local_solutions import CLOSED
+from symscrew.mobility.finite.passive_spins import without_spins
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.finite.witnesses import recheck
 
@@ -29,4 +30,5 @@ __all__ = [
     "moved",
     "recheck",
     "smooth_mobility",
+    "without_spins",
 ]

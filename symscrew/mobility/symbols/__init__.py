@@ -16,7 +16,7 @@ from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors
 from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, exact_system, loop_rows
 from symscrew.mobility.symbols.generators import NotPolynomialError
-from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
+from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
 from symscrew.mobility.symbols.loop_groups import group_dimensions
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 from symscrew.mobility.symbols.polynomial_screws import (
@@ -48,6 +48,7 @@ __all__ = [
     "loop_rows",
     "null_vectors",
     "numbers_at",
+    "rounded_axis",
     "symbolic_loops",
     "symbolic_mobility",
     "symbolic_screws",
