@@ -88,6 +88,10 @@ def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
     if failed:
         return f"NOT VERIFIED: {'; '.join(failed)}"
     judged = found.finite.judgement
+    if found.near is not None:
+        judged += f" as typed; mobility {found.near.meant.finite.dof} within {found.near.distance:.1e} m"
+    if found.nearly_singular:
+        judged += " as typed, almost singular"
     if expect is None:
         return f"verified by another route; finite mobility {judged}"
     if found.finite.dof == expect:

@@ -14,9 +14,10 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility, smooth_mobility, without_spins
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, near_geometry, smooth_mobility, without_spins
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -29,7 +30,7 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
 )
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
-from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel
+from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
 from symscrew.mobility.screw_systems import ScrewSystem
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import MarginValue, Singularities, singularities
@@ -49,6 +50,9 @@ from symscrew.mobility.symbols import (
 WELL_ABOVE = 1e-20
 """A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
 has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
+NEARLY_SINGULAR = 1e-4
+"""Singular value of the closure below which its rank is said to be almost lost: numbers of six digits leave 1e-6 of
+what vanishes as meant. The rank itself is what it is as typed."""
 WITHDRAWN = {
     "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
     "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
@@ -107,6 +111,39 @@ class Mobility:
     def in_reference(self) -> bool:
         """Whether no joint coordinate was given."""
         return not self.coordinates
+
+    @cached_property
+    def near(self) -> Near | None:
+        """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
+        found = near_geometry(self.network, self.first_order.closure.rank)
+        if found is None:
+            return None
+        network = found.network
+        first_order = instantaneous_mobility(network)
+        limbs = tuple(limb_mobility(network, limb.name, limb.joints) for limb in self.limbs)
+        platform = body_freedoms(network, first_order, self.platform.body)
+        constraints = limb_constraints(limbs, network.length) if self.constraints is not None else None
+        reason = "the geometry meant was solved for in 60 digits"
+        decisions = Decisions(None, (), reason, singular_values(first_order))
+        finite = _judged(network, first_order, decisions)
+        meant = Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
+                         self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
+        if finite.dof is None or (meant.dof, finite.dof) == (self.dof, self.finite.dof):
+            return None
+        length = float(network.length)
+        return Near(meant, found.distance * length, tuple((name, size * length) for name, size in found.changes))
+
+    @property
+    def nearly_singular(self) -> str:
+        """That the closure almost loses rank, in words; empty where it does not, or where `near` says what is there."""
+        kept = self.decisions.singular_values[0]
+        if kept > NEARLY_SINGULAR or self.near is not None:
+            return ""
+        return (
+            f"That is as typed. The closure almost loses rank (singular value {kept:.1e}): special geometry or a "
+            f"singular pose is near, about {kept * float(self.network.length):.0e} m to first order; what moves there "
+            "is undecided"
+        )
 
     @property
     def method(self) -> str:
@@ -253,6 +290,34 @@ class Mobility:
             lines += [f"    {describe_twist(t)}" for t in self.freedoms.basis]
         lines.append(self.method)
         return "\n".join(lines)
+
+
+@dataclass(frozen=True)
+class Near:
+    """Special geometry close to the one typed.
+
+    `meant`: the result for it, found in 60 digits; `distance`: the largest change of a place, or of an axis times the
+    mechanism's size [m]; `changes`: the change of every joint [m], the largest first.
+    """
+
+    meant: Mobility
+    distance: float
+    changes: tuple[tuple[str, float], ...]
+
+    def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
+        """Joint -> (point [m], axes) of the special geometry in 25 digits: what to type instead."""
+        found = {}
+        for name, _ in self.changes:
+            edge = self.meant.network.edges[name]
+            point = tuple(CONTEXT.nstr(c * self.meant.network.length, 25) for c in edge.point)
+            axes = []
+            for motion, column in edge.motions:
+                if motion.single:
+                    screw = edge.screws[column - edge.start]
+                    part = screw[:3] if motion.turns else screw[3:]
+                    axes.append(tuple(CONTEXT.nstr(c, 25) for c in part))
+            found[name] = (point, tuple(axes))
+        return found
 
 
 def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mapping[str, Any] | None = None) -> Mobility:

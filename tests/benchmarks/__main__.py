@@ -9,7 +9,17 @@ from pathlib import Path
 from symscrew.studies.benchmark.pinocchio_build import CPP_FLAGS
 from symscrew.studies.this_machine import machine
 
-from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, lean, optimisation, simulation
+from . import (
+    derivatives,
+    forward_dynamics,
+    generation,
+    growth,
+    inverse_dynamics,
+    lean,
+    optimisation,
+    reposed,
+    simulation,
+)
 from .tables import table
 
 BENCHMARKS = {
@@ -21,6 +31,7 @@ BENCHMARKS = {
     "simulation": (simulation.run, 25),
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),
+    "reposed": (reposed.run, 1),
 }
 
 

@@ -23,7 +23,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.mobility.analysis import Mobility, analyse_mobility
 from symscrew.mobility.checks import verified
 
-from .reference_mechanisms import ENTRIES, joints_of
+from .reference_mechanisms import ENTRIES
 from .reference_mechanisms import build as build_entry
 
 DIGITS = ("double", "12", "9", "6")
@@ -128,7 +128,12 @@ def generic(seed: int) -> tuple[Joints, list[list[str]]]:
     while len(letters) < wanted:
         limb = "".join(random.choice(list("RRRPUSC"), size=int(random.integers(3, 6))))
         freedom = sum({"U": 2, "S": 3, "C": 2}.get(c, 1) for c in limb)
-        if limb.count("P") <= 1 and limb.count("S") <= 1 and 4 <= freedom <= 7 and constraints + max(0, 6 - freedom) < 6:
+        if (
+            limb.count("P") <= 1
+            and limb.count("S") <= 1
+            and 4 <= freedom <= 7
+            and constraints + max(0, 6 - freedom) < 6
+        ):
             constraints += max(0, 6 - freedom)
             letters.append(limb)
     joints: Joints = []
