@@ -17,7 +17,7 @@ from typing import Any
 from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility, near_geometry, smooth_mobility, without_spins
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, nearest_special, smooth_mobility, without_spins
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -115,7 +115,7 @@ class Mobility:
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        found = near_geometry(self.network, self.first_order.closure.rank)
+        found = nearest_special(self.network, self.first_order.closure.rank)
         if found is None:
             return None
         network = found.network

@@ -11,7 +11,7 @@ from .tables import table
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from support.reposed import DIGITS, UNITS, every  # noqa: E402
+from support.reposed import DIGITS, UNITS, every
 
 VERDICTS = ("kept", "explained", "warned", "undecided", "wrong")
 

@@ -4,7 +4,8 @@
 
 Kept: all ranks and the finite mobility are those of the exact mechanism, and every check of the result holds.
 Explained: they are not, but the result says itself that special geometry lies within the rounding of the numbers, with
-these verdicts. Wrong: neither.
+these verdicts. Warned: it says only that it is
+almost singular as typed. Wrong: none of these.
 """
 
 from __future__ import annotations
@@ -94,6 +95,8 @@ def judged(name: str, mechanism: Mechanism, expected: dict[str, Any]) -> Posed:
     near = getattr(found, "near", None)
     if not failed and near is not None and agrees(near.meant, expected):
         return Posed(name, found, failed, "explained")
+    if not failed and found.nearly_singular:
+        return Posed(name, found, failed, "warned")
     return Posed(name, found, failed, "undecided" if found.finite.dof is None and not failed else "wrong")
 
 

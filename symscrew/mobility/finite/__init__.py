@@ -17,7 +17,7 @@
 
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.finite.local_solutions import CLOSED
-from symscrew.mobility.finite.near_geometry import NearGeometry, near_geometry
+from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
 from symscrew.mobility.finite.passive_spins import without_spins
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.finite.witnesses import recheck
@@ -31,7 +31,7 @@ __all__ = [
     "NearGeometry",
     "finite_mobility",
     "moved",
-    "near_geometry",
+    "nearest_special",
     "recheck",
     "smooth_mobility",
     "without_spins",

@@ -55,7 +55,7 @@ class NearGeometry:
     moves: bool
 
 
-def near_geometry(network: Network, rank: int) -> NearGeometry | None:
+def nearest_special(network: Network, rank: int) -> NearGeometry | None:
     """The nearest geometry in which the closure loses rank; None where no singular value is small, or none found."""
     if not network.chords or not rank:
         return None
