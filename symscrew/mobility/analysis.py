@@ -14,6 +14,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
 from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
@@ -31,8 +33,8 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
-from symscrew.mobility.screw_systems import ScrewSystem
-from symscrew.mobility.screw_text import describe_twist, describe_wrench
+from symscrew.mobility.screw_systems import ScrewSystem, unit_rows
+from symscrew.mobility.screw_text import describe_twist, describe_type, describe_wrench
 from symscrew.mobility.singularities import MarginValue, Singularities, singularities
 from symscrew.mobility.symbols import (
     LimbPose,
@@ -132,6 +134,26 @@ class Mobility:
             return None
         length = float(network.length)
         return Near(meant, found.distance * length, tuple((name, size * length) for name, size in found.changes))
+
+    @property
+    def nearly_special(self) -> tuple[str, ...]:
+        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold."""
+        texts = []
+        length, basis = self.network.length, self.platform.freedoms.basis
+        twists = np.array([[float(c) for c in (*t[:3], *(x / length for x in t[3:]))] for t in basis])
+        if len(twists):
+            turning = np.linalg.svd(np.linalg.qr(twists.T)[0].T[:, :3], compute_uv=False)
+            clear = int((turning > NEARLY_SINGULAR).sum())
+            if clear < self.platform.rotations:
+                meant = describe_type(self.platform.dof, clear)
+                texts.append(f"Type {self.platform.type} of {self.platform.body} is as typed; it is almost {meant}")
+        if self.network.driven and self.dof:
+            motions = np.array([[float(c) for c in row] for row in unit_rows(self.first_order.motions)])
+            held = np.linalg.qr(motions.T)[0][list(self.network.driven)]
+            almost = self.dof - int((np.linalg.svd(held, compute_uv=False) > NEARLY_SINGULAR).sum())
+            if almost > (self.dof_drives_locked or 0):
+                texts.append(f"With all drives locked {almost} freedoms are almost left: near an actuation singularity")
+        return tuple(texts)
 
     @property
     def nearly_singular(self) -> str:

@@ -95,7 +95,7 @@ def judged(name: str, mechanism: Mechanism, expected: dict[str, Any]) -> Posed:
     near = getattr(found, "near", None)
     if not failed and near is not None and agrees(near.meant, expected):
         return Posed(name, found, failed, "explained")
-    if not failed and found.nearly_singular:
+    if not failed and (found.nearly_singular or found.nearly_special):
         return Posed(name, found, failed, "warned")
     return Posed(name, found, failed, "undecided" if found.finite.dof is None and not failed else "wrong")
 

@@ -114,6 +114,7 @@ def _summary(found: Mobility) -> list[str]:
         lines += _near(found.near)
     if found.nearly_singular:
         lines.append(found.nearly_singular)
+    lines += found.nearly_special
     if found.dof_drives_locked is not None:
         lines.append(f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked")
     return lines

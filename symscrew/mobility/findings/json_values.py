@@ -73,6 +73,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
             },
         },
         "nearly_singular": found.nearly_singular or None,
+        "nearly_special": list(found.nearly_special),
         "withdrawn": sorted(found.withdrawn),
     }
 
