@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         mobility_page,
         mobility_text,
         mobility_values,
-        verify,
+        verified,
     )
 
     writers = {".md": mobility_markdown, ".html": mobility_page, ".tex": mobility_latex}
@@ -53,8 +53,9 @@ def run(options: argparse.Namespace) -> int:
     if options.out and writer is None:
         raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
     mechanism = catalogue.find(options.mechanism)
-    found = analyse_mobility(mechanism, body=options.body, at=dict(_setting(text) for text in options.at))
-    failed = [check.claim for check in verify(found) if not check.holds]
+    at = dict(_setting(text) for text in options.at)
+    found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at))
+    failed = [check.claim for check in checks if not check.holds]
     verdict = _verdict(found, options.expect, failed)
     if options.json:
         values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
@@ -86,8 +87,13 @@ def _setting(text: str) -> tuple[str, str]:
 def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
     if failed:
         return f"NOT VERIFIED: {'; '.join(failed)}"
+    judged = found.finite.judgement
+    if found.near is not None:
+        judged += f" as typed; mobility {found.near.meant.finite.dof} within {found.near.distance:.1e} m"
+    if found.nearly_singular:
+        judged += " as typed, almost singular"
     if expect is None:
-        return "verified by another route"
+        return f"verified by another route; finite mobility {judged}"
     if found.finite.dof == expect:
-        return f"verified: finite mobility {expect}"
+        return f"verified: finite mobility {expect}, {judged}"
     return f"NOT as expected: finite mobility {found.finite.dof}, expected {expect}"

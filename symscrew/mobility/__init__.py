@@ -18,7 +18,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, analyse_mobility
-    from symscrew.mobility.checks import Check, verify
+    from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -56,6 +56,7 @@ __all__ = [
     "mobility_text",
     "mobility_values",
     "sections",
+    "verified",
     "verify",
 ]
 

@@ -9,14 +9,17 @@ Formulas, redundant constraints and singularities are found when they are first 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Set
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
+from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, nearest_special, smooth_mobility, without_spins
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -29,10 +32,10 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
 )
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
-from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel
-from symscrew.mobility.screw_systems import ScrewSystem
-from symscrew.mobility.screw_text import describe_twist, describe_wrench
-from symscrew.mobility.singularities import Singularities, singularities
+from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
+from symscrew.mobility.screw_systems import ScrewSystem, unit_rows
+from symscrew.mobility.screw_text import describe_twist, describe_type, describe_wrench
+from symscrew.mobility.singularities import MarginValue, Singularities, singularities
 from symscrew.mobility.symbols import (
     LimbPose,
     Locus,
@@ -40,10 +43,25 @@ from symscrew.mobility.symbols import (
     SymbolicLoops,
     SymbolicMobility,
     limb_pose,
+    rounded_axis,
     symbolic_loops,
     symbolic_mobility,
     symbolic_screws,
 )
+
+WELL_ABOVE = 1e-20
+"""A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
+has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
+NEARLY_SINGULAR = 1e-4
+"""Singular value of the closure below which its rank is said to be almost lost: numbers of six digits leave 1e-6 of
+what vanishes as meant. The rank itself is what it is as typed."""
+WITHDRAWN = {
+    "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
+    "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
+    "poses": "withheld: it does not agree with screws displaced by exponentials",
+    "finite": "undecided: another route does not confirm how the configuration was judged",
+}
+"""Statement that falls with a failed check -> what is said instead of it."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +79,7 @@ class Mobility:
         decisions: how every rank was decided.
         closed_to: closure residual of the configuration, in units of the mechanism's size.
         coordinates: joint coordinates that were asked for [rad, m].
+        withdrawn: statements whose check failed (keys of `WITHDRAWN`); they are not made.
     """
 
     mechanism: Mechanism
@@ -73,6 +92,7 @@ class Mobility:
     decisions: Decisions
     closed_to: float = 0.0
     coordinates: Mapping[str, Any] = field(default_factory=dict)
+    withdrawn: frozenset[str] = frozenset()
 
     def __repr__(self) -> str:
         finite = "not decided" if self.finite.dof is None else self.finite.dof
@@ -81,10 +101,71 @@ class Mobility:
             f"{self.platform.body} {self.platform.type}, {self.overconstraints} redundant constraints>"
         )
 
+    def without(self, statements: Set[str]) -> Mobility:
+        """The result without the named statements (keys of `WITHDRAWN`): they are withheld, with the reason."""
+        finite = self.finite
+        if "finite" in statements:
+            evidence = (WITHDRAWN["finite"], *finite.evidence)
+            finite = FiniteMobility(None, False, None, "undecided", evidence, False)
+        return replace(self, finite=finite, withdrawn=self.withdrawn | statements)
+
     @property
     def in_reference(self) -> bool:
         """Whether no joint coordinate was given."""
         return not self.coordinates
+
+    @cached_property
+    def near(self) -> Near | None:
+        """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
+        found = nearest_special(self.network, self.first_order.closure.rank)
+        if found is None:
+            return None
+        network = found.network
+        first_order = instantaneous_mobility(network)
+        limbs = tuple(limb_mobility(network, limb.name, limb.joints) for limb in self.limbs)
+        platform = body_freedoms(network, first_order, self.platform.body)
+        constraints = limb_constraints(limbs, network.length) if self.constraints is not None else None
+        reason = "the geometry meant was solved for in 60 digits"
+        decisions = Decisions(None, (), reason, singular_values(first_order))
+        finite = _judged(network, first_order, decisions)
+        meant = Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
+                         self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
+        if finite.dof is None or (meant.dof, finite.dof) == (self.dof, self.finite.dof):
+            return None
+        length = float(network.length)
+        return Near(meant, found.distance * length, tuple((name, size * length) for name, size in found.changes))
+
+    @property
+    def nearly_special(self) -> tuple[str, ...]:
+        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold."""
+        texts = []
+        length, basis = self.network.length, self.platform.freedoms.basis
+        twists = np.array([[float(c) for c in (*t[:3], *(x / length for x in t[3:]))] for t in basis])
+        if len(twists):
+            turning = np.linalg.svd(np.linalg.qr(twists.T)[0].T[:, :3], compute_uv=False)
+            clear = int((turning > NEARLY_SINGULAR).sum())
+            if clear < self.platform.rotations:
+                meant = describe_type(self.platform.dof, clear)
+                texts.append(f"Type {self.platform.type} of {self.platform.body} is as typed; it is almost {meant}")
+        if self.network.driven and self.dof:
+            motions = np.array([[float(c) for c in row] for row in unit_rows(self.first_order.motions)])
+            held = np.linalg.qr(motions.T)[0][list(self.network.driven)]
+            almost = self.dof - int((np.linalg.svd(held, compute_uv=False) > NEARLY_SINGULAR).sum())
+            if almost > (self.dof_drives_locked or 0):
+                texts.append(f"With all drives locked {almost} freedoms are almost left: near an actuation singularity")
+        return tuple(texts)
+
+    @property
+    def nearly_singular(self) -> str:
+        """That the closure almost loses rank, in words; empty where it does not, or where `near` says what is there."""
+        kept = self.decisions.singular_values[0]
+        if kept > NEARLY_SINGULAR or self.near is not None:
+            return ""
+        return (
+            f"That is as typed. The closure almost loses rank (singular value {kept:.1e}): special geometry or a "
+            f"singular pose is near, about {kept * float(self.network.length):.0e} m to first order; what moves there "
+            "is undecided"
+        )
 
     @property
     def method(self) -> str:
@@ -133,7 +214,9 @@ class Mobility:
 
         Symbols describe the reference configuration.
         """
-        return symbolic_mobility(self.mechanism) if self.in_reference else None
+        if not self.in_reference or "symbols" in self.withdrawn:
+            return None
+        return symbolic_mobility(self.mechanism)
 
     @cached_property
     def without_symbols(self) -> str | None:
@@ -142,6 +225,8 @@ class Mobility:
             return None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
+        if "symbols" in self.withdrawn:
+            return WITHDRAWN["symbols"]
         try:
             symbolic_screws(self.mechanism)
         except NotPolynomialError as error:
@@ -155,12 +240,19 @@ class Mobility:
             return "no symbols away from the reference configuration"
         if not self.network.chords:
             return "no loops"
+        if "loops" in self.withdrawn:
+            return WITHDRAWN["loops"]
+        if rounded := rounded_axis(self.mechanism.joints.values(), self.mechanism):
+            return rounded
         return symbolic_loops(self.mechanism, self.platform.body)
 
     @cached_property
     def limb_poses(self) -> dict[str, LimbPose | str]:
         """Limb -> its constraints in symbols for the displacements of its own joints, or why they are not given."""
-        return {limb.name: limb_pose(self.mechanism, limb.name) for limb in self.limbs if limb.constraints.basis}
+        named = [limb.name for limb in self.limbs if limb.constraints.basis]
+        if "poses" in self.withdrawn:
+            return dict.fromkeys(named, WITHDRAWN["poses"])
+        return {name: limb_pose(self.mechanism, name) for name in named}
 
     @cached_property
     def redundant(self) -> Overconstraints:
@@ -170,7 +262,25 @@ class Mobility:
     @cached_property
     def singularities(self) -> Singularities:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
-        return singularities(self.mechanism, self.coordinates)
+        found = singularities(self.mechanism, self.coordinates)
+        return found if found.margins is None else replace(found, margins=tuple(map(self._with_rank, found.margins)))
+
+    def _with_rank(self, margin: MarginValue) -> MarginValue:
+        """The margin with what the ranks of this configuration say that it does not: freedoms lost all along."""
+        if margin.kind == "limb":
+            for limb in self.limbs:
+                most = min(6, len(limb.screws))
+                if limb.name == margin.name and limb.constraints.rank < most:
+                    joints = [self.mechanism.joints[name].type for name in limb.joints]
+                    why = " (a passive spin between its spherical joints)" if joints.count("S") > 1 else ""
+                    return replace(margin, note=f"{limb.constraints.rank} of {most} screws are independent here{why}")
+        left = self.dof_drives_locked
+        if margin.kind == "actuation" and margin.name == "all drives" and left:
+            spins = without_spins(self.network)[1]
+            if left > spins:
+                text = f"{left} freedom{'s' * (left > 1)} left with all drives locked here"
+                return replace(margin, note=f"{text}, {spins} of them passive spins" if spins else text)
+        return margin
 
     @property
     def not_tried(self) -> tuple[str, ...]:
@@ -204,6 +314,34 @@ class Mobility:
         return "\n".join(lines)
 
 
+@dataclass(frozen=True)
+class Near:
+    """Special geometry close to the one typed.
+
+    `meant`: the result for it, found in 60 digits; `distance`: the largest change of a place, or of an axis times the
+    mechanism's size [m]; `changes`: the change of every joint [m], the largest first.
+    """
+
+    meant: Mobility
+    distance: float
+    changes: tuple[tuple[str, float], ...]
+
+    def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
+        """Joint -> (point [m], axes) of the special geometry in 25 digits: what to type instead."""
+        found = {}
+        for name, _ in self.changes:
+            edge = self.meant.network.edges[name]
+            point = tuple(CONTEXT.nstr(c * self.meant.network.length, 25) for c in edge.point)
+            axes = []
+            for motion, column in edge.motions:
+                if motion.single:
+                    screw = edge.screws[column - edge.start]
+                    part = screw[:3] if motion.turns else screw[3:]
+                    axes.append(tuple(CONTEXT.nstr(c, 25) for c in part))
+            found[name] = (point, tuple(axes))
+        return found
+
+
 def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mapping[str, Any] | None = None) -> Mobility:
     """Mobility of the mechanism in its reference configuration, or in the one that `at` says.
 
@@ -226,14 +364,14 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
-    constraints = limb_constraints(limbs) if limbs and mechanism.platform is not None else None
+    constraints = limb_constraints(limbs, network.length) if limbs and mechanism.platform is not None else None
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     return Mobility(
         mechanism,
         network,
         first_order,
-        finite_mobility(network),
+        _judged(network, first_order, decisions),
         platform,
         limbs,
         constraints,
@@ -241,3 +379,23 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         residual,
         coordinates,
     )
+
+
+def _judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:
+    """The finite mobility: proved where the ranks that a proof rests on were decided, else as sampled."""
+    rank, dof = first_order.closure.rank, first_order.dof
+    full = rank in (len(first_order.rows), network.freedoms)
+    if decisions.closure_exact and not full and decisions.groups is not None and sum(decisions.groups) == rank:
+        dimensions = " + ".join(map(str, decisions.groups))
+        text = (
+            f"each loop moves in a group of displacements (dimensions {dimensions}, by brackets over "
+            f"{decisions.field}), and the closure has that rank: smooth (implicit functions)"
+        )
+        return smooth_mobility(network, dof, text)
+    found = finite_mobility(network)
+    if not found.proved or decisions.closure_exact or not network.chords:
+        return found
+    if full and first_order.closure.smallest_pivot > WELL_ABOVE:  # no rounding of 60 digits makes such a pivot
+        return found
+    text = "sampled: the rank of the closure, on which this rests, was decided in 60 digits, which is no proof"
+    return replace(found, proved=False, evidence=(*found.evidence, text))

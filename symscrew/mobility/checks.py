@@ -19,7 +19,7 @@ from symscrew.algebra import CONTEXT
 from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.finite import DIGITS_60, ClosureVariety, moved, recheck
 from symscrew.mobility.joint_network import network_of
-from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate
+from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate, unit_rows
 from symscrew.mobility.symbols import Vector, numbers_at
 
 DISPLACED = 1e-45
@@ -41,6 +41,15 @@ class Check:
     claim: str
     holds: bool
     evidence: str
+    withdraws: str = ""
+    """The statement that falls with it (`symscrew.mobility.analysis.WITHDRAWN`); empty: the result as a whole."""
+
+
+def verified(found: Mobility) -> tuple[Mobility, tuple[Check, ...]]:
+    """(the result without the statements whose check failed, every check)."""
+    checks = verify(found)
+    failed = {check.withdraws for check in checks if not check.holds} - {""}
+    return (found.without(failed) if failed else found), checks
 
 
 def verify(found: Mobility) -> tuple[Check, ...]:
@@ -55,7 +64,7 @@ def verify(found: Mobility) -> tuple[Check, ...]:
     if found.finite.dof is not None:
         bounded = found.finite.dof <= found.dof and (not found.finite.smooth or found.finite.dof == found.dof)
         checks.append(Check("finite mobility at most the instantaneous", bounded, f"{found.finite.dof} <= {found.dof}"))
-    checks += [Check(*recheck(witness)) for witness in found.finite.witnesses]
+    checks += [Check(*recheck(witness), withdraws="finite") for witness in found.finite.witnesses]
     if found.decisions.field is not None:
         checks.append(_over_the_field(found))
     return (*checks, *_symbols(found), *_displaced(found), *_motions(found))
@@ -84,9 +93,10 @@ def _displaced(found: Mobility) -> list[Check]:
         for wrench in pose.constraints:
             numbers = numbers_at([tuple(c.xreplace(values) for c in wrench)], found.mechanism)[0]
             scaled = (*numbers[:3], *(c / network.length for c in numbers[3:]))
-            worst = max(worst, *(float(abs(_power(screw, scaled))) for screw in screws))
+            worst = max(worst, *(_relative([screw[k] * scaled[(k + 3) % 6] for k in range(6)]) for screw in screws))
         claim = f"{name}: constraints in its displacements"
-        checks.append(Check(claim, worst < DISPLACED, f"largest power {worst:.1e} on screws displaced by exponentials"))
+        text = f"largest power {worst:.1e} of its terms on screws displaced by exponentials"
+        checks.append(Check(claim, worst < DISPLACED, text, "poses"))
     return checks
 
 
@@ -99,11 +109,13 @@ def _motions(found: Mobility) -> list[Check]:
     worst = 0.0
     for rates in numbers_at(found.loops.rates, found.mechanism):
         scaled = [r / found.network.length if long else r for r, long in zip(rates, lengths, strict=True)]
+        largest = max(abs(r) for r in scaled)
         for row in found.first_order.rows:
-            worst = max(worst, float(abs(sum(a * b for a, b in zip(row, scaled, strict=True)))))
+            worst = max(worst, float(abs(sum(a * b for a, b in zip(row, scaled, strict=True))) / largest))
     found_all = len(found.loops.rates) <= found.dof
-    text = f"{len(found.loops.rates)} motions, largest velocity of closure {worst:.1e}"
-    return [Check("joint rates in symbols keep all loops closed", worst < CLOSURE_IN_SYMBOLS and found_all, text)]
+    text = f"{len(found.loops.rates)} motions, largest velocity of closure {worst:.1e} of their rates"
+    holds = worst < CLOSURE_IN_SYMBOLS and found_all
+    return [Check("joint rates in symbols keep all loops closed", holds, text, "loops")]
 
 
 def _over_the_field(found: Mobility) -> Check:
@@ -126,13 +138,17 @@ def _rank(found: Mobility) -> Check:
     smallest = values[rank - 1] if rank else float("inf")
     largest = values[rank] if rank < len(values) else 0.0
     text = f"singular values {smallest:.2e} | {largest:.2e} in double precision"
-    return Check("rank of the closure", bool(largest < NEGLECTED * values[0] and smallest > largest), text)
+    holds = bool(largest < NEGLECTED * values[0] and smallest > largest)
+    if smallest < NEGLECTED * values[0] and found.decisions.exact:  # what doubles cannot tell, the field has told
+        text += f", which do not tell it; elimination over {found.decisions.field} does"
+        holds = bool(largest < NEGLECTED * values[0])
+    return Check("rank of the closure", holds, text)
 
 
 def _closure(found: Mobility) -> Check:
     worst = max(
         (abs(sum(a * b for a, b in zip(row, motion, strict=True)))
-         for motion in found.first_order.motions for row in found.first_order.rows),
+         for motion in unit_rows(found.first_order.motions) for row in found.first_order.rows),
         default=0,
     )  # fmt: skip
     return Check(
@@ -144,7 +160,10 @@ def _reciprocity(found: Mobility) -> Check:
     wrenches = [*found.platform.constraints.basis, *(w for limb in found.limbs for w in limb.constraints.basis)]
     if found.platform.body != found.mechanism.platform:
         wrenches = [*found.platform.constraints.basis]
-    worst = max((abs(_power(t, w)) for t in found.platform.freedoms.basis for w in wrenches), default=0)
+    length = found.network.length
+    twists = unit_rows([(*t[:3], *(c / length for c in t[3:])) for t in found.platform.freedoms.basis])
+    scaled = unit_rows([(*w[:3], *(c / length for c in w[3:])) for w in wrenches])
+    worst = max((abs(_power(t, w)) for t in twists for w in scaled), default=0)
     dimensions = found.platform.dof + len(found.platform.constraints.basis)
     return Check(
         "freedoms reciprocal to constraints, dimensions add to 6",
@@ -173,7 +192,9 @@ def _symbolic_space(
 ) -> Check:
     """The same space; on a locus of degeneration the numbers must contain what the symbols say."""
     assert found.symbolic is not None
-    values = numbers_at(symbols, found.mechanism)
+    length = found.network.length
+    values = unit_rows([(*v[:3], *(c / length for c in v[3:])) for v in numbers_at(symbols, found.mechanism)])
+    known = unit_rows([(*v[:3], *(c / length for c in v[3:])) for v in numeric])
     degenerate = [
         locus
         for locus in found.symbolic.loci
@@ -183,12 +204,19 @@ def _symbolic_space(
     ]
     claim = f"{name}: symbols agree with numbers"
     if degenerate:
-        inside = eliminate([*numeric, *values], 6).rank == len(numeric)
-        return Check(claim, inside, f"on the locus {degenerate[0].expression} = 0, where they have more")
-    return Check(claim, _same_space(values, numeric), f"{len(values)} vectors")
+        inside = eliminate([*known, *values], 6).rank == len(known)
+        text = f"on the locus {degenerate[0].expression} = 0, where they have more"
+        return Check(claim, inside, text, "symbols")
+    return Check(claim, _same_space(values, known), f"{len(values)} vectors", "symbols")
 
 
-def _same_space(a: Sequence[Screw], b: Sequence[Screw]) -> bool:
+def _relative(terms: Sequence[Real]) -> float:
+    """A sum over the sum of its terms' sizes: what rounding leaves does not grow with the length of formulas."""
+    size = sum(abs(c) for c in terms)
+    return float(abs(sum(terms)) / size) if size else 0.0
+
+
+def _same_space(a: Sequence[Sequence[Real]], b: Sequence[Sequence[Real]]) -> bool:
     ranks = {eliminate(list(x), 6).rank for x in (a, b, [*a, *b])}
     return len(ranks) == 1
 

@@ -26,6 +26,7 @@ from symscrew.mobility.screw_systems import (  # fmt: skip
     null_space,
     span,
     swapped,
+    unit_rows,
 )
 from symscrew.mobility.screw_text import describe_type
 
@@ -107,7 +108,7 @@ def body_freedoms(network: Network, found: Instantaneous, body: str) -> BodyFree
     if body not in network.bodies:
         raise DescriptionError(f"expected the name of a body, got {body!r}; {did_you_mean(body, network.bodies)}")
     rows = network.twist_rows(body)
-    twists = [combine(rows, motion) for motion in found.motions]
+    twists = [combine(rows, motion) for motion in unit_rows(found.motions)]
     freedoms = span(twists, 6)
     rotations = eliminate([twist[:3] for twist in freedoms.basis], 3).rank
     constraints = null_space([swapped(twist) for twist in freedoms.basis], 6)
@@ -127,10 +128,13 @@ def limb_mobility(network: Network, name: str, joints: Sequence[str]) -> LimbMob
     return LimbMobility(name, tuple(joints), screws, _to_metres(system, network.length, twist=False))
 
 
-def limb_constraints(limbs: Sequence[LimbMobility]) -> ScrewSystem:
-    """The union of the limbs' constraints as the platform's constraint system: all of them, and their rank."""
+def limb_constraints(limbs: Sequence[LimbMobility], length: Real) -> ScrewSystem:
+    """The union of the limbs' constraints as the platform's constraint system: all of them, and their rank.
+
+    `length`: of the mechanism [m], by which moments are divided before ranks are taken.
+    """
     wrenches = tuple(wrench for limb in limbs for wrench in limb.constraints.basis)
-    found = eliminate(wrenches, 6)
+    found = eliminate(unit_rows([(*w[:3], *(c / length for c in w[3:])) for w in wrenches]), 6)
     return ScrewSystem(wrenches, found.rank, found.smallest, found.largest)
 
 

@@ -31,6 +31,7 @@ from symscrew.mobility.symbols import (
     Row,
     exact_rank,
     exact_system,
+    group_dimensions,
     loop_rows,
     null_vectors,
 )
@@ -65,6 +66,13 @@ class Decisions:
     ranks: tuple[Decision, ...]
     reason: str
     singular_values: tuple[float, float]
+    groups: tuple[int, ...] | None = None
+    """Dimension of the group of displacements in which each loop moves, over the field; None where not known."""
+
+    @property
+    def closure_exact(self) -> bool:
+        """The rank of the closure was decided in the field, and not differently from the numbers."""
+        return bool(self.ranks) and self.ranks[0].exact == self.ranks[0].numeric
 
     @property
     def exact(self) -> bool:
@@ -129,7 +137,11 @@ def decide(mechanism: Mechanism, given: NumericRanks, *, displaced: bool) -> Dec
         except NotDecidableError as error:
             found.append(Decision(claim, numeric, None))
             reasons.append(f"{error} ({claim})")
-    return Decisions(str(system.field), tuple(found), "; ".join(dict.fromkeys(reasons)), values)
+    try:
+        groups = group_dimensions(given.network, system)
+    except NotDecidableError:  # the numbers grow too long: it is not known
+        groups = None
+    return Decisions(str(system.field), tuple(found), "; ".join(dict.fromkeys(reasons)), values, groups)
 
 
 def _claims(given: NumericRanks, system: ExactSystem) -> Iterator[tuple[str, int, Callable[[], int]]]:

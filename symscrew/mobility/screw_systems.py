@@ -146,8 +146,19 @@ def _echelon(rows: list[Row], columns: int) -> list[Screw]:
 
 
 def combine(rows: Vectors, vector: Sequence[Real]) -> Screw:
-    """rows x vector."""
-    return tuple(sum((a * b for a, b in zip(row, vector, strict=True) if a and b), CONTEXT.zero) for row in rows)
+    """rows x vector; a sum that is rounding against its own terms is zero, so that it is never held against itself."""
+    return tuple(_sum([a * b for a, b in zip(row, vector, strict=True) if a and b]) for row in rows)
+
+
+def _sum(terms: Sequence[Real]) -> Real:
+    total = sum(terms, CONTEXT.zero)
+    return total if abs(total) > ZERO_BELOW * sum((abs(c) for c in terms), CONTEXT.zero) else CONTEXT.zero
+
+
+def unit_rows(rows: Vectors) -> list[Row]:
+    """Every row divided by its length, so that ranks do not depend on it; zero rows are left out."""
+    sizes = [CONTEXT.sqrt(sum((c * c for c in row), CONTEXT.zero)) for row in rows]
+    return [[c / size for c in row] for row, size in zip(rows, sizes, strict=True) if size]
 
 
 def swapped(screw: Sequence[Real]) -> Row:

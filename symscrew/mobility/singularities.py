@@ -46,11 +46,14 @@ class MarginValue:
     form: str
     value: float
     meaning: str
+    note: str = ""
+    """What a rank of the configuration says that the value does not: it is the volume of the rank that there is on
+    the whole branch, and stays above zero where rank is lost all along it. Empty where both agree."""
 
     @property
     def singular(self) -> bool:
         """Whether the configuration is singular in this sense."""
-        return abs(self.value) < SINGULAR
+        return abs(self.value) < SINGULAR or bool(self.note)
 
 
 @dataclass(frozen=True)
@@ -148,7 +151,8 @@ def as_values(found: Singularities) -> dict[str, Any]:
     result: dict[str, Any] = {"characteristic_length": found.length, "unit": "1"}
     for kind in ("limb", "constraint", "actuation"):
         result[kind] = None if found.margins is None else [
-            {"name": m.name, "margin": m.value, "form": FORMS[m.form], "singular": m.singular, "meaning": m.meaning}
+            {"name": m.name, "margin": m.value, "form": FORMS[m.form], "singular": m.singular, "meaning": m.meaning,
+             "note": m.note}
             for m in found.margins
             if m.kind == kind
         ]  # fmt: skip
@@ -164,5 +168,7 @@ def as_lines(found: Singularities) -> list[str]:
     lines = [f"Volumes of screws and wrenches with lengths divided by {found.length:g} m, without unit"]
     for m in found.margins:
         value = "SINGULAR here" if m.singular else f"{m.value:.6g}"
+        if m.note and abs(m.value) >= SINGULAR:
+            value = f"SINGULAR all along: {m.note}, so this is the volume of what is left, {m.value:.6g}"
         lines.append(f"{m.kind} ({m.name}): {value}, {m.meaning}")
     return lines

@@ -89,7 +89,7 @@ def _overview(model: Model, found: Mobility) -> list[Block]:
         ("bodies that move", str(len(mechanism.bodies) - (mechanism.ground in mechanism.bodies))),
         ("joints", f"{len(mechanism.joints)}: {_kinds(mechanism)}"),
         ("independent loops", str(len(found.network.chords))),
-        ("finite mobility", "not decided" if found.finite.dof is None else str(found.finite.dof)),
+        ("finite mobility", dict(key_figures(found))["finite mobility"]),
         ("drives", f"{count}: {', '.join(driven)}" if driven else "none"),
         ("effects in the dynamics", ", ".join(type(e).__name__ for e in model.effects) or "none"),
         ("characteristic length", f"{model.system.length:.6g} m (divides lengths where they meet angles)"),

@@ -18,6 +18,7 @@ from . import (
     inverse_dynamics,
     lean,
     optimisation,
+    reposed,
     simulation,
 )
 from .tables import table
@@ -32,6 +33,7 @@ BENCHMARKS = {
     "simulation": (simulation.run, 25),
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),
+    "reposed": (reposed.run, 1),
 }
 
 

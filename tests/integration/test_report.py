@@ -79,7 +79,9 @@ def test_numbers_are_those_of_the_model(seed: Path) -> None:
         row = re.search(rf"<tr><td>{name}\(.*?</tr>", text)
         assert row is not None and f">{program.operations['total']}" in row.group()
     assert "110 (100 … 130) ns" in text
-    assert "<td>finite mobility</td><td>2</td>" in text and "<td>freedoms of platform</td><td>2 (2R)</td>" in text
+    assert (
+        "<td>finite mobility</td><td>2 (proved)</td>" in text and "<td>freedoms of platform</td><td>2 (2R)</td>" in text
+    )
     margins, _ = model("constraint_margin", model.system.reference[None, :])
     assert f"{float(margins[0][0, 0]):.5g}" in text
 

@@ -109,12 +109,12 @@ def test_rounding_of_quadratic_forms_is_zero(monkeypatch: pytest.MonkeyPatch) ->
 def test_refinement_reaches_sixty_digits(monkeypatch: pytest.MonkeyPatch) -> None:
     coarse, fine, here = local("bennett")
     near = here.q + 0.01 * here.kernel[:, 0]
-    near = local_solutions._solve_dependent(coarse, here, near)
+    near = local_solutions.solve_dependent(coarse, here, near)
     assert near is not None and local_solutions.refine(coarse, fine, near, 3)[1] < local_solutions.EXACT
     monkeypatch.setattr(local_solutions, "REFINEMENTS", 1)
     assert local_solutions.EXACT < local_solutions.refine(coarse, fine, near, 3)[1] < 1e-12
     monkeypatch.setattr(local_solutions, "CONVERGED", 0.0)
-    assert local_solutions._solve_dependent(coarse, here, here.q + 0.01 * here.kernel[:, 0]) is None
+    assert local_solutions.solve_dependent(coarse, here, here.q + 0.01 * here.kernel[:, 0]) is None
 
 
 def test_a_pivot_that_is_rounding_proves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:

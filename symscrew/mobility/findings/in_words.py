@@ -14,9 +14,11 @@ from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
 
 if TYPE_CHECKING:
-    from symscrew.mobility.analysis import Mobility
+    from symscrew.mobility.analysis import Mobility, Near
     from symscrew.mobility.symbols import Locus
 
+MOST_CHANGES = 4
+"""Joints named as farthest from special geometry: a line; all are in the JSON."""
 NOT_TRIED = "What was not tried"
 
 
@@ -67,7 +69,7 @@ def key_figures(found: Mobility) -> list[tuple[str, str]]:
     branches = "smooth" if finite.branches is None else ", ".join(map(str, finite.branches)) or "isolated"
     figures = [
         ("instantaneous mobility", str(found.dof)),
-        ("finite mobility", "not decided" if finite.dof is None else str(finite.dof)),
+        ("finite mobility", "not decided" if finite.dof is None else f"{finite.dof} ({finite.judgement})"),
         ("branches", branches),
         ("Kutzbach-Gruebler", str(found.kutzbach)),
         ("redundant constraints", str(found.overconstraints)),
@@ -95,19 +97,38 @@ def _summary(found: Mobility) -> list[str]:
             "or it does not move at all; --body shows another body"
         )
     if finite.smooth:
-        lines.append(f"Finite mobility {finite.dof}: a smooth point of the configuration space")
+        lines.append(f"Finite mobility {finite.dof}, {finite.judgement}: a smooth point of the configuration space")
     elif finite.dof is None:
         lines.append("A singular point of the configuration space; the finite mobility is not decided")
     elif not finite.branches:
-        lines.append("No finite mobility: the configuration is isolated, its freedoms are infinitesimal (shaky)")
+        lines.append(
+            f"No finite mobility, {finite.judgement}: the configuration is isolated, its freedoms are infinitesimal "
+            "(shaky)"
+        )
     else:
         lines.append(
-            f"Finite mobility {finite.dof}: a singular point ({finite.kind}); dimensions of the branches through it: "
-            + ", ".join(map(str, finite.branches))
+            f"Finite mobility {finite.dof}, {finite.judgement}: a singular point ({finite.kind}); "
+            "dimensions of the branches through it: " + ", ".join(map(str, finite.branches))
         )
+    if found.near is not None:
+        lines += _near(found.near)
+    if found.nearly_singular:
+        lines.append(found.nearly_singular)
+    lines += found.nearly_special
     if found.dof_drives_locked is not None:
         lines.append(f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked")
     return lines
+
+
+def _near(near: Near) -> list[str]:
+    """Both verdicts, how far apart, and which joints differ."""
+    finite, first = near.meant.finite, near.changes[:MOST_CHANGES]
+    return [
+        f"That is as typed. Within {near.distance:.1e} m of a special geometry with mobility {finite.dof} "
+        f"({near.meant.dof} instantaneous, {near.meant.overconstraints} redundant constraints; {finite.judgement})",
+        "Largest changes to it: " + ", ".join(f"{name} {size:.1e} m" for name, size in first)
+        + "; the numbers to type instead are in the JSON (`near`)",
+    ]  # fmt: skip
 
 
 def _displaced(found: Mobility, limb: str) -> list[str]:

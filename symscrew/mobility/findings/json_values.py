@@ -55,6 +55,26 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "nearly_parallel": list(found.nearly_parallel),
         "evidence": list(finite.evidence),
         "proved": finite.proved,
+        "judgement": finite.judgement,
+        "near": None
+        if found.near is None
+        else {
+            "distance": found.near.distance,
+            "dof": found.near.meant.dof,
+            "dof_finite": found.near.meant.finite.dof,
+            "judgement": found.near.meant.finite.judgement,
+            "branches": None if found.near.meant.finite.branches is None else list(found.near.meant.finite.branches),
+            "overconstraints": found.near.meant.overconstraints,
+            "platform": found.near.meant.platform.type,
+            "changes": dict(found.near.changes),
+            "type_instead": {
+                name: {"point": list(point), "axes": [list(axis) for axis in axes]}
+                for name, (point, axes) in found.near.places().items()
+            },
+        },
+        "nearly_singular": found.nearly_singular or None,
+        "nearly_special": list(found.nearly_special),
+        "withdrawn": sorted(found.withdrawn),
     }
 
 

@@ -11,11 +11,14 @@
     reduced_closure  the redundant equations g(u) = 0 that are left once the others are solved
     quadric_cone     directions in which g vanishes to second order: where branches are looked for
     branches         dimensions of the branches through a singular configuration
+    near_geometry    the nearest geometry in which loops keep closed that do not as typed
     witnesses        what every claim rests on, checked again by another of these routes
 """
 
-from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility
+from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.finite.local_solutions import CLOSED
+from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
+from symscrew.mobility.finite.passive_spins import without_spins
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.finite.witnesses import recheck
 
@@ -25,7 +28,11 @@ __all__ = [
     "Array",
     "ClosureVariety",
     "FiniteMobility",
+    "NearGeometry",
     "finite_mobility",
     "moved",
+    "nearest_special",
     "recheck",
+    "smooth_mobility",
+    "without_spins",
 ]

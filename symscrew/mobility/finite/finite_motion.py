@@ -45,6 +45,12 @@ ORDERS = 6
 fourth order; where none up to this one stops it, the finite displacement decides, and the evidence is that."""
 
 
+RESOLVED = 1e-8
+"""Smallest singular value of the closure that counts with which finite motions are followed in double precision: below
+it, Newton's method for the dependent coordinates amplifies rounding to more than a micrometre in a metre, and the
+configuration is undecided. Above it the trials say themselves whether they converged."""
+
+
 @dataclass(frozen=True)
 class FiniteMobility:
     """The real motions through the configuration.
@@ -64,6 +70,11 @@ class FiniteMobility:
     evidence: tuple[str, ...]
     proved: bool
     witnesses: tuple[Witness, ...] = ()
+
+    @property
+    def judgement(self) -> str:
+        """`proved`, `sampled`, or `undecided`."""
+        return "undecided" if self.dof is None else "proved" if self.proved else "sampled"
 
 
 def finite_mobility(network: Network) -> FiniteMobility:
@@ -128,6 +139,11 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
     if not motions:
         return _smooth(network, 0, "no instantaneous motion but the spins", proved=True)
     here = local_at(coarse, np.zeros(coarse.columns), motions=motions)
+    if here.gap[0] < RESOLVED:
+        raise UndecidedError(
+            f"the closure has a singular value of {here.gap[0]:.0e}, which is not zero as typed: finite motions in "
+            "double precision do not tell it from zero, so nothing is concluded"
+        )
     trials = [vanishes(coarse, fine, here, direction) for direction in flatten(here.dof)]
     if all(trial.closed for trial in trials):
         largest = max(trial.residual for trial in trials)
@@ -150,9 +166,8 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
             )
         if all(trial.closed or not trial.solved for trial in trials):
             raise UndecidedError(text)  # no residual was seen, so that nothing shows that the motion stops
-        return _infinitesimal(
-            network, f"{text}; an analytic function of one variable that does not vanish has isolated zeros"
-        )
+        stopped = f"{text}; an analytic function of one variable that does not vanish has isolated zeros"
+        return replace(_infinitesimal(network, stopped), proved=False)  # the motion was solved for in doubles
     forms = quadratic_forms(coarse, here)
     weights = definite_stress(forms)
     if weights is not None:
@@ -199,6 +214,11 @@ def _singular(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: 
 
 def _smooth(network: Network, dof: int, text: str, *, proved: bool) -> FiniteMobility:
     return FiniteMobility(dof, True, None, "smooth", (text,), proved, (Witness(network, "smooth", dof, dof),))
+
+
+def smooth_mobility(network: Network, dof: int, text: str) -> FiniteMobility:
+    """A smooth point by a proof that `text` names."""
+    return _smooth(network, dof, text, proved=True)
 
 
 def _infinitesimal(network: Network, text: str) -> FiniteMobility:

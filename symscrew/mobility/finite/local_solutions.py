@@ -147,7 +147,7 @@ def vanishes(
     steps = STEPS if steps is None else steps
     for step in steps:
         q = here.q + here.kernel @ (step * direction)
-        solved = _solve_dependent(coarse, here, q)
+        solved = solve_dependent(coarse, here, q)
         if solved is None:
             continue
         residual = refine(coarse, fine, solved, here.rank)[1]
@@ -155,7 +155,7 @@ def vanishes(
     return Trial(False, float("nan"), steps[-1])
 
 
-def _solve_dependent(variety: ClosureVariety, here: Local, q: Array) -> Array | None:
+def solve_dependent(variety: ClosureVariety, here: Local, q: Array) -> Array | None:
     """The displacement with the same independent coordinates that solves all but the redundant equations."""
     size = np.linalg.norm(q - here.q)
     start = q

@@ -1,6 +1,7 @@
 """Mobility without rounding: exact numbers, and formulas in the description's parameters.
 
     expressions --exact_field--> numbers in which zero is decidable --exact_screws, exact_ranks--> proved ranks
+                                            --loop_groups--> groups in which loops move
     expressions --generators--> polynomials --polynomial_screws--> constraints, freedoms and loci of limbs
                                             --loop_motions--> joint rates of closed loops
                                             --limb_poses--> constraints of a limb in its own displacements
@@ -15,7 +16,8 @@ from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors
 from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, exact_system, loop_rows
 from symscrew.mobility.symbols.generators import NotPolynomialError
-from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
+from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
+from symscrew.mobility.symbols.loop_groups import group_dimensions
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 from symscrew.mobility.symbols.polynomial_screws import (
     Locus,
@@ -41,10 +43,12 @@ __all__ = [
     "actuation_loci",
     "exact_rank",
     "exact_system",
+    "group_dimensions",
     "limb_pose",
     "loop_rows",
     "null_vectors",
     "numbers_at",
+    "rounded_axis",
     "symbolic_loops",
     "symbolic_mobility",
     "symbolic_screws",

@@ -10,7 +10,7 @@ to (18) hold with symbols for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -68,6 +68,8 @@ def limb_pose(mechanism: Mechanism, name: str) -> LimbPose | str:
         return "a spherical joint inside the limb has no angles to be symbols"
     if not inner:
         return "no displacement inside the limb: its constraints keep their form and move with its first joint"
+    if rounded := rounded_axis([f.joint for f in inner], mechanism):
+        return rounded
     reason = f"more than {MOST_SYMBOLS} symbols"
     for count in range(min(len(inner), MOST_SYMBOLS), 0, -1):
         symbols = _symbols(mechanism, inner[:count])
@@ -96,6 +98,19 @@ def _chain(mechanism: Mechanism, name: str) -> list[_Freedom]:
         body = joint.child if forward else joint.parent
         chain += [_Freedom(joint, k, motion, 1 if forward else -1) for k, motion in motions]
     return chain
+
+
+def rounded_axis(joints: Iterable[Joint], mechanism: Mechanism) -> str:
+    """Why there is no exact unit screw of an axis whose length is one only to rounding; empty where all have it."""
+    for joint in joints:
+        for axis in joint.axes:
+            square = sum(mechanism.number(c) ** 2 for c in axis)
+            if square.is_Rational and square != 1:
+                return (
+                    f"no symbols: an axis of {joint.name} has unit length only to {abs(float(square - 1)):.0e}, "
+                    "so no exact rotation about it; write it as a direction over its length"
+                )
+    return ""
 
 
 def _symbols(mechanism: Mechanism, inner: Sequence[_Freedom]) -> list[sympy.Symbol]:

@@ -21,7 +21,7 @@ import sympy
 from symscrew.algebra import IDENTITY, as_vector, high_precision
 from symscrew.description import Joint, Mechanism
 from symscrew.kinematics import motion_screws
-from symscrew.mobility.screw_systems import Screw, eliminate
+from symscrew.mobility.screw_systems import Screw, eliminate, unit_rows
 from symscrew.mobility.symbols.exact_screws import across
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly, Quotient
 
@@ -265,7 +265,7 @@ def _independent(rows: Sequence[Sequence[Any]], columns: int = 6) -> list[int]:
     """Indices of the first rows that are linearly independent."""
     chosen: list[int] = []
     for i in range(len(rows)):
-        if eliminate([rows[k] for k in (*chosen, i)], columns).rank == len(chosen) + 1:
+        if eliminate(unit_rows([rows[k] for k in (*chosen, i)]), columns).rank == len(chosen) + 1:
             chosen.append(i)
     return chosen
 

@@ -1,0 +1,52 @@
+"""Nothing is concluded from rounding: bodies at rest, withdrawn statements, proofs told from samples."""
+
+from __future__ import annotations
+
+from support.reference_mechanisms import ENTRIES, build
+from support.reposed import reference
+
+from symscrew import catalogue
+from symscrew.algebra import CONTEXT
+from symscrew.mobility import analyse_mobility, mobility_values
+from symscrew.mobility.screw_systems import combine, eliminate, unit_rows
+
+
+def test_a_sum_that_is_rounding_against_its_terms_is_zero() -> None:
+    third = CONTEXT.one / 3
+    noise = combine([[third, -third * (1 + CONTEXT.mpf(10) ** -50)]], [CONTEXT.one, CONTEXT.one])
+    kept = combine([[third, -third * (1 + CONTEXT.mpf(10) ** -20)]], [CONTEXT.one, CONTEXT.one])
+    assert noise == (0,) and kept[0] != 0
+
+
+def test_ranks_do_not_depend_on_the_length_of_rows() -> None:
+    rows = [[CONTEXT.mpf(10) ** 80, CONTEXT.zero], [CONTEXT.zero, CONTEXT.mpf(10) ** -5]]
+    assert eliminate(rows, 2).rank == 1 and eliminate(unit_rows(rows), 2).rank == 2
+
+
+def test_what_a_check_does_not_confirm_is_not_said() -> None:
+    found = analyse_mobility(catalogue.load("three_ups_upu_s"))
+    assert found.symbolic is not None and found.finite.judgement == "proved"
+    less = found.without({"symbols", "finite"})
+    assert less.symbolic is None and less.without_symbols is not None and "withheld" in less.without_symbols
+    assert less.finite.dof is None and mobility_values(less)["judgement"] == "undecided"
+
+
+def test_planar_loops_are_proved_by_their_group_and_others_sampled() -> None:
+    planar = analyse_mobility(build(ENTRIES["planar_4bar"]))
+    assert planar.decisions.groups == (3,) and planar.finite.judgement == "proved"
+    bennett = analyse_mobility(build(ENTRIES["bennett"]))
+    assert bennett.decisions.groups == (6,) and bennett.finite.judgement == "sampled"
+
+
+def test_a_change_point_in_doubles_is_near_singular_and_moves() -> None:
+    posed = reference("parallelogram-change_point", seed=3, digits="double", unit="m")
+    assert posed.failed == () and posed.found is not None
+    assert posed.found.finite.dof == 1 and posed.found.finite.judgement == "proved" and posed.found.nearly_singular
+
+
+def test_margins_carry_the_ranks_beside_them() -> None:
+    found = analyse_mobility(build(ENTRIES["sarrus-flat_folded"]))
+    margins = found.singularities.margins
+    assert margins is not None
+    lost = [m for m in margins if m.kind == "limb" and m.note]
+    assert len(lost) == 2 and all(m.singular and m.note.startswith("2 of 3 screws") for m in lost)
