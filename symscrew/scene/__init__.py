@@ -7,15 +7,19 @@ from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.scene.controllers import controller, parameter_values
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
 from symscrew.scene.scene_file import load_scene, parse_scene
+from symscrew.scene.time_features import UNCHANGING, TimeFeatures, time_features
 
 __all__ = [
     "INTEGRATION_METHODS",
+    "UNCHANGING",
     "Initial",
     "Integrator",
     "Scene",
     "Table",
+    "TimeFeatures",
     "controller",
     "load_scene",
     "parameter_values",
     "parse_scene",
+    "time_features",
 ]

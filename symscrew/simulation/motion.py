@@ -33,7 +33,8 @@ class Run:
 
     t (n,), q (n, nq), v (n, nv), u (n, drives), x (n, states; the last is the work of drives and effects where there
     are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
-    energy_balance (n,) energy - energy at the start - work [J], reactions (n, 6 joints) or None.
+    energy_balance (n,) energy - energy at the start - work + what impacts took [J], `losses`: the latter in all by
+    the joint's name, reactions (n, 6 joints) or None.
     """
 
     scene: Scene
@@ -55,6 +56,7 @@ class Run:
     x_labels: tuple[str, ...] = ()
     backend: str = "c"
     inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
+    losses: Mapping[str, float] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
@@ -137,7 +139,7 @@ def simulate(
     )
     if controller is None:
         history = with_longest_stable_step(scene, programs, history, (q, v, x))
-    history = replace(history, events=(*moves(scene, model, q, v), *history.events))
+    history = replace(history, events=(*moves(scene, model, q, v), *_of_steps(scene), *history.events))
     return _observed(scene, model, programs, history)
 
 
@@ -151,7 +153,7 @@ def _integrated(
     backend: str | None,
     progress: Progress | None,
 ) -> History:
-    own = scene.integrator.method in NATIVE_METHODS and not contacts and controller is None
+    own = scene.integrator.method in NATIVE_METHODS and controller is None
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
         raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
@@ -159,6 +161,17 @@ def _integrated(
         return integrate_natively(scene, programs, start, progress)
     return integrate(
         scene, programs, start, contacts=contacts, controller=controller, compiled=chosen == "c", progress=progress
+    )
+
+
+def _of_steps(scene: Scene) -> tuple[str, ...]:
+    """What a fixed step becomes so that outputs fall on ends of steps: an event where it is another one."""
+    step, between = scene.integrator.step, 1.0 / scene.rate
+    if step is None or step <= between * (1 + 1e-9):
+        return ()
+    return (
+        f"the step of {step:g} s is longer than the {between:g} s between two outputs: steps of {between:g} s are "
+        "taken, from output to output; a lower rate leaves longer ones",
     )
 
 
@@ -185,7 +198,11 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     u = found.get("u", np.zeros((n, 0)))
     energy = evaluated(model, "energy", known)["energy"]
     work = history.x[:, -1] if programs.works else np.zeros(n)
-    balance = energy.sum(axis=1) - energy[:1].sum(axis=1) - work
+    taken = np.array([sum(loss for when, _, loss in history.losses if 0 < when < t) for t in history.t])
+    balance = energy.sum(axis=1) - energy[:1].sum(axis=1) - work + taken
+    losses: dict[str, float] = {}
+    for _, name, loss in history.losses:
+        losses[name] = losses.get(name, 0.0) + float(loss)
     closure = np.zeros(n)
     if programs.closure is not None:
         closure = np.abs(evaluated(model, "closure", known)["residual"] * programs.rows).max(axis=1, initial=0.0)
@@ -198,5 +215,5 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
         history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
-        {name: array for name, array in found.items() if name != "u"},
+        {name: array for name, array in found.items() if name != "u"}, losses,
     )  # fmt: skip
