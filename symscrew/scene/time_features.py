@@ -55,7 +55,7 @@ class TimeFeatures:
 UNCHANGING = TimeFeatures()
 
 
-def time_features(scene: Scene, model: Model) -> TimeFeatures:
+def features_in_time(scene: Scene, model: Model) -> TimeFeatures:
     """Edges and breaks of the scene's drives, inputs of effects and rates of states, within its duration."""
     functions: dict[sympy.Expr, str] = {}
     notices = []

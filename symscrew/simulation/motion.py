@@ -20,9 +20,10 @@ from symscrew.scene import controller as controller_of
 from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
-from symscrew.simulation.recording import History, State
+from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
+from symscrew.simulation.verdict import verdict
 
 Progress = Callable[[float], None]
 
@@ -34,7 +35,8 @@ class Run:
     t (n,), q (n, nq), v (n, nv), u (n, drives), x (n, states; the last is the work of drives and effects where there
     are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
     energy_balance (n,) energy - energy at the start - work + what impacts took [J], `losses`: the latter in all by
-    the joint's name, reactions (n, 6 joints) or None.
+    the joint's name, `estimate` of its error by another run, `verdict`: the status with what was judged, `accurate`:
+    whether that is good, reactions (n, 6 joints) or None.
     """
 
     scene: Scene
@@ -57,10 +59,20 @@ class Run:
     backend: str = "c"
     inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
     losses: Mapping[str, float] = field(default_factory=dict)
+    estimate: Estimate | None = None
+    accurate: bool = True
+    verdict: str = ""
 
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
         return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"
+
+    @property
+    def unbalanced(self) -> float:
+        """Largest energy balance by the largest energy that was moved: kinetic, potential, work or losses."""
+        moved = np.ptp(self.energy, axis=0).max(initial=0.0) if len(self.t) else 0.0
+        largest = max(float(moved), float(self.energy[:, 0].max(initial=0.0)), sum(self.losses.values()))
+        return float(np.abs(self.energy_balance).max(initial=0.0)) / (largest or 1.0)
 
     @property
     def energy_error(self) -> float:
@@ -140,7 +152,16 @@ def simulate(
     if controller is None:
         history = with_longest_stable_step(scene, programs, history, (q, v, x))
     history = replace(history, events=(*moves(scene, model, q, v), *_of_steps(scene), *history.events))
-    return _observed(scene, model, programs, history)
+    return judged(_observed(scene, model, programs, history))
+
+
+def judged(run: Run) -> Run:
+    """The run with its verdict: a run that stopped is not accurate, one that came to its end is looked at."""
+    if not run.ok:
+        return replace(run, accurate=False, verdict=run.status)
+    opening = float(run.closure_error.max(initial=0.0))
+    accurate, text = verdict(run.scene, run.estimate or Estimate(), opening, run.unbalanced)
+    return replace(run, accurate=accurate, verdict=text)
 
 
 def _integrated(
@@ -215,5 +236,5 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
         history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
-        {name: array for name, array in found.items() if name != "u"}, losses,
+        {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
     )  # fmt: skip

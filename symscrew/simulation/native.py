@@ -16,11 +16,12 @@ from pathlib import Path
 import numpy as np
 
 from symscrew.runtime import compile_c
-from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, time_features
+from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Passage, State
 from symscrew.simulation.run_source import source, table_code
 from symscrew.simulation.state_programs import Plant
+from symscrew.simulation.verdict import estimated
 
 NATIVE_FLAGS = ("-O3", "-fno-trapping-math")
 NATIVE_METHODS = {name: m.kernel for name, m in INTEGRATION_METHODS.items() if m.kernel is not None}
@@ -150,9 +151,12 @@ NEAR_SINGULAR = 0.25
 def integrate_natively(
     scene: Scene, plant: Plant, start: State, progress: Callable[[float], None] | None = None
 ) -> History:
-    """The run of a scene from (q, v, x) by the compiled loop; `progress` is called with the part done."""
+    """The run of a scene from (q, v, x) by the compiled loop, with an estimate of its error by runs with other steps;
+    `progress` is called with the part done."""
     library = Library(plant, table_code(list(scene.tables.values())))
-    return run_natively(library, scene, start, progress)
+    found = run_natively(library, scene, start, progress)
+    estimate = estimated(scene, plant.system, found, lambda other: run_natively(library, other, start))
+    return replace(found, estimate=estimate)
 
 
 def run_natively(
@@ -164,7 +168,7 @@ def run_natively(
     h = choice.step or 0.0
     if h:  # outputs fall on ends of steps
         h = 1.0 / scene.rate / max(1, math.ceil(1.0 / scene.rate / h - 1e-9))
-    features = time_features(scene, library.plant.model)
+    features = features_in_time(scene, library.plant.model)
     contacts = NativeContacts(library, scene, start)
     outcome = library.start(
         0.0, *start, method=choice.method, h=h, rtol=local, atol=local,

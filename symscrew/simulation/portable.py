@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
-from symscrew.scene import INTEGRATION_METHODS, Scene, time_features
+from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
 from symscrew.simulation.mode_changes import Change, beginning, change
 from symscrew.simulation.native_contacts import MOST_EVENTS
@@ -85,7 +85,7 @@ class _Marching:
     ) -> None:
         self.scene, self.f, self.rules, self.controller, self.progress = scene, functions, rules, controller, progress
         self.method = INTEGRATION_METHODS[scene.integrator.method]
-        self.features, self.latest = time_features(scene, functions.plant.model), np.inf
+        self.features, self.latest = features_in_time(scene, functions.plant.model), np.inf
         self.modes = contact.Modes(())
         self.contact_forces: list[np.ndarray] = []  # at the samples
         self.samples: list[tuple[float, np.ndarray]] = []

@@ -10,6 +10,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+
+@dataclass(frozen=True)
+class Estimate:
+    """`error`: largest difference of a coordinate [rad, characteristic lengths] to the other run; NaN: there is none.
+
+    `growth`: by how much the differences grew from the first tenth of the run to its end.
+    """
+
+    error: float = np.nan
+    growth: float = np.nan
+
+
 State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time
 
 
@@ -45,6 +57,7 @@ class History:
     u: np.ndarray | None = None
     contact_forces: np.ndarray | None = None
     losses: tuple[tuple[float, str, float], ...] = ()
+    estimate: Estimate | None = None
 
     @property
     def forces(self) -> np.ndarray:
