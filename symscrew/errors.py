@@ -13,6 +13,15 @@ class DescriptionError(ValueError):
     """
 
 
+class FileError(DescriptionError):
+    """What is wrong in a file, whose name it begins with: files that name this one do not put theirs before it."""
+
+
+def in_file(name: str, error: DescriptionError) -> FileError:
+    """The error with the name of the file that it is in, once."""
+    return error if isinstance(error, FileError) else FileError(f"{name}: {error}")
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """A sentence that lists the known names nearest to `name`, or all of them when they are few.
 
