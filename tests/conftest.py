@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 from support.model_states import model
-from support.once import Libraries, Lock
+from support.once import Levels, Lock
 
 from symscrew.generation.folder import USUAL, generate
-from symscrew.runtime import compiled
+from symscrew.runtime import compilers
 
 FUNCTIONS = {"-O2": "-O0", "-O3": "-O1"}  # of functions that are called a few times, of runs that take milliseconds
 HARD = {"-O2": "-O0", "-O3": "-O0"}  # each run has a loop of its own: compiling at -O0 takes half the time
@@ -35,13 +35,14 @@ def common(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Levels of optimisation change no results, as tests marked `optimised` hold, at the levels of users."""
     quickly = HARD if item.path.parent.name == "hard" else FUNCTIONS
-    Libraries.levels = {} if item.get_closest_marker("optimised") else quickly
+    Levels.instead = {} if item.get_closest_marker("optimised") else quickly
 
 
 @pytest.fixture(scope="session", autouse=True)
 def compiled_once(common: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as changed:
-        changed.setattr(compiled, "subprocess", Libraries(common / "libraries"))
+        changed.setenv("SYMSCREW_CACHE", str(common / "libraries"))
+        changed.setattr(compilers, "attempts", Levels(compilers.attempts))
         yield
 
 

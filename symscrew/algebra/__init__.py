@@ -8,6 +8,7 @@ operations          what each operation means: in NumPy, in SymPy and with 60 di
 elementary          sines, cosines and the like with the same bits on every machine
 from_text           expressions of a description as nodes
 sympy_form          nodes as SymPy expressions
+origins, naming     where nodes come from: quantity of the theory, body or joint, component
 traversal           what stands behind nodes: operations, inputs, counts; substitution
 differentiation     analytic derivatives
 elimination         linear systems in an order fixed by sparsity, with guarded pivots
@@ -35,8 +36,18 @@ from symscrew.algebra.elimination import (
 )
 from symscrew.algebra.from_text import expression_node
 from symscrew.algebra.least_squares import least_norm
+from symscrew.algebra.naming import (
+    handed_on,
+    named,
+    named_entries,
+    named_matrix,
+    named_twist,
+    named_vector,
+    named_wrench,
+)
 from symscrew.algebra.nodes import Node, Tape, high_precision, is_zero
 from symscrew.algebra.operations import ARITHMETIC, CONTEXT, apply_numpy
+from symscrew.algebra.origins import QUANTITIES, Origin
 from symscrew.algebra.rank_volumes import (
     Grid,
     TooLargeError,
@@ -89,6 +100,7 @@ __all__ = [
     "CONTEXT",
     "IDENTITY",
     "NEGLIGIBLE",
+    "QUANTITIES",
     "SAFE",
     "ZERO",
     "Affine",
@@ -99,6 +111,7 @@ __all__ = [
     "Matrix",
     "Momentum",
     "Node",
+    "Origin",
     "Pivot",
     "Pose",
     "Scalar",
@@ -122,6 +135,7 @@ __all__ = [
     "eliminate",
     "evaluation_order",
     "expression_node",
+    "handed_on",
     "helical",
     "high_precision",
     "inputs_of",
@@ -129,6 +143,12 @@ __all__ = [
     "is_zero",
     "least_norm",
     "magnitude",
+    "named",
+    "named_entries",
+    "named_matrix",
+    "named_twist",
+    "named_vector",
+    "named_wrench",
     "needed",
     "prismatic",
     "product",

@@ -57,11 +57,13 @@ def magnitude(tape: Tape, entry: Node, scale: float) -> tuple[float, float]:
 
     Rounded to five digits, so that the last digits of another machine's sines do not choose other pivots.
     """
-    values = np.abs(np.atleast_1d(tape.sample(entry))) * scale
-    values = values[np.isfinite(values)]  # where a reference is singular, an earlier pivot was zero there
-    if not len(values):
-        return 0.0, 0.0
-    return float(f"{values.min():.4e}"), float(f"{values.max():.4e}")
+    known = tape.magnitudes.get((entry.index, scale))
+    if known is None:
+        values = np.abs(np.atleast_1d(tape.sample(entry))) * scale
+        values = values[np.isfinite(values)]  # where a reference is singular, an earlier pivot was zero there
+        known = (float(f"{values.min():.4e}"), float(f"{values.max():.4e}")) if len(values) else (0.0, 0.0)
+        tape.magnitudes[entry.index, scale] = known
+    return known
 
 
 @dataclass(frozen=True)

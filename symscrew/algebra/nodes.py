@@ -22,12 +22,16 @@ import numpy as np
 import sympy
 
 from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
+from symscrew.algebra.origins import Origin
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
 # smallest constant that somebody means is far above 1e-45: in between a constant is zero.
 ZERO_BITS = -149  # 2^-149, about 1e-45
 ZERO_BELOW = CONTEXT.mpf(2) ** ZERO_BITS
 KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that differ by more stay apart
+
+
+UNITS = (0, 1)  # factors that take no operation
 
 
 @dataclass(frozen=True)
@@ -54,8 +58,11 @@ class Node:
         self.tape, self.index, self.op, self.args, self.value = tape, index, op, args, value
 
     def __add__(self, other: Any) -> Node:
-        tape = self.tape
-        return tape.add(self, other if type(other) is Node else tape.node(other))
+        if type(other) is Node:
+            return self.tape.add(self, other)
+        if type(other) is int and other == 0:  # structural: most vectors have some
+            return self
+        return self.tape.add(self, self.tape.node(other))
 
     __radd__ = __add__
 
@@ -66,8 +73,11 @@ class Node:
         return self.tape.add(self.tape.node(other), self.tape.neg(self))
 
     def __mul__(self, other: Any) -> Node:
-        tape = self.tape
-        return tape.mul(self, other if type(other) is Node else tape.node(other))
+        if type(other) is Node:
+            return self.tape.mul(self, other)
+        if type(other) is int and other in UNITS:
+            return self if other else self.tape.zero
+        return self.tape.mul(self, self.tape.node(other))
 
     __rmul__ = __mul__
 
@@ -96,9 +106,11 @@ class Tape:
         self._known: dict[tuple[Any, ...], Node] = {}
         self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
+        self.magnitudes: dict[tuple[int, float], tuple[float, float]] = {}  # at the samples, by node and unit scale
         self._parameter_values: list[dict[int, Any]] = []
         self._settled: dict[int, Node] = {}
         self.symbols: dict[str, Node] = {}
+        self.origins: dict[int, Origin] = {}  # of nodes by index, of a negative's inner one
         self.zero = self.constant(0)
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}
@@ -287,6 +299,7 @@ class Tape:
     def set_samples(self, values: Mapping[Node, np.ndarray]) -> None:
         """Give inputs their values at the sample states (arrays of one length); forgets earlier ones."""
         self._samples = {node.index: np.asarray(v, dtype=float) for node, v in values.items()}
+        self.magnitudes = {}
 
     def add_samples(self, values: Mapping[Node, np.ndarray]) -> None:
         """Give further inputs their values, beside those that have some."""

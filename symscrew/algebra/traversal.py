@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from symscrew.algebra.naming import handed_on
 from symscrew.algebra.nodes import Node, Tape
 
 WAITS = frozenset(("reciprocal", "sqrt"))
@@ -63,11 +64,31 @@ def cost(results: Sequence[Node]) -> int:
 
     Operations, `WAIT` for each division or root in the longest chain of them, and `ANGLE` for each angle.
     """
-    chain: dict[Node, int] = {}
-    for node in sorted(needed(results), key=lambda n: n.index):  # arguments come first on the tape
-        chain[node] = (node.op in WAITS) + max((chain.get(arg, 0) for arg in node.args), default=0)
-    angles = {node.args[0] for node in chain if node.op in ("sin", "cos")}
-    return len(chain) + WAIT * max(chain.values(), default=0) + ANGLE * len(angles)
+    found: dict[int, Node] = {}
+    stack = list(results)
+    while stack:
+        node = stack.pop()
+        if node.index not in found and node.value is None and node.op != "symbol":
+            found[node.index] = node
+            stack.extend(node.args)
+    chain: dict[int, int] = {}
+    angles: set[int] = set()
+    longest = 0
+    for index in sorted(found):  # arguments come first on the tape
+        node = found[index]
+        length = 0
+        for arg in node.args:
+            before = chain.get(arg.index, 0)
+            if before > length:
+                length = before
+        if node.op in WAITS:
+            length += 1
+        elif node.op in ("sin", "cos"):
+            angles.add(node.args[0].index)
+        if length:
+            chain[index] = length
+            longest = max(longest, length)
+    return len(found) + WAIT * longest + ANGLE * len(angles)
 
 
 def uses(roots: Sequence[Node]) -> dict[int, int]:
@@ -104,9 +125,8 @@ def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node])
             stack.extend(missing)
         else:
             new = [done[a.index] for a in args]
-            done[node.index] = (
-                node if all(a is b for a, b in zip(args, new, strict=True)) else remade(tape, node.op, new)
-            )
+            same = all(a is b for a, b in zip(args, new, strict=True))
+            done[node.index] = node if same else handed_on(node, remade(tape, node.op, new))
     return [done[node.index] for node in nodes]
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, need_matplotlib
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.studies.accuracy import STUDIES, studies_of_a_mechanism
 from symscrew.whole_files import write_text
@@ -45,6 +45,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--problems", metavar="DIR", help="also the benchmark problems of a folder, a row for each")
     command.add_argument("--out", metavar="DIR", required=True, help="for JSON, Markdown table and plots")
     command.add_argument("--full", action="store_true", help="more repeats and smaller steps: takes longer")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_described_mechanism
+from symscrew.cli.shared_options import add_described_mechanism, add_no_cache
 
 if TYPE_CHECKING:
     from symscrew.studies.benchmark import Row
@@ -31,6 +31,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--run-time", action="store_true", help="also code that reads all parameters at run time")
     command.add_argument("--plot", metavar="FILE.png", help="medians and quartiles as a picture")
     command.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -6,6 +6,7 @@ import argparse
 import json
 
 from symscrew.cli.help import DONE, FAILED
+from symscrew.cli.shared_options import add_no_cache
 
 EXAMPLES = ("symscrew check seed", "symscrew check generated/")
 
@@ -14,6 +15,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew check`."""
     command.add_argument("directory", metavar="DIR", help="generated output, or a directory of such")
     command.add_argument("--json", action="store_true", help="as JSON")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

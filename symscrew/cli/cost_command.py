@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, need_matplotlib
 from symscrew.errors import shorten
 
 EXAMPLES = ("symscrew cost examples/scenes/falling_platform.toml", "symscrew cost scene.toml --plot bill.png")
@@ -19,6 +19,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--plot", metavar="FILE.png", help="the bill as a picture")
     command.add_argument("--no-timing", action="store_true", help="count only: nothing is compiled")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -7,7 +7,7 @@ import json
 import sys
 
 from symscrew.cli.help import DONE, FAILED
-from symscrew.cli.shared_options import need_matplotlib, writable_folder
+from symscrew.cli.shared_options import add_no_cache, need_matplotlib, writable_folder
 
 EXAMPLES = ("symscrew demo", "symscrew demo --out figures")
 
@@ -16,6 +16,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew demo`."""
     command.add_argument("--out", metavar="DIR", help="write figures and a summary here; nothing is written without it")
     command.add_argument("--json", action="store_true", help="numbers as JSON instead of the tables")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.shared_options import add_no_cache
 
 if TYPE_CHECKING:
     from symscrew.scene import Scene
@@ -24,6 +25,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("scene", metavar="SCENE|NAME", help="a scene file, or a mechanism under its weight")
     command.add_argument("--out", metavar="FILE.fmu", required=True, help="the unit, C sources inside")
     command.add_argument("--fmi", type=int, choices=(2, 3), default=3, help="version of the standard; default: 3")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

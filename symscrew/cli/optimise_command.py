@@ -8,7 +8,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
     command.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
     command.add_argument("--json", action="store_true", help="the outcome as JSON")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

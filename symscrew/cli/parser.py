@@ -37,6 +37,7 @@ COMMANDS = {
     "view": ("view_command", "a page with the mechanism in 3-D: to turn, move and play"),
     "benchmark": ("benchmark_command", "time of functions, beside other libraries"),
     "embedded": ("embedded_command", "what functions cost on a microcontroller, emulated"),
+    "cache": ("cache_command", "compiled libraries that are kept between runs"),
     "doctor": ("doctor_command", "what is installed, and what each part is for"),
 }
 """Command -> its file in this folder, and what the help says it is, in the order of the help.
@@ -54,7 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options = made.parse_args(arguments)
         if not hasattr(options, "command"):
             made.error("expected a command")
-        return int(options.command(options) or 0)
+        return _run(options)
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
     except BrokenPipeError:
@@ -72,6 +73,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not _is_failure(error):
             raise
         return _fail(error, FAILED)
+
+
+def _run(options: argparse.Namespace) -> int:
+    """The command's exit code, without the user's cache where that was asked for."""
+    if not getattr(options, "no_cache", False):
+        return int(options.command(options) or 0)
+    from symscrew.runtime import without_cache
+
+    with without_cache():
+        return int(options.command(options) or 0)
 
 
 def _is_input_error(error: Exception) -> bool:

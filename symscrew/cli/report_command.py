@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_effects, add_mechanism, chosen_effects, need_matplotlib
+from symscrew.cli.shared_options import add_effects, add_mechanism, add_no_cache, chosen_effects, need_matplotlib
 from symscrew.errors import shorten
 
 EXAMPLES = (
@@ -26,6 +26,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--accuracy", metavar="DIR", help="results of `symscrew accuracy` to include")
     command.add_argument("--scene", metavar="SCENE", help="a scene whose bill of effects to include")
     command.add_argument("--no-timing", action="store_true", help="count only: no function is timed")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -30,6 +30,13 @@ def add_described_mechanism(command: argparse.ArgumentParser) -> None:
     command.add_argument("mechanism", metavar="NAME|FILE", help="a name of `symscrew list`, or a description file")
 
 
+def add_no_cache(command: argparse.ArgumentParser) -> None:
+    """To go without the user's cache; `symscrew.cli.parser.main` reads it."""
+    command.add_argument(
+        "--no-cache", action="store_true", help="compile and derive anew, keep nothing (symscrew cache)"
+    )
+
+
 def add_independent(command: argparse.ArgumentParser) -> None:
     """Coordinates to take as independent, instead of those of the model's own choice."""
     command.add_argument("--independent", nargs="+", metavar="LABEL", help="coordinates of q to take as independent")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED
-from symscrew.cli.shared_options import need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the run")
     command.add_argument("--emit-c", metavar="DIR", help="write the loop for real time: one step of fixed size in C99")
     command.add_argument("--json", action="store_true", help="numbers of the run as JSON")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

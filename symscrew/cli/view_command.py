@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_gravity, add_independent, chosen_effects, writable_folder
+from symscrew.cli.shared_options import add_gravity, add_independent, add_no_cache, chosen_effects, writable_folder
 
 EXAMPLES = ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html")
 
@@ -17,6 +17,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", metavar="FILE.html", help="the page; without it the page is opened in the browser")
     add_gravity(command)
     add_independent(command)
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

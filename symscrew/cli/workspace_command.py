@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, add_no_cache, chosen_effects
 from symscrew.errors import did_you_mean, shorten
 from symscrew.whole_files import replaced
 
@@ -56,6 +56,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--processes", type=int, metavar="N", help="default: one per core")
     command.add_argument("--dask", metavar="ADDRESS", help="of a Dask scheduler, to run there: tcp://host:8786")
     command.add_argument("--json", action="store_true", help="the summary as JSON")
+    add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -10,6 +10,7 @@ from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeri
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Point, Vector
 from symscrew.description.names import RESERVED, check_name, check_text
+from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.taken_names import members, namespace, taken_as_file
 from symscrew.description.template import write_template
@@ -36,6 +37,7 @@ __all__ = [
     "Vector",
     "check_keys",
     "check_name",
+    "check_range",
     "check_sections",
     "check_text",
     "exact",

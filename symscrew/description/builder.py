@@ -18,10 +18,11 @@ from typing import Any
 
 import sympy
 
-from symscrew.description.expressions import CONSTANTS, FUNCTIONS, MAX_NODES, exact, node_count, numeric
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, MAX_NODES, exact, node_count
 from symscrew.description.limb_letters import plan_limb
 from symscrew.description.mechanism import Body, Limb, Mechanism, Parameter
 from symscrew.description.names import check_mechanism_name, check_name, check_text
+from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.validation import validate
 from symscrew.errors import DescriptionError, shorten
@@ -222,7 +223,7 @@ def _resolve(raw: Mapping[str, dict[str, Any]]) -> dict[str, Parameter]:
                     )
             # Read again with the values put in: the limits on size must hold for the number as well.
             values[name] = exact(raw[name]["value"], values, where=where)
-            numeric(values[name], where=where)
+            check_range(values[name], where)
             if node_count(values[name]) > MAX_NODES // 10:
                 raise DescriptionError(f"{where}: the value has too many terms once its parameters are put in")
         waiting = [name for name in waiting if name not in values]

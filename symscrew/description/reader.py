@@ -12,6 +12,7 @@ from symscrew.description.joints import JOINT_TYPES, JointType
 from symscrew.description.limb_letters import Between
 from symscrew.description.mechanism import Body, Joint, Matrix3, Parameter, Point, Vector
 from symscrew.description.names import check_name
+from symscrew.description.number_range import check_range
 from symscrew.description.validation import Feature, check_axes_triad
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
@@ -26,12 +27,12 @@ class Reader:
         self.values = {name: p.value for name, p in parameters.items()}
 
     def number(self, value: Any, where: str) -> sympy.Expr:
-        """One number, finite and real at the parameters' values."""
+        """One number, finite and real at the parameters' values, and of a size that code can hold."""
         expression = exact(value, self.symbols, where=where)
         if expression.free_symbols:
-            numeric(exact(value, self.values, where=where), where=where)
+            check_range(exact(value, self.values, where=where), where)
         else:
-            numeric(expression, where=where)
+            check_range(expression, where)
         return expression
 
     def characteristic_length(self, value: Any) -> sympy.Expr | None:

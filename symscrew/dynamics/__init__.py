@@ -14,10 +14,11 @@ from symscrew.dynamics.derivatives import (
     three,
 )
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
-from symscrew.dynamics.equilibrium import ONE, Balance, Setting, balance
+from symscrew.dynamics.equilibrium import Balance, balance
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
 from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
 from symscrew.dynamics.rods import bars, thin_rods, with_end_masses
+from symscrew.dynamics.setting import ONE, Setting
 from symscrew.dynamics.tree_dynamics import applied_forces, generalised_forces, mass_matrix
 
 __all__ = [

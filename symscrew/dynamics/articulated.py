@@ -23,6 +23,9 @@ from symscrew.algebra import (
     cross,
     dot,
     magnitude,
+    named_entries,
+    named_matrix,
+    named_wrench,
     product,
     scale,
     subtract,
@@ -114,11 +117,19 @@ def articulated_accelerations(system: System, acting: Acting) -> tuple[list[Node
     guards: list[Guard] = []
     for link in reversed(tree.links[1:]):
         body, (force, moment) = bodies[link.index], biases[link.index]
+        part = tree.part(link.index)
+        for prefix, matrix in zip(("A_", "B_", "D_"), body.parts, strict=True):
+            named_matrix(matrix, "articulated", part, prefix=prefix)
+        named_wrench((force, moment), "force", part)
         for k, screw in enumerate(link.pair.unit_screws(system.frames[link.index])):
             answer = body.wrench(screw)
             stiffness = _pairing(tape, answer, screw) + acting.reflected_inertia.get(link.v.start + k, tape.zero)
+            label = tree.v[link.v.start + k].label
+            named_entries([stiffness], "stiffness", [label])
+            named_wrench(answer, "answer", label)
             inverse = 1 / stiffness
             effort = inverse * (known[link.v.start + k] - _pairing(tape, (force, moment), screw))
+            named_entries([effort], "effort", [label])
             body = body.less(*answer, inverse)
             force, moment = add(force, scale(effort, answer[0])), add(moment, scale(effort, answer[1]))
             kept[link.index].append(_Yielded(screw, answer, inverse, effort))
@@ -158,6 +169,7 @@ def _outwards(system: System, kept: Sequence[Sequence[_Yielded]]) -> list[Node]:
         for k, freedom in reversed(list(enumerate(kept[link.index]))):
             value = freedom.effort - freedom.inverse * _pairing(tape, freedom.answer, Twist(alpha, a))
             result[link.v.start + k] = value
+            named_entries([value], "joint_acceleration", [tree.v[link.v.start + k].label])
             alpha, a = add(alpha, scale(value, freedom.screw.angular)), add(a, scale(value, freedom.screw.linear))
         moving[link.index] = Twist(alpha, a)
     return result

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import Affine, Column, Guard, Node, Tape, eliminate, magnitude
-from symscrew.dynamics.equilibrium import ONE
+from symscrew.algebra import Affine, Column, Guard, Node, Tape, eliminate, magnitude, named, named_entries
+from symscrew.dynamics.setting import ONE
 
 
 @dataclass(frozen=True)
@@ -54,6 +54,8 @@ def solve_drives(
     inverse_weights = [1 / w for w in weights] if weights is not None else [tape.one] * len(columns)
     scaled = [[a * w for a, w in zip(row, inverse_weights, strict=True)] for row in matrix]
     normal = [[_sum(tape, (x * y for x, y in zip(s, row, strict=True))) for row in matrix] for s in scaled]
+    for i, row in enumerate(normal):
+        named_entries(row, "share", [f"drives.{i}_{j}" for j in range(len(row))])
     sizes = [row_scales[i] * row_scales[i] for i in independent]
     multipliers, guards = solve_symmetric(tape, normal, target, sizes, at_once=not several)
     u = tuple(
@@ -80,7 +82,7 @@ def solve_symmetric(
     n = len(matrix)
     if at_once and n == 2 and matrix[1][0] is not tape.zero:
         (a, _), (b, c) = matrix
-        determinant = a * c - b * b
+        determinant = named(a * c - b * b, "determinant")
         over = 1 / determinant
         guarded = () if determinant.value is not None else (Guard(determinant, scales[0] * scales[1]),)
         return [(c * right[0] - b * right[1]) * over, (a * right[1] - b * right[0]) * over], guarded
@@ -90,6 +92,7 @@ def solve_symmetric(
     guards: list[Guard] = []
     for j in range(n):
         d = matrix[j][j] - _sum(tape, (lower[j][k] * (lower[j][k] * diagonal[k]) for k in filled[j]))
+        named(d, "pivot", component=str(j))
         diagonal.append(d)
         if d.value is None:
             guards.append(Guard(d, scales[j]))

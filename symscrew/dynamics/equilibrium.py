@@ -20,7 +20,6 @@ from symscrew.algebra import (
     Guard,
     Node,
     Pivot,
-    Tape,
     Vector,
     add,
     choose_pivot,
@@ -28,108 +27,16 @@ from symscrew.algebra import (
     dot,
     insert_solution,
     magnitude,
+    named,
     scale,
     solve_block,
     solve_for,
     transform,
 )
-from symscrew.kinematics import GROUND, Cut, Frame, Link, Linkage, Placement, Row, Tree, on_hub
+from symscrew.dynamics.setting import ONE, Setting, Wrench, Wrenches, accumulate
+from symscrew.kinematics import GROUND, Link
 
-ONE: Column = "1"
-Wrench = tuple[Vector, Vector]
-Wrenches = dict[Column, Wrench]
 Projection = Callable[[Wrench], Node]
-
-
-@dataclass(frozen=True)
-class Bar:
-    """A limb's last body, at a cut joint, as a bar that bears tension: see `symscrew.dynamics.rods`.
-
-    `ends`: link -> what it must supply for the bar per unit of tension, and for the bar's inertia; in the axes before
-    its motion, at its origin. `links` are the bar's own links, which are left out then.
-    """
-
-    links: frozenset[int]
-    ends: Mapping[int, tuple[Wrench, Wrench]]
-
-
-@dataclass(frozen=True)
-class Setting:
-    """What equilibrium is written for: the tree at given placements, its cuts, drives and unit scales."""
-
-    tape: Tape
-    tree: Tree
-    frames: Sequence[Frame]
-    placed: Sequence[Placement]
-    cuts: Sequence[Cut]
-    drives: Mapping[int, int]  # index into v -> index into u
-    cut_drives: Mapping[int, Sequence[tuple[int, Row]]]  # cut -> (index into u, unit drive wrench on its child)
-    length: float  # characteristic length [m]
-    virtual_directions: tuple[tuple[Vector, ...], tuple[Vector, ...]] = (
-        (),
-        (),
-    )  # forces, couples it cannot bear
-    joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
-    bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
-
-    @property
-    def linkage(self) -> Linkage:
-        """The tree at these placements."""
-        return Linkage(self.tree, tuple(self.frames), tuple(self.placed))
-
-    def row_scale(self, v_index: int | None) -> float:
-        """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
-        return 1.0 if v_index is None or self.tree.v[v_index].kind == "length" else 1.0 / self.length
-
-    def multipliers(self) -> dict[Column, float]:
-        """All multiplier columns with their unit scale; a bar has its tension per length."""
-        return {
-            ("multiplier", c, r): 1.0 / self.length if c in self.bars else 1.0 if row.unit == "N" else self.length
-            for c, cut in enumerate(self.cuts)
-            for r, row in enumerate(cut.rows[:1] if c in self.bars else cut.rows)
-        }
-
-    def cut_wrench(self, c: int, multipliers: Mapping[Column, Affine], drive: Callable[[int], Affine]) -> Wrenches:
-        """What a cut joint exerts on its tip, at its point in tip axes, per column: multipliers and drives."""
-        cut = self.cuts[c]
-        total: Wrenches = {}
-        for r, row in enumerate(cut.rows):
-            for column, factor in multipliers["multiplier", c, r].items():
-                accumulate(total, column, scale(factor, row.force), scale(factor, row.couple))
-        sign = -1 if cut.tip_is_parent else 1
-        for u, row in self.cut_drives.get(c, ()):
-            for column, factor in drive(u).items():
-                accumulate(total, column, scale(sign * factor, row.force), scale(sign * factor, row.couple))
-        return total
-
-    def before_motion(
-        self, link: Link, here: Wrenches, loads: Mapping[int, tuple[Vector, Vector]], at_cut: Callable[[int], Wrenches]
-    ) -> Wrenches:
-        """All that the joint of a link must supply, in the axes before its motion, at its origin.
-
-        `here` are the wrenches on the link in its own axes; the loads and the cuts where it is the hub
-        (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
-        """
-        placed = self.placed[link.index]
-        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
-        if link.index in loads:
-            force, moment = loads[link.index]
-            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
-        for c, cut in enumerate(self.cuts):
-            if cut.hub != link.index or c in self.bars:
-                continue
-            for column, (f, m) in at_cut(c).items():
-                accumulate(result, column, *on_hub(cut, self.linkage, f, m))
-        return result
-
-    def add_bars(self, link: Link, before: Wrenches, multipliers: Mapping[Column, Affine]) -> None:
-        """Add to `before` what a link must supply for the bars that end on it."""
-        for c, bar in self.bars.items():
-            if link.index in bar.ends:
-                (pull, couple), inertia = bar.ends[link.index]
-                accumulate(before, ONE, *inertia)
-                for column, factor in multipliers["multiplier", c, 0].items():
-                    accumulate(before, column, scale(factor, pull), scale(factor, couple))
 
 
 @dataclass
@@ -283,6 +190,7 @@ class _Elimination:
             entry = self.setting.tape.node(screw(wrench))
             if entry is not self.setting.tape.zero:
                 row[column] = entry
+        self.setting.name_row(row, v_index)
         if v_index is None:
             return row
         known = self.setting.joint_forces.get(v_index)
@@ -312,6 +220,7 @@ class _Elimination:
         for key, affine in self.solved.items():
             if pivot in affine:
                 self.solved[key] = insert_solution(affine, pivot, solution)
+                self.setting.name_multiplier(key, self.solved[key])
         for index, here in self.waiting.items():
             self.waiting[index] = _substitute_wrench(here, pivot, solution)
         self.deferred = [(v, insert_solution(r, pivot, solution)) for v, r in self.deferred]
@@ -367,6 +276,8 @@ class _Elimination:
     def _solve_block(self, rows: Sequence[Affine], columns: Sequence[Column]) -> None:
         """Solve several multipliers at once and put them in everywhere."""
         solutions, determinant = solve_block(rows, columns)
+        place, _, component = self.setting.label(columns[0]).partition(".")
+        named(determinant, "determinant", place, component)
         if determinant.value is None:
             _, largest = magnitude(self.setting.tape, determinant, 1.0)
             self.result.guards.append(Guard(determinant, 1.0 / largest if largest > 0 else 1.0))
@@ -384,6 +295,7 @@ class _Elimination:
     def _keep(self, v_index: int | None, row: Affine) -> None:
         """A row without multipliers: an equation for the drives, or nothing on the manifold."""
         known = {c: e for c, e in row.items() if c not in self.scales}
+        self.setting.name_row(known, v_index)
         if any(c != ONE for c in known):
             self.result.finals.append(known)
         elif known and v_index is not None:
@@ -394,14 +306,6 @@ def _along(part: int, direction: Vector, wrench: Wrench) -> Node:
     """A wrench's force (part 0) or moment (part 1) along a direction."""
     component: Node = dot(direction, wrench[part])
     return component
-
-
-def accumulate(here: Wrenches, column: Column, force: Vector, moment: Vector) -> None:
-    """Add a wrench to a column of `here`, which the caller owns."""
-    if column in here:
-        f, m = here[column]
-        force, moment = add(f, force), add(m, moment)
-    here[column] = (force, moment)
 
 
 def _substitute_wrench(here: Wrenches, pivot: Column, solution: Affine) -> Wrenches:

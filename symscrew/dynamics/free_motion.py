@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from symscrew.algebra import Guard, Node, magnitude
+from symscrew.algebra import Guard, Node, magnitude, named_entries
 from symscrew.dynamics.articulated import articulated_accelerations
 from symscrew.dynamics.coriolis import still_forces
 from symscrew.dynamics.drives import solve_symmetric
@@ -62,7 +62,11 @@ class Admissible:
         tape, count = self.system.tape, len(self.loops.free)
         zero_right = [tape.zero] * len(self.system.jacobian)
         return [
-            self.loops.dependent(zero_right, [tape.one if i == k else tape.zero for i in range(count)])
+            self._named(
+                self.loops.dependent(zero_right, [tape.one if i == k else tape.zero for i in range(count)]),
+                "null_space",
+                self._labels[k],
+            )
             for k in range(count)
         ]
 
@@ -81,7 +85,8 @@ class Admissible:
     def curvature(self) -> list[Node]:
         """p in joint rates w: accelerations of the tree with all free joint rates steady."""
         still = [self.system.tape.zero] * len(self.loops.free)
-        return self.loops.dependent([-b for b in self.loops.bias(self.system)], still)
+        gains = self.loops.dependent([-b for b in self.loops.bias(self.system)], still)
+        return self._named(gains, "joint_acceleration_still")
 
     def accelerations(self, acting: Acting) -> Accelerations:
         """z' (free joint accelerations) and a (tree) under everything that acts, and the guarded pivots.
@@ -118,18 +123,24 @@ class Admissible:
         start = self.curvature()
         missing = forces(self.system.tree_rates(start))
         right = [-_inner(self.system, column, missing) for column in self.tree_columns]
+        named_entries(right, "reduced_force", self._labels)
         free, guards = self._solved(self._projected(tree), right)
-        return free, self.system.tree_rates(self.moved(start, free)), guards
+        gains = self._named(self.moved(start, free), "joint_acceleration")
+        return free, self.system.tree_rates(gains), guards
 
     def _handed_on(self, tree: Matrix, still: Sequence[Node]) -> Accelerations:
         """With inertia and forces handed on from the dependent rates to the free ones, limb by limb."""
         system, free = self.system, self.loops.free
         missing, opening = system.joint_rates(still), self.loops.bias(system)
-        projection = Projection(system.tape, self.loops.elimination, in_joint_rates(system, tree))
+        projection = Projection(system.tape, self.loops.elimination, in_joint_rates(system, tree), self.loops.label)
         right = [-value for value in projection.forces(missing, opening, free)]
-        found, guards = self._solved(projection.inertia(free), right)
+        named_entries(right, "reduced_force", self._labels)
+        inertia = projection.inertia(free)
+        for label, row in zip(self._labels, inertia, strict=True):
+            named_entries(row, "reduced_inertia", [f"{label}|{by}" for by in self._labels])
+        found, guards = self._solved(inertia, right)
         gains = projection.accelerations(dict(zip(free, found, strict=True)), opening)
-        return found, system.tree_rates(gains), guards
+        return found, system.tree_rates(self._named(gains, "joint_acceleration")), guards
 
     def residual(self, a: Sequence[Node], acting: Acting) -> list[Node]:
         """N^T (generalised forces of the tree at its accelerations a, less what acts): zero for a motion."""
@@ -144,10 +155,22 @@ class Admissible:
     def _projected(self, tree: Matrix) -> list[list[Node]]:
         system, rows = self.system, []
         sparse = [_entries(system, column) for column in self.tree_columns]
+        labels = self._labels
         for k, column in enumerate(sparse):
             pushed = [_paired(system, column, row) for row in tree]
             rows.append([_paired(system, sparse[i], pushed) for i in range(k + 1)])
+            named_entries(rows[-1], "reduced_inertia", [f"{labels[k]}|{by}" for by in labels[: k + 1]])
         return rows
+
+    def _named(self, values: list[Node], quantity: str, by: str = "") -> list[Node]:
+        """Values per joint rate, called so."""
+        named_entries(values, quantity, [f"{c.label}|{by}" for c in self.system.tree.v])
+        return values
+
+    @property
+    def _labels(self) -> list[str]:
+        """What the free joint rates are called."""
+        return [self.system.tree.v[k].label for k in self.loops.free]
 
     def solve(self, right: Sequence[Node]) -> tuple[list[Node], list[Guard]]:
         """z' from the projected equations; last columns first, so that branches of a tree stay apart."""

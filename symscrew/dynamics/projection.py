@@ -13,12 +13,12 @@ M_aa + M_bb, and with t = c (M_aa - M_bb) - 2 s M_ab they add M_bb + c t, M_aa -
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from symscrew.algebra import Affine, Column, Elimination, Node, Tape
+from symscrew.algebra import Affine, Column, Elimination, Node, Tape, named_entries
 
 UNIT = 1e-9
 """What squares of a cosine and a sine may be off 1 at the samples, where rounding leaves 1e-15: two components beyond
@@ -41,8 +41,15 @@ class _Step:
 class Projection:
     """The inertia of a system in its joint rates w, handed on from the dependent rates to the free ones."""
 
-    def __init__(self, tape: Tape, elimination: Elimination, inertia: Sequence[Sequence[Node]]) -> None:
-        self.tape = tape
+    def __init__(
+        self,
+        tape: Tape,
+        elimination: Elimination,
+        inertia: Sequence[Sequence[Node]],
+        label: Callable[[Column], str] = str,
+    ) -> None:
+        """`label`: what the unknowns of the elimination are called."""
+        self.tape, self.label = tape, label
         left: dict[Column, Affine] = {
             j: {k: entry for k, entry in enumerate(row) if entry is not tape.zero} for j, row in enumerate(inertia)
         }
@@ -67,6 +74,7 @@ class Projection:
         row, column, pivot, factors = solved
         over = 1 / pivot
         follows = {c: -(entry * over) for c, entry in upper[row].items() if c != column}
+        named_entries(follows.values(), "follows", [f"{self.label(column)}|{self.label(c)}" for c in follows])
         return _Step(row, column, factors, over, follows, self.tape.zero)
 
     def _partners(self) -> dict[Column, _Step]:
@@ -116,6 +124,8 @@ class Projection:
         others, follows = self.left.pop(step.column), step.follows
         step.own = others.pop(step.column, self.tape.zero)
         step.others = others
+        named_entries(others.values(), "handed_inertia", [f"{self.label(step.column)}|{self.label(c)}" for c in others])
+        named_entries([step.own], "handed_inertia", [self.label(step.column)])
         for other in others:
             self.left[other].pop(step.column)
         carried = {j: c * step.own for j, c in follows.items()}
@@ -147,6 +157,7 @@ class Projection:
             for j, entry in step.others.items():
                 values[j] = values[j] + entry * shift
             here = values[step.column] + step.own * shift
+            named_entries([here], "handed_force", [self.label(step.column)])
             for j, c in step.follows.items():
                 values[j] = values[j] + c * here
         return [values[k] for k in free]

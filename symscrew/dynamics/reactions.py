@@ -9,7 +9,7 @@ the characteristic length), and every component that they touch is reported as n
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,12 +25,14 @@ from symscrew.algebra import (
     add,
     cross,
     magnitude,
+    named_wrench,
     scale,
     transform,
     transpose,
 )
 from symscrew.dynamics.drives import solve_symmetric
-from symscrew.dynamics.equilibrium import ONE, Balance, Setting, Wrenches, accumulate
+from symscrew.dynamics.equilibrium import Balance
+from symscrew.dynamics.setting import ONE, Setting, Wrenches, accumulate
 from symscrew.kinematics import GROUND, Link
 
 
@@ -56,7 +58,7 @@ class Reactions:
     guards: tuple[Guard, ...]
 
 
-def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Affine]:
+def numeric_multipliers(setting: Setting, balance: Balance, u: Sequence[Node]) -> dict[Column, Affine]:
     """Multipliers with the drives put in: columns 1 and free multipliers only."""
     result = {}
     for key, affine in balance.multipliers.items():
@@ -65,6 +67,7 @@ def numeric_multipliers(balance: Balance, u: Sequence[Node]) -> dict[Column, Aff
             if isinstance(column, tuple) and column[0] == "drive":
                 column, entry = ONE, entry * u[column[1]]
             total[column] = total[column] + entry if column in total else entry
+        setting.name_multiplier(key, total)
         result[key] = total
     return result
 
@@ -88,7 +91,7 @@ def joint_wrenches(
         multipliers: of the cut joints, as sums over column 1 and free multipliers.
         u: forces and torques of the drives on their joints [N, N m].
     """
-    tree = setting.tree
+    tree, setting = setting.tree, replace(setting, called="transmitted")
 
     def with_drives(c: int) -> Wrenches:
         return setting.cut_wrench(c, multipliers, lambda k: {ONE: u[k]})
@@ -100,7 +103,7 @@ def joint_wrenches(
         sign = -1 if cut.tip_is_parent else 1
         place = Pose(pose[cut.tip].rotation, pose[cut.tip].point(cut.tip_point))
         signed: Wrenches = {k: (scale(sign, f), scale(sign, m)) for k, (f, m) in at_tip.items()}
-        result[cut.joint.name] = JointWrench(cut.joint.name, signed, place)
+        result[cut.joint.name] = _named(JointWrench(cut.joint.name, signed, place))
         for column, (f, m) in with_drives(c).items():
             if cut.tip != GROUND:
                 accumulate(waiting[cut.tip], column, scale(-1, f), scale(-1, add(m, cross(cut.tip_point, f))))
@@ -133,7 +136,14 @@ def _tree_reaction(
     rotation = Pose(parent.rotation) @ Pose(placed.rotation)
     place = Pose(rotation.rotation, pose[link.index].translation)
     _remove_other_drives(setting, pose, link, columns=columns, place=place, u=u)
-    return JointWrench(link.joint, columns, place)
+    return _named(JointWrench(link.joint, columns, place))
+
+
+def _named(joint: JointWrench) -> JointWrench:
+    """A joint's wrench, called so."""
+    for column, wrench in joint.columns.items():
+        named_wrench(wrench, "joint_reaction", joint.joint, by="" if column == ONE else str(column))
+    return joint
 
 
 def _remove_other_drives(
@@ -174,7 +184,8 @@ def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequen
         for column, (f, m) in joint.columns.items():
             factor = setting.tape.one if column == ONE else amounts[column]
             accumulate(total, ONE, scale(factor, f), scale(factor, m))
-        wrenches[joint.joint] = at_origin(joint.pose, *total.get(ONE, (ZERO, ZERO)))
+        found_at_o = at_origin(joint.pose, *total.get(ONE, (ZERO, ZERO)))
+        wrenches[joint.joint] = named_wrench(found_at_o, "reaction", joint.joint)
         touched += _not_unique(setting, joint, free)
     return Reactions(wrenches, len(free), tuple(touched), guards)
 

@@ -21,13 +21,15 @@ from symscrew.algebra import (
     add,
     cross,
     dot,
+    named_vector,
+    named_wrench,
     product,
     scale,
     subtract,
     transform,
     transpose,
 )
-from symscrew.dynamics.equilibrium import Bar, Wrench
+from symscrew.dynamics.setting import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
 from symscrew.effects import Acting
 from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped
@@ -135,8 +137,18 @@ def bars(system: System, rods: Mapping[int, Rod], moving: Sequence[Rates]) -> di
                 )
                 for link in sorted({first.parent, first.hub} - {GROUND})
             }
+            _name(system, rods[c], ends)
             result[c] = Bar(frozenset(link.index for link in rods[c].links), ends)
     return result
+
+
+def _name(system: System, rod: Rod, ends: Mapping[int, tuple[Wrench, Wrench]]) -> None:
+    """Call what a rod needs at its ends so, by the links there."""
+    part = system.tree.part(rod.links[1].index)
+    for link, (pull, inertia) in ends.items():
+        end = "near" if link == rod.parent else "far"
+        named_wrench(pull, "pull", part, by=end)
+        named_wrench(inertia, "end_inertia", part, by=end)
 
 
 def _sum(wrenches: Sequence[Wrench]) -> Wrench:
@@ -149,7 +161,8 @@ def _sum(wrenches: Sequence[Wrench]) -> Wrench:
 def _line(system: System, rod: Rod) -> Vector:
     """From the near to the far end, in the axes before the parent's motion."""
     far = system.linkage.seen_before(rod.hub, rod.parent, rod.far)
-    return subtract(far, _before(system, rod.parent, rod.near))
+    part = system.tree.part(rod.links[1].index)
+    return named_vector(subtract(far, _before(system, rod.parent, rod.near)), "rod", part)
 
 
 def _pull(system: System, rod: Rod, first: Rod, *, line: Vector, link: int) -> Wrench:
@@ -171,8 +184,11 @@ def _inertia(system: System, rod: Rod, moving: Sequence[Rates]) -> dict[int, Wre
     for link, other in ((rod.parent, rod.hub), (rod.hub, rod.parent)):
         if link != GROUND:
             acceleration = _acceleration(system, moving, other, _end(rod, other))
+            part, end = system.tree.part(rod.links[1].index), "near" if other == rod.parent else "far"
+            named_vector(acceleration, "end_acceleration", part, prefix=f"{end}_")
             force = scale(rod.masses[1], _across(system, other, link, acceleration))
-            result[link] = force, cross(_before(system, link, _end(rod, link)), force)
+            moment = cross(_before(system, link, _end(rod, link)), force)
+            result[link] = named_wrench((force, moment), "end_inertia", part, by="near" if end == "far" else "far")
     return result
 
 

@@ -4,8 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, product, scale, transform, transpose
-from symscrew.dynamics.equilibrium import accumulate
+from symscrew.algebra import (
+    ZERO,
+    Matrix,
+    Node,
+    Vector,
+    add,
+    cross,
+    dot,
+    named_entries,
+    named_matrix,
+    named_vector,
+    named_wrench,
+    product,
+    scale,
+    transform,
+    transpose,
+)
+from symscrew.dynamics.setting import accumulate
 from symscrew.effects import Acting
 from symscrew.kinematics import (
     GROUND,
@@ -52,6 +68,7 @@ def balanced_forces(
                 add(force, scale(-1, transform(back, f))),
                 add(moment, scale(-1, transform(back, m))),
             )
+        named_wrench((force, moment), "force", tree.part(link.index))
         for k, value in enumerate(link.pair.powers(frame, force, moment), start=link.v.start):
             result[k] = tape.node(value)
         if link.parent != GROUND:
@@ -61,7 +78,9 @@ def balanced_forces(
             waiting[link.parent] = here[""]
     forces = acting.known_forces(a)
     known = [forces.get(k, tape.zero) for k in range(len(tree.v))]
-    return [value - force for value, force in zip(result, system.tree_rates(known), strict=True)]
+    needed = [value - force for value, force in zip(result, system.tree_rates(known), strict=True)]
+    named_entries(needed, "generalised_force", [c.label for c in tree.v])
+    return needed
 
 
 def mass_matrix(
@@ -83,12 +102,16 @@ def mass_matrix(
             wrench = _unit_wrench(system, link, k - link.v.start, composite[link.index])
             for j, value in _pushed(system, link, wrench):
                 matrix[j][k] = matrix[k][j] = value
+                named_entries([value], "mass_matrix", [f"{tree.v[j].label}|{tree.v[k].label}"])
         if link.parent != GROUND:
             moved = moved_inertia(system.placed[link.index], composite[link.index])
             inner = composite[link.parent]
             (x, y, z), (u, v, w) = inner.second, moved.second
             second = (add(x, u), add(y, v), add(z, w))
             composite[link.parent] = Inertia(inner.mass + moved.mass, add(inner.first, moved.first), second)
+            part = tree.part(link.parent)
+            named_vector(composite[link.parent].first, "composite", part, prefix="first_")
+            named_matrix(second, "composite", part, prefix="second_")
     for k, further in (reflected or {}).items():
         matrix[k][k] = matrix[k][k] + further
     return matrix

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
-from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, scale, subtract
+from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, named_wrench, scale, subtract
 from symscrew.description import Point
 from symscrew.effects.parts import Parts
 from symscrew.effects.records import State, Transmission
@@ -128,6 +128,9 @@ class Acting(Parts):
 
     def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
+        return named_wrench(self._inertial_wrench(link, inertia, moving), "momentum_rate", self.system.tree.part(link))
+
+    def _inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         if self.keeps_gyroscopic_moments:
             return inertial_wrench(inertia, moving[link])
         true = self.system.inertia[link]
@@ -300,7 +303,7 @@ class Acting(Parts):
 
     def _load(self, link: int, force: Vector, moment: Vector) -> None:
         f, m = self.loads.get(link, (ZERO, ZERO))
-        self.loads[link] = (add(f, force), add(m, moment))
+        self.loads[link] = named_wrench((add(f, force), add(m, moment)), "load", self.system.tree.part(link))
 
     # -- drives --------------------------------------------------------------------------------------------------
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import sympy
 
 from symscrew.algebra import ZERO, Vector, add, cross, dot, scale, transform, transpose
-from symscrew.description import exact, numeric
+from symscrew.description import check_range, exact
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import ALWAYS, Effect, Number
 from symscrew.errors import DescriptionError, shorten
@@ -72,9 +72,11 @@ class Gravity(Effect):
 def _exact(value: Number) -> sympy.Expr:
     try:
         number = exact(value, where="gravity")
-        numeric(number, where="gravity")
+        check_range(number, "gravity")
     except DescriptionError as error:
-        raise DescriptionError(f"gravity: expected finite numbers [m/s^2], got {shorten(value)}") from error
+        raise DescriptionError(
+            f"gravity: expected finite numbers [m/s^2], 0 or of a size from 1e-100 to 1e100, got {shorten(value)}"
+        ) from error
     return number
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import sympy
 
 from symscrew.algebra import Node, dot, expression_node
-from symscrew.description import Joint, Point, Reader, check_name, exact, numeric
+from symscrew.description import Joint, Point, Reader, check_name, check_range, exact
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.kinematics import System, closure_rate, cut_displacement, drive_row, tree_displacement
 
@@ -75,7 +75,7 @@ class Parts:
         names = {name: p.symbol for name, p in parameters.items()}
         expression = exact(value, {**names, "t": TIME}, where=what)
         if not expression.free_symbols:
-            numeric(expression, where=what)
+            check_range(expression, what)
         return expression
 
     def of(self, expression: sympy.Expr, symbols: dict[sympy.Symbol, Node], what: str) -> Node:

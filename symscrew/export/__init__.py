@@ -10,6 +10,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.export.c import print_c
+    from symscrew.export.c_interface import interface
     from symscrew.export.c_precision import DOUBLE, PRECISIONS, SINGLE, Precision
     from symscrew.export.c_single import rounded, single_errors
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
@@ -46,6 +47,7 @@ __all__ = [
     "decimal",
     "effect_from_json",
     "file_hash",
+    "interface",
     "jacobians_model",
     "live_instructions",
     "manifest",

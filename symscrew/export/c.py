@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread, c_wide
 from symscrew.export.c_function import function, lane
+from symscrew.export.c_interface import interface_table
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_names import argument_names, arguments, declare
 from symscrew.export.c_parameters import parameter_type
@@ -171,6 +172,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
             lines += ["", f"#if {c_wide.guard(model.name)}", *c_batch.block(printed[name]), "#endif"]
         if batches:
             lines += ["", *c_batch.batch(model.name, symbol, program, precision, lanes=name in blocks)]
+    lines += interface_table(model, precision)
     return "\n".join([*lines, ""])
 
 

@@ -10,105 +10,107 @@ derivation, cost drives 5 to 10 %.
 
 from __future__ import annotations
 
-import heapq
-from collections import defaultdict
 from collections.abc import Sequence
+from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
 
 from symscrew.program import Instruction
 
 
-class _Open:
-    """Which instructions can be done: how many of their operands are to be computed yet."""
+@dataclass(frozen=True)
+class _Graph:
+    """What reads what, by place in the list: `read[k]` and `users[k]` are places, each once, `chain` how long it is."""
 
-    def __init__(self, instructions: Sequence[Instruction]) -> None:
-        self.read = [tuple({a for a in i.args if isinstance(a, int)}) for i in instructions]
-        self.users: dict[int, list[int]] = defaultdict(list)
-        for k, slots in enumerate(self.read):
-            for slot in slots:
-                self.users[slot].append(k)
-        defined = {i.target for i in instructions}
-        self.missing = [sum(slot in defined for slot in slots) for slots in self.read]
-
-    def done(self, target: int) -> list[int]:
-        """What can be done when `target` is known."""
-        found = []
-        for k in self.users.get(target, ()):
-            self.missing[k] -= 1
-            if self.missing[k] == 0:
-                found.append(k)
-        return found
+    read: list[tuple[int, ...]]
+    users: list[list[int]]
+    chain: list[int]
 
 
 def short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
     """The same instructions, what ends most lives first; of two such orders the one with fewer values alive."""
-    return min((_ending_lives(_walk(instructions, last=last)) for last in (False, True)), key=_alive)
+    graph = _graph(instructions)
+    orders = [_ending_lives(graph, _walk(graph, last=last)) for last in (False, True)]
+    return [instructions[k] for k in min(orders, key=lambda order: _alive(graph, order))]
 
 
-def _walk(instructions: Sequence[Instruction], *, last: bool) -> list[Instruction]:
+def _graph(instructions: Sequence[Instruction]) -> _Graph:
+    place = {i.target: k for k, i in enumerate(instructions)}
+    read = [tuple(dict.fromkeys([place[a] for a in i.args if type(a) is int and a in place])) for i in instructions]
+    users: list[list[int]] = [[] for _ in instructions]
+    chain: list[int] = []
+    for k, own in enumerate(read):
+        chain.append(1 + max([chain[a] for a in own], default=0))
+        for a in own:
+            users[a].append(k)
+    return _Graph(read, users, chain)
+
+
+def _walk(graph: _Graph, *, last: bool) -> list[int]:
     """Everything in front of one result, then the next, the longest chain first; `last`: from the last result."""
-    by = {i.target: i for i in instructions}
-    chain: dict[int, int] = {}
-    read: set[int] = set()
-    for i in instructions:
-        own = {a for a in i.args if a in by and isinstance(a, int)}
-        read |= own
-        chain[i.target] = 1 + max((chain[a] for a in own), default=0)
-    done: set[int] = set()
-    order: list[Instruction] = []
-    for root in [target for target in by if target not in read][:: -1 if last else 1]:
+    read, longest = graph.read, graph.chain.__getitem__
+    done = [False] * len(read)
+    order: list[int] = []
+    for root in [k for k, users in enumerate(graph.users) if not users][:: -1 if last else 1]:
         stack = [root]
         while stack:
-            target = stack[-1]
-            left = [a for a in by[target].args if isinstance(a, int) and a in by and a not in done]
-            if target not in done and left:
-                stack.append(max(left, key=chain.__getitem__))
+            k = stack[-1]
+            left = [a for a in read[k] if not done[a]]
+            if left:
+                stack.append(left[0] if len(left) == 1 else max(left, key=longest))
                 continue
             stack.pop()
-            if target not in done:
-                done.add(target)
-                order.append(by[target])
+            if not done[k]:
+                done[k] = True
+                order.append(k)
     return order
 
 
-def _alive(instructions: Sequence[Instruction]) -> int:
+def _alive(graph: _Graph, order: Sequence[int]) -> int:
     """The sum over all instructions of how many computed values are read later."""
-    computed = {i.target: k for k, i in enumerate(instructions)}
-    end = {a: k for k, i in enumerate(instructions) for a in i.args if isinstance(a, int) and a in computed}
-    return sum(k - computed[a] for a, k in end.items())
+    at = [0] * len(order)
+    for n, k in enumerate(order):
+        at[k] = n
+    return sum(max([at[user] for user in users]) - at[k] for k, users in enumerate(graph.users) if users)
 
 
-def _ending_lives(instructions: Sequence[Instruction]) -> list[Instruction]:
-    """What ends most lives first, of equals the one that came first."""
-    left = _Open(instructions)
-    waiting = {slot: set(users) for slot, users in left.users.items()}
-    computed: set[int] = set()
-    gain = [-1 if i.target in waiting else 0 for i in instructions]
-    heap = [(-gain[k], k) for k, n in enumerate(left.missing) if n == 0]
-    heapq.heapify(heap)
-    order: list[Instruction] = []
-    taken: set[int] = set()
+def _ending_lives(graph: _Graph, walk: Sequence[int]) -> list[int]:
+    """What ends most lives first, of equals what the walk comes to first."""
+    read, users = graph.read, graph.users
+    rank = [0] * len(walk)
+    for n, k in enumerate(walk):
+        rank[k] = n
+    missing = [len(own) for own in read]
+    waiting = [len(some) for some in users]  # readers of a value that are left, and the sum of their places
+    readers = [sum(some) for some in users]
+    gain = [-1 if some else 0 for some in users]
+    done = [False] * len(walk)
+    heap = [(-gain[k], rank[k]) for k, count in enumerate(missing) if not count]
+    heapify(heap)
+    order: list[int] = []
 
-    def last_reader(slot: int) -> None:
+    def last_reader(value: int) -> None:
         """One reader is left: it ends the life of a value."""
-        if slot in computed and len(waiting[slot]) == 1:
-            (k,) = waiting[slot]
-            gain[k] += 1
-            if left.missing[k] == 0:
-                heapq.heappush(heap, (-gain[k], k))
+        k = readers[value]
+        gain[k] += 1
+        if not missing[k]:
+            heappush(heap, (-gain[k], rank[k]))
 
     while heap:
-        negative, k = heapq.heappop(heap)
-        if k in taken or -negative != gain[k]:
+        negative, n = heappop(heap)
+        k = walk[n]
+        if done[k] or -negative != gain[k]:
             continue
-        taken.add(k)
-        order.append(instructions[k])
-        target = instructions[k].target
-        computed.add(target)
-        for slot in left.read[k]:
-            waiting[slot].discard(k)
-            last_reader(slot)
-        if target in waiting:
-            last_reader(target)
-        for ready in left.done(target):
-            heapq.heappush(heap, (-gain[ready], ready))
+        done[k] = True
+        order.append(k)
+        for value in read[k]:
+            waiting[value] -= 1
+            readers[value] -= k
+            if waiting[value] == 1:
+                last_reader(value)
+        if waiting[k] == 1:
+            last_reader(k)
+        for user in users[k]:
+            missing[user] -= 1
+            if not missing[user]:
+                heappush(heap, (-gain[user], rank[user]))
     return order

@@ -18,9 +18,9 @@ from symscrew.export.c_precision import Precision
 from symscrew.export.listing import checked_slots, input_entries, live_instructions
 from symscrew.program import Instruction, Packing, Port, Program, packed
 
-# Instructions of functions that are tried in lanes: of fewer, gathering costs what is saved; of more, the search takes
-# seconds and finds little (beyond: forward dynamics of the delta and of the 6-UPS). Others are printed limb after limb.
-PACKED = range(100, 2000)
+# Instructions of functions that are tried in lanes: of fewer, gathering costs what is saved; of more, finding what goes
+# together takes half a second and more (within: forward dynamics of the 6-UPS, 0.73 of the time limb after limb).
+PACKED = range(100, 4000)
 PER_OUTPUT = 6  # and how many there must be for every output: else the time goes into taking results out
 RUN = 8  # so many zeros in a row are written by a loop before the lane; fewer with the other results
 
@@ -68,7 +68,9 @@ class Printed:
             return None
         guards = [slot for slot, _ in self.program.guards]
         arrays = {slot: array for slot, (array, _) in self.entries.items()}
-        return packed(self.angles.rest, kept, [*guards, *checked_slots(self.program)], arrays)
+        checked = [*guards, *checked_slots(self.program)]
+        origins, limbs = self.program.origins, self.program.limbs
+        return packed(self.angles.rest, kept, checked, arrays, origins=origins, limbs=limbs)
 
     @cached_property
     def names(self) -> dict[str, str]:

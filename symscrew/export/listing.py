@@ -22,15 +22,8 @@ MAX_LABELS = 96  # entries of a port that are named in comments: more are not re
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:
     """The instructions that pivots and what is checked, so all results, need, in order, and every slot that is read."""
-    needed = {*program.checked, *(slot for slot, _ in program.guards)}
-    live = []
-    for instruction in reversed(program.instructions):
-        if instruction.target in needed:
-            live.append(instruction)
-            for arg in instruction.args:
-                if isinstance(arg, int):
-                    needed.add(arg)
-    return live[::-1], needed
+    live, read = program.live
+    return list(live), set(read)
 
 
 def expressions(
@@ -120,16 +113,24 @@ def banner(model: Model) -> list[str]:
     ]
 
 
+NOT_PLAIN = re.compile(r'[\x00-\x1f\x7f\u2028\u2029\\]|\?\?|\*/|/\*|"""')  # what `plain` replaces
+
+
 def plain(text: str) -> str:
     """`text` on one line, without anything that could end a comment or a docstring."""
+    if not NOT_PLAIN.search(text):
+        return text
     text = re.sub(r"[\x00-\x1f\x7f\u2028\u2029]+", " ", text).replace("\\", "/").replace("??", "? ?")
     return text.replace("*/", "* /").replace("/*", "/ *").replace('"""', "'''")
 
 
 def wrapped(text: str, *, first: str = "", later: str = "", width: int = 100) -> list[str]:
     """`text` as lines of at most `width` characters."""
+    text = plain(text)
+    if len(first) + len(text) <= width and text.strip() == text != "":  # most are: statements of code
+        return [first + text]
     wrapper = textwrap.TextWrapper(width, first, later, break_long_words=False, break_on_hyphens=False)
-    return wrapper.wrap(plain(text)) or [first.rstrip()]
+    return wrapper.wrap(text) or [first.rstrip()]
 
 
 def filled(text: str, words: Mapping[str, str]) -> list[str]:

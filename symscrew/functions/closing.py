@@ -141,7 +141,7 @@ def assembly(system: System, loops: Loops) -> Iteration:
     y = loops.inputs("y")
     ports = (y_port(loops, "y", 0), q_port(system, "guess", "a configuration on the wanted branch"))
     step = loops.newton_step(y)
-    scales = [1.0 / system.length if c.kind == "length" else 1.0 for c in system.tree.v]
+    scales = [1.0 / float(scale) for scale in system.scales]
     tape = system.tape
     size = _norm(tape, [s * tape.constant(f) for s, f in zip(step, scales, strict=True)])
     limit = tape.constant(STEP_LIMIT)

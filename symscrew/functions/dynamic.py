@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import product
 
-from symscrew.algebra import ZERO, Guard, Node, Vector, cost
+from symscrew.algebra import ZERO, Guard, Node, Vector, cost, named_entries
 from symscrew.dynamics import (
     Balance,
     DriveSolution,
@@ -144,7 +144,7 @@ class Equations:
 
     def reactions(self, forces: Sequence[Node]) -> Reactions:
         """Reactions of all joints for given forces and torques of the drives on their joints."""
-        multipliers = numeric_multipliers(self.balance, forces)
+        multipliers = numeric_multipliers(self.setting, self.balance, forces)
         found = joint_wrenches(
             self.setting,
             self.system.pose,
@@ -175,7 +175,9 @@ class Equations:
         self, way: Balance, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None
     ) -> DriveSolution:
         """Drives from the equations at the hub."""
-        return solve_drives(self.system.tape, way.finals, self.drive_scales, weights=weights, preload=preload)
+        found = solve_drives(self.system.tape, way.finals, self.drive_scales, weights=weights, preload=preload)
+        named_entries(found.u, "drive", u_port(self.system).labels)
+        return found
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -99,7 +99,18 @@ class Solved:
 
 
 def solved(system: System, effects: Sequence[Effect], loops: Loops) -> Solved:
-    """Accelerations from the drives; again where effects depend on the reactions, which the time before gives."""
+    """Accelerations from the drives; again where effects depend on the reactions, which the time before gives.
+
+    The loops keep the answer: it is asked for when they are chosen, and by two functions.
+    """
+    key = (system, *map(id, effects))
+    if key not in loops.answers:
+        loops.answers[key] = effects, _solved(system, effects, loops)
+    found: Solved = loops.answers[key][1]
+    return found
+
+
+def _solved(system: System, effects: Sequence[Effect], loops: Loops) -> Solved:
     result = _once(system, effects, loops, None)
     for _ in range(result.acting.passes if result.acting.needs_reactions else 0):
         at = system.at(system.inputs.q, {}, system.inputs.v, result.a)
@@ -245,7 +256,7 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
 
 
 def _scales(system: System) -> list[float]:
-    return [system.length if c.kind == "length" else 1.0 for c in system.tree.v]
+    return [float(scale) for scale in system.scales]
 
 
 def _close_position(system: System, loops: Loops) -> Function:

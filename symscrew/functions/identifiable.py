@@ -242,7 +242,7 @@ def _walks(system: System, loops: Loops, count: int, random: np.random.Generator
     one that does not turns the walker round.
     """
     start = system.sample_states[0][1:]
-    scales = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+    scales = system.scales
     n, walkers = len(scales), max(16, count // 8)
     q = np.resize(start, (walkers, start.shape[1]))
     headings = random.uniform(-1, 1, (walkers, n))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symscrew.algebra import ZERO, Node, add, cross, dot, product, scale, transform, transpose
+from symscrew.algebra import ZERO, Node, add, cross, dot, named, named_wrench, product, scale, transform, transpose
 from symscrew.effects import Acting, Effect
 from symscrew.functions.kinematic import Motion, moving_bodies
 from symscrew.functions.ports import (
@@ -46,9 +46,12 @@ def momentum_functions(system: System, motion: Motion, effects: tuple[Effect, ..
         assert body is not None
         moving = motion.body(name)
         screw = momentum_screw(body, moving.twist)
+        named_wrench((screw.linear, screw.angular), "momentum", name)
         screws += screw.components
         total_linear, total_angular = add(total_linear, screw.linear), add(total_angular, screw.angular)
-        rates += momentum_rate(body, moving).components
+        rate_at_o = momentum_rate(body, moving)
+        named_wrench((rate_at_o.force, rate_at_o.moment), "momentum_rate_at_O", name)
+        rates += rate_at_o.components
     q, v = (q_port(system), system.inputs.q), (v_port(system), system.inputs.v)
     momenta = columns_port(
         "momenta", names, MOMENTUM_LABELS, MOMENTUM_UNITS, description="momentum screw (p ; L_O) per body"
@@ -75,10 +78,11 @@ def _kinetic(system: System) -> Node:
     tape = system.tape
     total = tape.zero
     lean = regrouped(system.tree, system.frames, system.inertia, system.geometry)
-    for twist, inertia in zip(system.twist[1:], lean[1:], strict=True):
+    for part, twist, inertia in zip(system.tree.parts[1:], system.twist[1:], lean[1:], strict=True):
         v, w = twist.linear, twist.angular
         total = total + dot(v, add(scale(inertia.mass, v), scale(2, cross(w, inertia.first))))
         trace = inertia.second[0][0] + inertia.second[1][1] + inertia.second[2][2]
         # omega . J omega with J = trace(Sigma) - Sigma
         total = total + (trace * dot(w, w) - dot(w, transform(inertia.second, w)))
+        named(total, "energy", part, "kinetic_up_to")
     return total * tape.reciprocal(tape.node(2))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import Elimination, Node, divides, eliminate, needed
+from symscrew.algebra import Elimination, Node, divides, eliminate, named_entries, needed
 from symscrew.effects import Effect
 from symscrew.functions.closing import guarded
 from symscrew.functions.dynamic import Equations
@@ -139,12 +139,14 @@ def _limb_elimination(
     system: System, hub: set[int], lengths: Sequence[LengthRow]
 ) -> tuple[Elimination, list[tuple[Node, float]]]:
     """The closure solved for the limbs' rates, the platform's being given."""
-    unknowns = {k: system.length if c.kind == "length" else 1.0 for k, c in enumerate(system.tree.v) if k not in hub}
+    unknowns = {k: float(scale) for k, scale in enumerate(system.scales) if k not in hub}
     scales = [1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows]
     rows = list(system.jacobian)
     for row in lengths:
         rows[row.index], scales[row.index] = {row.column: row.entry}, scales[row.index] / system.length
     solver = eliminate(system.tape, rows, unknowns, scales)
+    for _, column, pivot, _ in solver.steps:
+        named_entries([pivot], "pivot", [system.tree.v[column].label])
     return solver, guarded(solver.guards)
 
 

@@ -108,4 +108,5 @@ def function(
         tuple(tuple(system.tape.node(n) for n in values) for _, values in outputs),
         tuple(guards),
         tuple(notes),
+        system.structure.limbs,
     )

@@ -59,7 +59,7 @@ def compare(case: Case) -> Iterator[Finding]:
 
 
 def _results(directory: Path) -> Evaluate:
-    compiled = load(directory, backend="c", flags=("-ffp-contract=off", *STRICT))
+    compiled = load(directory, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]
@@ -70,7 +70,7 @@ def _results(directory: Path) -> Evaluate:
 
 def _compare_single(directory: Path, model: Model) -> Finding:
     """C of type float against double on the same numbers: errors of the size that the header states."""
-    compiled, worst, where = load(directory, backend="c"), 0.0, ""
+    compiled, worst, where = load(directory, backend="c", trusted=True), 0.0, ""
     for name, (_, stated) in single_errors(model).items():
         inputs = [rounded(np.atleast_2d(x)) for x in model.test_inputs[name]]
         exact, status = model(name, *inputs)

@@ -34,7 +34,7 @@ class Order:
 class Case:
     """What is to be compared: files in `fresh`, just generated, with the evaluator's results at the test states.
 
-    `directory` is the folder that is checked. Only .casadi files are read from there, which hold no code to compile.
+    `directory` is the folder that is checked: nothing is compiled, loaded or run from there.
     """
 
     model: Model

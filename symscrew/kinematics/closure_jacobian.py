@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from symscrew.algebra import Node, Tape, Twist, add, cross
+from symscrew.algebra import Node, Tape, Twist, add, cross, named_entries, named_wrench
 from symscrew.kinematics.cut_joints import Cut, Row, on_hub
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.link_quantities import Rates, Wrench
@@ -66,6 +66,8 @@ class ClosureJacobian:
                 else:
                     wrench = on_hub(cut, self.linkage, row.force, row.couple)
                 entries |= {k: -1 * power for k, power in self.powers(cut.hub, wrench, common).items()}
+            for k, entry in entries.items():
+                named_entries([entry], "closure", [f"{row.label}|{tree.v[k].label}"])
             rows.append({k: e for k, e in entries.items() if e is not self.tape.zero})
         return rows
 
@@ -85,6 +87,8 @@ class ClosureJacobian:
         placed = self.linkage.placed[cut.tip]
         force, moment = row.force, add(row.couple, cross(cut.tip_point, row.force))
         powers, below = self._pushed(cut.tip, (placed.before(force), placed.before(moment)), common)
+        for index, wrench in below.items():
+            named_wrench(wrench, "lever", self.linkage.tree.part(index), by=row.label)
         return powers, {cut.tip: (force, moment), **below}
 
     def _pushed(self, index: int, wrench: Wrench, inside: int) -> tuple[dict[int, Node], dict[int, Wrench]]:

@@ -20,6 +20,7 @@ from symscrew.algebra import (
     Vector,
     add,
     cross,
+    named_vector,
     product,
     scale,
     subtract,
@@ -85,7 +86,8 @@ def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tupl
         parent, child = tree.link_of_body[joint.parent], tree.link_of_body[joint.child]
         parent_first = parent != GROUND and (shared[parent] <= shared[child] or child == GROUND)
         cut = _cut(at, geometry, joint, (parent, child) if parent_first else (child, parent))
-        result.append(replace(cut, arm=_arm(at, cut) if through_limbs else None))
+        arm = _arm(at, cut) if through_limbs else None
+        result.append(replace(cut, arm=arm and named_vector(arm, "arm", joint.name)))
     return tuple(result)
 
 
@@ -124,6 +126,7 @@ def _cut(at: Linkage, geometry: Geometry, joint: Joint, ends: tuple[int, int]) -
         hub_axes=hub_axes,
         tip_is_parent=tip_is_parent,
     )
+    named_vector(cut.contact, "contact", joint.name)
     return replace(cut, rows=reciprocal_rows(cut, at, geometry))
 
 
@@ -176,6 +179,10 @@ def reciprocal_rows(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[Row, ...
     elif turning == 2:
         first, second = universal_axes(cut, at)
         moment(cross(first, second), "n")
+    for row in rows:
+        place, _, name = row.label.partition(".")
+        named_vector(row.force, "constraint", place, prefix=f"{name}_force_")
+        named_vector(row.couple, "constraint", place, prefix=f"{name}_couple_")
     return tuple(rows)
 
 

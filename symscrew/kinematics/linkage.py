@@ -22,6 +22,8 @@ from symscrew.algebra import (
     Vector,
     add,
     cross,
+    named_matrix,
+    named_vector,
     product,
     subtract,
     transform,
@@ -46,7 +48,9 @@ class Linkage:
         for link in self.tree.links[1:]:
             here, parent = self.placed[link.index], result[link.parent]
             rotation = product(product(parent.rotation, here.rotation), here.turn)
-            result.append(Pose(rotation, parent.point(here.offset)))
+            part = self.tree.part(link.index)
+            position = named_vector(parent.point(here.offset), "position", part)
+            result.append(Pose(named_matrix(rotation, "rotation", part), position))
         return tuple(result)
 
     def carry(self, source: int, target: int, vector: Vector, *, before: bool = False) -> Vector:

@@ -17,6 +17,7 @@ from symscrew.algebra import (
     add,
     cross,
     dot,
+    named_entries,
     product,
     scale,
     subtract,
@@ -57,7 +58,7 @@ def closure_bias(cut: Cut, at: Linkage, twist: Sequence[Twist], rate: Sequence[R
             moving = cross(first, cross(omega, second)) if cut.tip_is_parent else cross(cross(omega, first), second)
             value = value + dot(moving, omega)
         result.append(-value)
-    return tuple(result)
+    return _named(result, "opening_bias", cut)
 
 
 def _hub_acceleration(cut: Cut, at: Linkage, hub: Rates) -> Vector:
@@ -89,7 +90,7 @@ def closure_rate(cut: Cut, at: Linkage, twist: Sequence[Twist]) -> tuple[Node, .
         omega = at.carry_before(cut.hub, cut.tip, spin)
     slide = subtract(tip.velocity_at(cut.tip_point), velocity)
     turning = subtract(tip.angular, omega)
-    return tuple(dot(row.force, slide) + dot(row.couple, turning) for row in cut.rows)
+    return _named([dot(row.force, slide) + dot(row.couple, turning) for row in cut.rows], "opening_rate", cut)
 
 
 def closure_residual(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[Node, ...]:
@@ -114,7 +115,13 @@ def closure_residual(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[Node, .
     if kind.helical:
         index = next(i for i, row in enumerate(cut.rows) if row.label.endswith(".fz"))
         values[index] = values[index] + geometry.scalar(cut.joint.pitch) * hub_angle(cut, at, geometry)
-    return tuple(tape.node(v) for v in values)
+    return _named([tape.node(v) for v in values], "opening", cut)
+
+
+def _named(values: Sequence[Node], quantity: str, cut: Cut) -> tuple[Node, ...]:
+    """A value per row of a cut joint."""
+    named_entries(values, quantity, [row.label for row in cut.rows])
+    return tuple(values)
 
 
 def hub_angle(cut: Cut, at: Linkage, geometry: Geometry) -> Node:

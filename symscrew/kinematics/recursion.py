@@ -22,6 +22,9 @@ from symscrew.algebra import (
     Vector,
     add,
     cross,
+    is_zero,
+    named_matrix,
+    named_vector,
     scale,
     transform,
 )
@@ -37,7 +40,9 @@ def twists(at: Linkage, v: Sequence[Node]) -> tuple[Twist, ...]:
         here, parent = at.placed[link.index], result[link.parent]
         own = own_screws(link, at.frames[link.index], v)
         linear = here.outwards(add(parent.velocity_at(here.offset), own.linear))
-        result.append(Twist(add(here.outwards(parent.angular), own.angular), linear))
+        part = at.tree.part(link.index)
+        omega = named_vector(add(here.outwards(parent.angular), own.angular), "omega", part)
+        result.append(Twist(omega, named_vector(linear, "velocity", part)))
     return tuple(result)
 
 
@@ -49,6 +54,7 @@ def own_screws(link: Link, frame: Frame, v: Sequence[Scalar]) -> Twist:
 def rates(at: Linkage, v: Sequence[Node], a: Sequence[Node], *, ground: Rates | None = None) -> tuple[Rates, ...]:
     """Rates of every link; `ground` carries gravity as the ground's acceleration -g, and a moving base."""
     result = [ground or Rates(ZERO, ZERO, ZERO, NO_SPREAD)]
+    still = "_still" if all(is_zero(x) for x in a) else ""
     for link in at.tree.links[1:]:
         frame, here, parent = at.frames[link.index], at.placed[link.index], result[link.parent]
         speed, gain = own_screws(link, frame, v), own_screws(link, frame, a)
@@ -56,13 +62,24 @@ def rates(at: Linkage, v: Sequence[Node], a: Sequence[Node], *, ground: Rates | 
         if speed.linear is not ZERO:
             carried = add(carried, cross(scale(2, parent.omega), speed.linear))
         if not link.motion.turns:  # the parent's axes and its U
+            named_vector(carried, f"acceleration{still}", at.tree.part(link.index))
             result.append(Rates(parent.omega, parent.alpha, carried, parent.matrix))
             continue
         before = here.outwards(parent.omega)
         omega = add(before, speed.angular)
         alpha = add(add(here.outwards(parent.alpha), gain.angular), cross(before, speed.angular))
-        result.append(Rates(omega, alpha, here.outwards(carried), acceleration_matrix(omega, alpha)))
+        moving = Rates(omega, alpha, here.outwards(carried), acceleration_matrix(omega, alpha))
+        result.append(_named(moving, at.tree.part(link.index), still))
     return tuple(result)
+
+
+def _named(moving: Rates, part: str, still: str) -> Rates:
+    """The rates of a link, called what they are."""
+    named_vector(moving.omega, "omega", part)
+    named_vector(moving.alpha, f"alpha{still}", part)
+    named_vector(moving.origin, f"acceleration{still}", part)
+    named_matrix(moving.matrix, f"acceleration_matrix{still}", part)
+    return moving
 
 
 def acceleration_matrix(omega: Vector, alpha: Vector) -> Matrix:

@@ -15,6 +15,7 @@ from symscrew.algebra import (
     Scalar,
     Twist,
     Vector,
+    named_twist,
     product,
     subtract,
     transform,
@@ -40,7 +41,9 @@ def joint_screws(at: Linkage) -> tuple[tuple[Twist, ...], ...]:
     result: list[tuple[Twist, ...]] = [()]
     for link in at.tree.links[1:]:
         k = link.index
-        result.append(link.pair.absolute_screws(at.frames[k], at.placed[k], at.poses[link.parent], at.poses[k]))
+        screws = link.pair.absolute_screws(at.frames[k], at.placed[k], at.poses[link.parent], at.poses[k])
+        names = [c.label for c in at.tree.v[link.v]]
+        result.append(tuple(named_twist(screw, "screw", name) for screw, name in zip(screws, names, strict=True)))
     return tuple(result)
 
 
@@ -69,7 +72,8 @@ def body_motions(
         for screw, speed, gain in zip(screws[link.index], w[link.v], w_dot[link.v], strict=True):
             rate = rate + screw * gain + carrier.twist.bracket(screw) * speed
             twist = twist + screw * speed
-        result.append(BodyMotion(twist, rate))
+        part = tree.part(link.index)
+        result.append(BodyMotion(named_twist(twist, "twist", part), named_twist(rate, "twist_rate", part)))
     return tuple(result)
 
 

@@ -12,16 +12,29 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.algebra import IDENTITY, ZERO, Node, Tape, Vector, subtract, transform, transpose
+from symscrew.algebra import (
+    IDENTITY,
+    ZERO,
+    Node,
+    Tape,
+    Vector,
+    named,
+    named_matrix,
+    named_vector,
+    subtract,
+    transform,
+    transpose,
+)
 from symscrew.description import Mechanism
 from symscrew.kinematics.geometry_nodes import Geometry
+from symscrew.kinematics.limb_symmetry import equal_limbs
 from symscrew.kinematics.link_frames import link_frames
 from symscrew.kinematics.link_inertias import link_inertias
 from symscrew.kinematics.link_quantities import Frame, Inertia, Placement
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.pairs import Turn
-from symscrew.kinematics.tree import Coordinate, Tree, spanning_tree
-from symscrew.program import Function, Port, evaluate, lower
+from symscrew.kinematics.tree import Coordinate, Link, Tree, spanning_tree
+from symscrew.program import Function, Limbs, Port, evaluate, lower
 
 Array = np.ndarray[Any, Any]
 
@@ -64,6 +77,11 @@ class Structure:
     def inertia(self) -> tuple[Inertia, ...]:
         """Inertia of every link about its origin, link axes."""
         return link_inertias(self.mechanism, self.tree, self.frames, self.geometry)
+
+    @cached_property
+    def limbs(self) -> Limbs:
+        """Which parts of the mechanism are equal limbs."""
+        return equal_limbs(self.tree, self.mechanism.platform)
 
     @cached_property
     def length(self) -> float:
@@ -119,7 +137,9 @@ class Structure:
         known = turns or {}
         placed = [Placement(IDENTITY, IDENTITY, ZERO)]
         for link, frame in zip(self.tree.links[1:], self.frames[1:], strict=True):
-            placed.append(link.pair.placement(self.tape, frame, q[link.q], known.get(link.index)))
+            here = link.pair.placement(self.tape, frame, q[link.q], known.get(link.index))
+            _name(here, link, self.tree.part(link.index))
+            placed.append(here)
         return Linkage(self.tree, self.frames, tuple(placed))
 
     def local_point(self, link: int, point: Vector) -> Vector:
@@ -164,6 +184,16 @@ class Structure:
             (tuple(nodes),),
         )
         return evaluate(lower(function), [a for _, a in pairs])[0][0]
+
+
+def _name(here: Placement, link: Link, part: str) -> None:
+    """Call a link's placement what it is."""
+    named_vector(here.offset, "offset", part)
+    if link.motion.single and link.motion.turns:  # about z
+        named(here.turn[0][0], "cos", part)
+        named(here.turn[1][0], "sin", part)
+    else:
+        named_matrix(here.turn, "turn", part)
 
 
 def characteristic_length(mechanism: Mechanism) -> float:

@@ -9,6 +9,7 @@ cut: every limb is then a chain of its own, and only the platform's equations co
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import sympy
 
@@ -92,6 +93,18 @@ class Tree:
         """The outermost link that carries both, one of the two perhaps, or the ground."""
         carrying = set(self.path(other))
         return next((link for link in self.path(one) if link in carrying), GROUND)
+
+    @cached_property
+    def parts(self) -> tuple[str, ...]:
+        """What every link is called: its body, or the motion of its joint (`joint.0`) where it carries none."""
+        return tuple(
+            link.bodies[0] if link.bodies else self.joints[link.joint].kind.motion_names(link.joint)[link.position]
+            for link in self.links
+        )
+
+    def part(self, link: int) -> str:
+        """What a link is called."""
+        return self.parts[link]
 
     def links_of(self, joint: str) -> tuple[Link, ...]:
         """The links that make up a tree joint, from the ground outwards."""

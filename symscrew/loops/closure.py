@@ -39,7 +39,7 @@ class Closure:
     @cached_property
     def unknowns(self) -> dict[Column, float]:
         """Every unknown with its unit scale: joint rates by index into v, then components."""
-        scales = {k: self.system.length if c.kind == "length" else 1.0 for k, c in enumerate(self.system.tree.v)}
+        scales = dict(enumerate(map(float, self.system.scales)))
         return {**scales, **{name: 1.0 for part in self.parts for name, _ in part.definitions}}
 
     @cached_property

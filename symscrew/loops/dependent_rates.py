@@ -7,13 +7,15 @@ entries of q: a spherical joint contributes components of its quaternion's vecto
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from symscrew.algebra import (
     NEGLIGIBLE,
+    Column,
     Elimination,
     Guard,
     Node,
@@ -22,6 +24,7 @@ from symscrew.algebra import (
     cross,
     dot,
     eliminate,
+    named_entries,
     scale,
 )
 from symscrew.errors import DescriptionError
@@ -97,6 +100,17 @@ class Loops:
         self.free = sorted(free, key=lambda k: order.get(k, n + k)) if independent else free
         self.entries = self._entries(self.free)
         self.small = self._quaternion_elimination()
+        self.answers: dict[Hashable, tuple[object, Any]] = {}  # what was asked of these loops before
+        for _, column, pivot, factors in self.elimination.steps:
+            name = self.label(column)
+            named_entries([pivot], "pivot", [name])
+            named_entries(factors.values(), "factor", [f"{name}|{row}" for row in factors])
+
+    def label(self, column: Column) -> str:
+        """What an unknown is called: a rate of the tree, or a component of the velocity of a cut joint's point."""
+        if isinstance(column, int):
+            return self.system.tree.v[column].label
+        return ".".join(str(part) for part in column[1:])
 
     # -- choice ------------------------------------------------------------------------------------------
 
@@ -176,6 +190,11 @@ class Loops:
         found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
         return min(found, key=self.cost)
 
+    def _called(self, values: list[Node], quantity: str, by: str = "") -> list[Node]:
+        """Values per joint rate, called so."""
+        named_entries(values, quantity, [f"{c.label}|{by}" for c in self.system.tree.v])
+        return values
+
     def with_rates(self, particular: Sequence[Node], wanted: Sequence[Node]) -> list[Node]:
         """w = particular + N f, with f such that the independent coordinates change at the wanted rates.
 
@@ -229,7 +248,10 @@ class Loops:
 
     def rates_from(self, y_dot: Sequence[Node]) -> list[Node]:
         """w from the rates of the independent coordinates."""
-        return self.with_rates([self.system.tape.zero] * len(self.system.tree.v), y_dot)
+        unit = all(y.value is not None for y in y_dot)
+        w = self.with_rates([self.system.tape.zero] * len(self.system.tree.v), y_dot)
+        by = "_".join(label for label, y in zip(self.labels, y_dot, strict=True) if y.value != 0) if unit else ""
+        return self._called(w, "null_space" if unit else "joint_rate", by)
 
     def accelerations_from(
         self, y_ddot: Sequence[Node], bias: Sequence[Node], w: Sequence[Node] | None = None
@@ -241,14 +263,14 @@ class Loops:
         system = self.system
         zeros = [system.tape.zero] * len(self.free)
         if not self.small.steps:
-            return self.dependent([-b for b in bias], y_ddot)
+            return self._called(self.dependent([-b for b in bias], y_ddot), "joint_acceleration")
         particular = self.dependent([-b for b in bias], zeros)
         w = system.joint_rates(system.inputs.v) if w is None else w
         wanted = [
             second - self._quaternion_bias(entry, w) if entry.component is not None else second
             for entry, second in zip(self.entries, y_ddot, strict=True)
         ]
-        return self.with_rates(particular, wanted)
+        return self._called(self.with_rates(particular, wanted), "joint_acceleration")
 
     def second_rates(self, free: Sequence[Node], w_dot: Sequence[Node], w: Sequence[Node]) -> list[Node]:
         """Second rates of y from the free joint accelerations; w, w_dot: rates and accelerations of all joints."""
@@ -302,7 +324,7 @@ class Loops:
         if not system.cuts:
             return False
         matrix = system.numeric(system.closure.dense(), (system.inputs.q, system.reference[None, :]))
-        scales = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        scales = system.scales
         values = np.linalg.svd(matrix.reshape(-1, len(scales)) * scales, compute_uv=False)
         return int((values > NEGLIGIBLE * values[0]).sum()) < self.rank
 

@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from symscrew.algebra import Node, divides, inputs_of, needed, substitute
+from symscrew.algebra import Node, divides, inputs_of, named_entries, needed, substitute
 from symscrew.kinematics import System
 from symscrew.program import Function, roots_of, with_roots
 
@@ -95,6 +95,7 @@ class Mode:
                 guards[pivot] = max(threshold, guards.get(pivot, 0.0))
         read = {node for node in read if node in followed}
         tests = [self._configuration(read), *([self._rates(read)] if moving else [])]
+        named_entries(tests, "in_mode", ["configuration", "rates"][: len(tests)])
         guards |= {test: HALF for test in tests if test.value is None}
         return replace(found, guards=tuple(guards.items()))
 

@@ -111,7 +111,7 @@ def _configuration(system: System, targets: Mapping[str, float]) -> Array | str:
     links = {link.q.start: link for link in tree.links[1:] if link.q.stop > link.q.start}
     held = {links[entry[label]].v.start: (entry[label], value) for label, value in targets.items()}
     free = [k for k in range(len(tree.v)) if k not in held]
-    scales = np.array([system.length if c.kind == "length" else 1.0 for c in tree.v])
+    scales = system.scales
     start = q[0].copy()
     for step in range(1, STEPS + 1):
         for index, value in held.values():

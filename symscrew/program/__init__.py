@@ -5,15 +5,19 @@
                                                           Program --lanes--> packs of equal limbs, for C
 
 straight_line       what a program is: instructions, ports, counts, hash; iterations of a program
+equal_limbs         which parts of a mechanism do the same
 lowering            from nodes to a program
 passes              what is done to the nodes before: a table, a file each
 numpy_evaluation    programs on NumPy
 jacobians           derivatives of a program by its inputs, as a program
+json_form           programs as lists that JSON holds
 rank_revealing      the second path of forward dynamics, near singular configurations
 lanes               equal limbs side by side in vectors
 """
 
+from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, jacobian
+from symscrew.program.json_form import from_lists, to_lists
 from symscrew.program.lanes import Pack, Packing, Vector, packed
 from symscrew.program.lowering import Function, lower, roots_of, with_roots
 from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
@@ -22,6 +26,7 @@ from symscrew.program.straight_line import COUNTED, STATUS, Instruction, Iterati
 
 __all__ = [
     "COUNTED",
+    "NO_LIMBS",
     "RANK",
     "STATUS",
     "SWITCH",
@@ -29,6 +34,8 @@ __all__ = [
     "Instruction",
     "Iteration",
     "Jacobian",
+    "Limb",
+    "Limbs",
     "Pack",
     "Packing",
     "Port",
@@ -38,10 +45,12 @@ __all__ = [
     "evaluate",
     "evaluate_iteration",
     "evaluate_rank_revealing",
+    "from_lists",
     "jacobian",
     "lower",
     "packed",
     "roots_of",
     "second_path",
+    "to_lists",
     "with_roots",
 ]

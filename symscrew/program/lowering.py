@@ -12,7 +12,8 @@ import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.algebra import Node, uses
+from symscrew.algebra import Node, Origin, Tape, uses
+from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.passes import PASSES
 from symscrew.program.straight_line import Instruction, Port, Program
 
@@ -22,7 +23,7 @@ class Function:
     """A function of the model before lowering: ports and the nodes behind them.
 
     `arguments` and `results` are the nodes of each input and output, `size` of them. `guards`: (node, threshold):
-    the function fails with status 1 where |node| <= threshold.
+    the function fails with status 1 where |node| <= threshold. `limbs` says which parts of the mechanism are equal.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Function:
     results: tuple[tuple[Node, ...], ...]
     guards: tuple[tuple[Node, float], ...] = ()
     notes: tuple[str, ...] = ()
+    limbs: Limbs = NO_LIMBS
 
 
 def lower(function: Function) -> Program:
@@ -67,6 +69,7 @@ class _Lowering:
         self.slot: dict[int, int | float] = {}  # of a node; for a constant, its value
         self.instructions: list[Instruction] = []
         self.made: dict[tuple[object, ...], int] = {}
+        self.negatives: list[Node] = []
         self.next = itertools.count()
         for node in itertools.chain.from_iterable(function.arguments):
             self.slot[node.index] = next(self.next)
@@ -91,7 +94,31 @@ class _Lowering:
             tuple(_strongest(guards, self.instructions).items()),
             f.notes,
             next(self.next),
+            self.origins(),
+            f.limbs,
         )
+
+    def origins(self) -> dict[int, Origin]:
+        """Where slots come from: inputs by their ports, results too that have no name of the theory."""
+        function = self.function
+        found: dict[int, Origin] = {}
+        for port, nodes in zip(function.inputs, function.arguments, strict=True):
+            found |= {self.slot[n.index]: _at_port(port, k) for k, n in enumerate(nodes)}  # type: ignore[misc]
+        every = (n for nodes in (*function.arguments, *function.results) for n in nodes)
+        tape = next((n.tape for n in every), Tape())
+        slots, known = self.slot, tape.origins
+        for index in [index for index in slots if index in known]:
+            found.setdefault(slots[index], known[index])  # type: ignore[arg-type]
+        for node in self.negatives:
+            origin = known.get(node.args[0].index)
+            if origin is not None:
+                found.setdefault(slots[node.index], origin.opposite)  # type: ignore[arg-type]
+        for port, nodes in zip(function.outputs, function.results, strict=True):
+            for k, node in enumerate(nodes):
+                slot = self.slot[node.index]
+                if isinstance(slot, int):
+                    found.setdefault(slot, _at_port(port, k))
+        return found
 
     def value(self, root: Node) -> int | float:
         """Slot or constant of a node, emitting what it needs first (without recursion in depth)."""
@@ -135,6 +162,7 @@ class _Lowering:
             if x.op == "reciprocal" and y.op != "reciprocal" and self._single(x):
                 return "div", (y, x.args[0])
         elif op == "neg":
+            self.negatives.append(node)
             inner = args[0]
             if inner.op == "sub" and self._single(inner):
                 return "sub", (inner.args[1], inner.args[0])
@@ -148,6 +176,13 @@ class _Lowering:
             self.made[key] = target = next(self.next)
             self.instructions.append(Instruction(target, op, args))
         return target
+
+
+def _at_port(port: Port, k: int) -> Origin:
+    """Entry k of a port: labels are `part`, `part.component` or, of coefficients, `...|by`."""
+    label, _, by = (port.labels[k] if k < len(port.labels) else "").partition("|")
+    part, _, component = label.partition(".")
+    return Origin(port.name, part, component if port.labels else str(k), by)
 
 
 def _strongest(guards: Mapping[int, float], instructions: Sequence[Instruction]) -> dict[int, float]:

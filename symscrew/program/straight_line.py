@@ -11,10 +11,14 @@ or constants. It knows its inputs and outputs by name, shape, unit and label, it
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+
+from symscrew.algebra import Origin
+from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 
 # every operation that an instruction may have, and the class in which it is counted
 COUNTED = {
@@ -78,6 +82,9 @@ class Program:
     Slots 0 ... n-1 are the entries of all inputs in order, `slots` is how many there are in all. `results` are slots
     or constants, a tuple per output. `guards`: (slot, threshold): the function fails with status 1 where
     |slot| <= threshold. `notes` are sentences for the user of the function.
+
+    `origins` says of slots what they are in the theory, `limbs` which parts of the mechanism are equal: both are for
+    those who read or arrange the code, and change nothing of what is computed.
     """
 
     name: str
@@ -89,6 +96,8 @@ class Program:
     guards: tuple[tuple[int, float], ...]
     notes: tuple[str, ...] = ()
     slots: int = 0
+    origins: Mapping[int, Origin] = field(default_factory=dict, compare=False, repr=False)
+    limbs: Limbs = field(default=NO_LIMBS, compare=False, repr=False)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({_signature(self)}, {self.operations['total']} operations)"
@@ -126,6 +135,17 @@ class Program:
                 continue
             seen |= {arg for arg in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(arg, int)}
         return (*found[::-1], *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
+
+    @cached_property
+    def live(self) -> tuple[list[Instruction], set[int]]:
+        """The instructions that pivots and what is checked, so all results, need, and every slot that is read."""
+        needed = {*self.checked, *(slot for slot, _ in self.guards)}
+        found = []
+        for instruction in reversed(self.instructions):
+            if instruction.target in needed:
+                found.append(instruction)
+                needed.update([arg for arg in instruction.args if type(arg) is int])
+        return found[::-1], needed
 
     @cached_property
     def hash(self) -> str:

@@ -1,157 +1,52 @@
 """Compiled functions of a model, called from Python on NumPy arrays.
 
-    model, or folder --print, compile--> shared library --ctypes--> functions of arrays (*batch, *shape)
+    model, or folder --origin--> C of a function --c_library, at its first call--> function of arrays (*batch, *shape)
 
     model = load(directory_or_model)
     u = model.inverse_dynamics(q, v, a)              # arrays (*batch, *shape)
     u, status = model.inverse_dynamics(q, v, a, check=False)
 
-The generated C is compiled by the system's compiler and called through ctypes; a whole batch is one call on
-the arrays themselves: nothing is copied if they are of type float64 and either C-contiguous (one state after the
-other) or all transposes of C-contiguous arrays (size, states). With `load(..., vectorised=True)` the batch takes
-eight states at once. Without a C compiler the same functions run in CasADi (`backend` says which).
+The generated C is compiled by the system's compiler, function by function when they are first called, kept in the
+user's cache and called through ctypes. A whole batch is one call on the arrays themselves, eight states at once;
+nothing is copied, whatever their memory order (see `state_arrays`). Without a C compiler the same functions run in
+CasADi (`backend` says which).
 """
 
 from __future__ import annotations
 
 import ctypes
-import math
-import shutil
-import subprocess
+import os
 import tempfile
+import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew.description import check_name
-from symscrew.export import (
-    DOUBLE,
-    HASHES,
-    PRECISIONS,
-    SPILLS,
-    OutputError,
-    Precision,
-    print_c,
-    read_hashes,
-    read_manifest,
-    read_port,
-)
+from symscrew.export import DOUBLE
 from symscrew.model import Model
-from symscrew.program import STATUS, Port
+from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
+from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
+from symscrew.runtime.compilers import COMPILERS, FLAGS, CompileError, compile_c, find_compiler
+from symscrew.runtime.origin import Origin, origin_of
+from symscrew.runtime.strided_c import THREADS
 
-COMPILERS = ("cc", "gcc", "clang")  # the first that is there
-FLAGS = ("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=fast", "-shared", "-fPIC")
-Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], None]  # reads first, writes the others
-Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
-
-
-class EvaluationError(ArithmeticError):
-    """A function reported a status other than success; `status` holds it per state."""
-
-    def __init__(self, message: str, status: np.ndarray) -> None:
-        """The error of a call whose states ended in `status`."""
-        super().__init__(message)
-        self.status = status
-
-
-class CompileError(RuntimeError):
-    """The C compiler refused the generated code; the message holds what it said."""
-
-
-@dataclass(frozen=True)
-class CompiledFunction:
-    """One function of the model: call it with arrays (*batch, *shape), by position or by name.
-
-    It returns an array per output (the array itself if there is one output only). A status above 0
-    raises `EvaluationError`; with `check=False` the status (*batch) is returned as a last value instead, and
-    outputs of failed states are NaN. Inputs that are transposes of arrays (size, states) are read in place, and
-    the outputs are such transposes, too.
-    """
-
-    name: str
-    inputs: tuple[Port, ...]
-    outputs: tuple[Port, ...]
-    evaluator: Evaluator
-    columns: Evaluator | None = None
-
-    def __repr__(self) -> str:
-        given, found = (", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (self.inputs, self.outputs))
-        return f"CompiledFunction({self.name}({given}) -> {found})"
-
-    def __call__(self, *arguments: object, check: bool = True, **named: object) -> object:
-        """Evaluate; see the class.
-
-        Raises:
-            EvaluationError: a status above 0, unless `check` is False.
-            TypeError: not the function's inputs, each of them once.
-            ValueError: an array that does not end in the shape of its input.
-        """
-        arrays, batch = self._arrays(self._ordered(arguments, named))
-        count = math.prod(batch)
-        if self.columns is not None and side_by_side(arrays, batch):
-            columns = [np.empty((port.size, count)) for port in self.outputs]
-            status = np.zeros(count, dtype=np.intc)
-            self.columns([a.T for a in arrays], columns, status)
-            return self._finished([c.T for c in columns], status, batch, check)
-        flat = [
-            np.ascontiguousarray(a if a.shape[:-1] == batch else np.broadcast_to(a, (*batch, a.shape[-1])))
-            for a in arrays
-        ]
-        results = [np.empty((count, port.size)) for port in self.outputs]
-        status = np.zeros(count, dtype=np.intc)
-        self.evaluator(flat, results, status)
-        return self._finished(results, status, batch, check)
-
-    def _finished(
-        self, results: Sequence[np.ndarray], status: np.ndarray, batch: tuple[int, ...], check: bool
-    ) -> object:
-        """Results in the shape of the batch, or an error that tells which states failed."""
-        shaped = tuple(_unflatten(r, batch, p.shape) for r, p in zip(results, self.outputs, strict=True))
-        status = status.reshape(batch)
-        if not check:
-            return (*shaped, status)
-        if (status > 0).any():
-            raise EvaluationError(self._failure(status), status)
-        return shaped[0] if len(shaped) == 1 else shaped
-
-    def _ordered(self, arguments: Sequence[object], named: Mapping[str, object]) -> list[object]:
-        if not named and len(arguments) == len(self.inputs):
-            return list(arguments)
-        names = [port.name for port in self.inputs]
-        given = dict(zip(names, arguments, strict=False))
-        twice = [name for name in named if name in given]
-        if len(arguments) > len(names) or twice or sorted({**given, **named}) != sorted(names):
-            got = ", ".join([*(str(n) for n in given), *named]) or "nothing"
-            raise TypeError(f"{self.name} expects ({', '.join(names)}), got {len(arguments)} arrays and {got}")
-        return [{**given, **named}[name] for name in names]
-
-    def _arrays(self, arguments: Sequence[object]) -> tuple[list[np.ndarray], tuple[int, ...]]:
-        arrays = []
-        for port, argument in zip(self.inputs, arguments, strict=True):
-            array = np.asarray(argument, dtype=float)
-            shape = port.shape if port.shape != (1,) or array.shape[-1:] == (1,) else ()
-            depth = array.ndim - len(shape)
-            if depth < 0 or array.shape[depth:] != shape:
-                expected = f"{port.name} of shape {port.shape} after batch dimensions"
-                raise ValueError(f"{self.name} expects {expected}, got {array.shape}")
-            if len(shape) > 1:  # column-major
-                array = np.moveaxis(array, range(depth, array.ndim), range(array.ndim - 1, depth - 1, -1))
-            arrays.append(array if len(shape) == 1 else array.reshape(*array.shape[:depth], port.size))
-        batches = {a.shape[:-1] for a in arrays}
-        return arrays, batches.pop() if len(batches) == 1 else np.broadcast_shapes(*batches)
-
-    def _failure(self, status: np.ndarray) -> str:
-        if not status.shape:
-            return f"{self.name}: {STATUS[int(status)]}"
-        failed = np.argwhere(status > 0)
-        first = tuple(int(i) for i in failed[0])
-        return (
-            f"{self.name}: {len(failed)} of {status.size} states failed; the first is state {first}: "
-            f"{STATUS[int(status[first])]}"
-        )
+__all__ = [
+    "COMPILERS",
+    "FLAGS",
+    "CompileError",
+    "CompiledFunction",
+    "CompiledModel",
+    "EvaluationError",
+    "Evaluator",
+    "casadi_evaluator",
+    "compile_c",
+    "find_compiler",
+    "load",
+]
 
 
 class CompiledModel:
@@ -180,169 +75,133 @@ class CompiledModel:
         return [*super().__dir__(), *self.functions]
 
 
-def side_by_side(arrays: Sequence[np.ndarray], batch: tuple[int, ...]) -> bool:
-    """Whether all arrays (states, size) are transposes of C-contiguous arrays, so that columns can be read in place."""
-    if len(batch) != 1 or batch[0] < 2 or not arrays:
-        return False
-    sized = [a for a in arrays if a.shape[-1] > 1]
-    return bool(sized) and all(a.shape[:-1] == batch and a.T.flags.c_contiguous for a in arrays)
-
-
 def load(
     source: Model | str | Path,
     *,
     build_dir: str | Path | None = None,
     backend: str | None = None,
-    vectorised: bool = False,
-    threads: bool = False,
+    vectorised: bool | None = None,
+    threads: bool | int = False,
     precision: str | None = None,
     flags: Sequence[str] = (),
+    trusted: bool = False,
 ) -> CompiledModel:
     """The compiled functions of a model, or of a directory that `generate` wrote.
 
+    Functions are compiled when they are first called, and kept in the user's cache (`symscrew cache`). Of a directory,
+    the mechanism is derived again and the C that it gives is compiled, after the C in the directory has been found to
+    be the same: nothing in it is run that this version would not write.
+
     Args:
         source: a model, or the directory with manifest.json.
-        build_dir: where the compiled library goes; by default a temporary directory that is gone afterwards.
-        backend: "c" or "casadi"; by default "c" if there is a C compiler.
-        vectorised: batches of eight states at once in C: three to four times as fast with AVX2, but twice the
-            time to compile, so that it pays from some millions of evaluations on.
-        threads: batches shared among threads (OpenMP; OMP_NUM_THREADS says how many), vectorised as well.
+        build_dir: a directory for the compiled library, lib<name>.so, with all functions, compiled now.
+        backend: "c" or "casadi"; by default "c" if there is a C compiler that works.
+        vectorised: batches of eight states at once in C: three to ten times as fast, the default. False: one by one,
+            which compiles in half the time; True: single calls have equal limbs side by side, too.
+        threads: how many threads share the states of a call, unless the call says it; True: as many as processors.
         precision: "single" to print and compile a model's C in float; a directory knows its own. Arrays of
             Python are float64 all the same.
         flags: further flags of the C compiler.
+        trusted: compile the C of the directory as it stands, and whole, now. It can do whatever you can: only for
+            directories that you or somebody whom you trust wrote. Sizes of arrays are compared all the same.
 
     Raises:
-        CompileError: the compiler refused the code.
-        OutputError: the directory holds nothing that `generate` wrote, or only hashes of its code.
+        CompileError: the compiler refused the code (for good, where "c", flags or a directory were asked for; else
+            functions run in CasADi, and a warning says so).
+        OutputError: the directory holds nothing that `generate` wrote, only hashes of its code, other code than its
+            description gives, or a manifest that does not fit the C.
+        DescriptionError: the directory's mechanism.toml describes no mechanism.
         ValueError: a backend or precision that cannot be had.
     """
     if backend not in (None, "c", "casadi"):
         raise ValueError(f"expected the backend 'c' or 'casadi', got {backend!r}")
-    name, ports, own = _interface(source)
-    if not isinstance(source, Model) and read_hashes(Path(source)):
-        raise OutputError(f"{source}: holds hashes in place of its code ({HASHES}); generate it without --hashes-only")
-    real = PRECISIONS[precision or own]
-    if not isinstance(source, Model) and precision not in (None, own):
-        raise ValueError(f"{source}: expected its own precision, {own}, got {precision}; generate it again")
-    if backend == "casadi" and real is not DOUBLE:
+    origin = origin_of(source, precision, trusted=trusted, lanes=vectorised is True)
+    if backend == "casadi" and origin.precision is not DOUBLE:
         raise ValueError("expected the backend 'c' for single precision, got 'casadi'")
     chosen = backend or ("c" if find_compiler() else "casadi")
+    share = (os.cpu_count() or 1) if threads is True else int(threads) or 1
     if chosen == "c":
-        speed = [f"-D{name.upper()}_STATE_BY_STATE"] if not (vectorised or threads) else []
-        speed += ["-fopenmp"] if threads else []
-        lanes = vectorised or threads  # else Python's calls take longer than what limbs side by side save
-        library = _c_library(source, name, build_dir=build_dir, flags=[*speed, *flags], precision=real, lanes=lanes)
-        evaluators = _c_evaluators(library, name, ports, real, columns=False)
-        columns = _c_evaluators(library, name, ports, real, columns=True)
-    else:
-        evaluators, columns = _casadi_evaluators(source, ports), {}
-    functions = {
-        function: CompiledFunction(function, inputs, outputs, evaluators[function], columns.get(function))
-        for function, (inputs, outputs) in ports.items()
+        speed = [f"-D{origin.name.upper()}_STATE_BY_STATE"] if vectorised is False else []
+        whole = bool(origin.sources) or build_dir is not None
+        try:
+            make = _whole if whole else _one_by_one
+            made = make(origin, [*speed, *flags], Path(build_dir) if build_dir is not None else None)
+            return CompiledModel(origin.name, "c", {f: replace(c, threads=share) for f, c in made.items()})
+        except CompileError as error:
+            if backend == "c" or whole or flags or origin.precision is not DOUBLE:
+                raise
+            said = " ".join(str(error).split())
+            text = f"{origin.name}: its functions run in CasADi, some ten times slower than compiled: {said}"
+            warnings.warn(text, RuntimeWarning, stacklevel=2)
+    return CompiledModel(origin.name, "casadi", _in_casadi(origin))
+
+
+def _one_by_one(origin: Origin, flags: Sequence[str], _: Path | None) -> dict[str, CompiledFunction]:
+    """Functions that are compiled when they are first called; the shortest one now, to see that the compiler works."""
+    lazy = {f: Evaluators(_making(origin, f, tuple(flags))) for f in origin.ports}
+    if lazy:
+        lazy[min(origin.ports, key=lambda f: sum(p.size for ports in origin.ports[f] for p in ports))].ready()
+    return _functions(origin, lazy)
+
+
+def _making(origin: Origin, function: str, flags: Sequence[str]) -> Callable[[bool], Made]:
+    """What compiles one function by itself."""
+
+    def make(threads: bool) -> Made:
+        with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+            sources = _written(origin, origin.files(function), Path(temporary))
+            ports = {function: origin.ports[function]}
+            options = [*flags, *(THREADS if threads else ())]
+            library = library_of(origin.name, sources, ports, precision=origin.precision, flags=options)
+        return evaluators(library, f"{origin.name}_{function}", origin.ports[function], origin.precision)
+
+    return make
+
+
+def _whole(origin: Origin, flags: Sequence[str], build_dir: Path | None) -> dict[str, CompiledFunction]:
+    """All functions in one library, compiled now."""
+
+    @cache
+    def library(threads: bool) -> ctypes.CDLL:
+        with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+            sources = origin.sources or _written(origin, origin.files(""), Path(temporary))
+            options = [*flags, *(THREADS if threads else ())]
+            place = None if threads else build_dir
+            return library_of(
+                origin.name, sources, origin.ports, precision=origin.precision, flags=options, build_dir=place
+            )
+
+    def making(function: str) -> Callable[[bool], Made]:
+        symbol = f"{origin.name}_{function}"
+        return lambda threads: evaluators(library(threads), symbol, origin.ports[function], origin.precision)
+
+    made = {function: Evaluators(making(function)) for function in origin.ports}
+    for function in made.values():
+        function.ready()
+    return _functions(origin, made)
+
+
+def _written(origin: Origin, files: Mapping[str, str], folder: Path) -> Sequence[Path]:
+    """C files in a folder; those to compile, the one with the model's name first."""
+    for file, text in files.items():
+        (folder / file).write_text(text, encoding="utf-8")
+    return [folder / f for f in sorted(files, key=lambda f: (f != f"{origin.name}.c", f)) if f.endswith(".c")]
+
+
+def _functions(origin: Origin, made: Mapping[str, Evaluators]) -> dict[str, CompiledFunction]:
+    own = origin.precision is DOUBLE  # numbers of another type are converted on the way
+    return {
+        f: CompiledFunction(f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.direct)
+        for f, of in made.items()
     }
-    return CompiledModel(name, chosen, functions)
 
 
-def find_compiler() -> str | None:
-    """Path of the system's C compiler, or None."""
-    return next((path for path in map(shutil.which, COMPILERS) if path), None)
-
-
-def compile_c(
-    source: Path, library: Path, *, compiler: str | None = None, flags: Sequence[str] = (), native: bool = True
-) -> None:
-    """Compile a C file into a shared library, for this processor (`native`) where the compiler knows it.
-
-    Raises:
-        CompileError: there is no compiler, or it refused the file.
-    """
-    command = compiler or find_compiler()
-    if command is None:
-        raise CompileError(f"no C compiler ({', '.join(COMPILERS)}); install one or use backend='casadi'")
-    own: tuple[str, ...] = ("-march=native",) if native else ()
-    # a compiler that does not know an option refuses the file: try with fewer of those that only make it faster
-    for machine in dict.fromkeys(((*own, SPILLS), own, ())):
-        arguments = [command, *FLAGS, *machine, *flags, str(source), "-o", str(library), "-lm"]
-        result = subprocess.run(arguments, capture_output=True, text=True, check=False)
-        if result.returncode == 0:
-            return
-    raise CompileError(f"{command} refused {source.name}:\n{result.stderr[-4000:]}")
-
-
-def _interface(source: Model | str | Path) -> tuple[str, Ports, str]:
-    """Name, ports of every function, and precision."""
-    if isinstance(source, Model):
-        return source.name, {name: (p.inputs, p.outputs) for name, p in source.programs.items()}, "double"
-    content = read_manifest(Path(source))
-    name = check_name(content["mechanism"], "manifest.json, mechanism")
-    functions = {check_name(f, "manifest.json, function"): entry for f, entry in content["functions"].items()}
-    interface = {
-        f: (tuple(map(read_port, entry["inputs"])), tuple(map(read_port, entry["outputs"])))
-        for f, entry in functions.items()
-    }
-    return name, interface, "single" if content.get("precision") == "single" else "double"
-
-
-def _c_library(
-    source: Model | str | Path,
-    name: str,
-    *,
-    build_dir: str | Path | None,
-    flags: Sequence[str],
-    precision: Precision,
-    lanes: bool,
-) -> ctypes.CDLL:
-    """The C of a model or a folder, compiled and loaded."""
-    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
-        folder = Path(build_dir) if build_dir is not None else Path(temporary)
-        folder.mkdir(parents=True, exist_ok=True)
-        sources = Path(temporary) if isinstance(source, Model) else Path(source)
-        if isinstance(source, Model):
-            for file, text in print_c(source, precision=precision, lanes=lanes).items():
-                (sources / file).write_text(text, encoding="utf-8")
-        library = folder / f"lib{name}.so"
-        compile_c(sources / f"{name}.c", library, flags=flags)
-        return ctypes.CDLL(str(library))  # stays mapped when the temporary file is gone
-
-
-def _c_evaluators(
-    library: ctypes.CDLL, name: str, ports: Ports, real: Precision, *, columns: bool
-) -> dict[str, Evaluator]:
-    """The batch function of every function of a library."""
-    sizes = {function: len(inputs) + len(outputs) for function, (inputs, outputs) in ports.items()}
-    return {f: _c_evaluator(library, f"{name}_{f}", n, real, columns=columns) for f, n in sizes.items()}
-
-
-def _c_evaluator(library: ctypes.CDLL, symbol: str, arrays: int, real: Precision, *, columns: bool) -> Evaluator:
-    """A batch function on arrays (states, size), or with `columns` (size, states)."""
-    batch = getattr(library, f"{symbol}_batch_soa" if columns else f"{symbol}_batch")
-    counts = 2 if columns else 1
-    batch.argtypes = [*([ctypes.c_size_t] * counts), *([ctypes.c_void_p] * (arrays + 1))]
-    batch.restype = ctypes.c_int
-
-    def evaluate(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
-        pointers = [array.__array_interface__["data"][0] for array in (*inputs, *outputs, status)]
-        batch(*([len(status)] * counts), *pointers)
-
-    def evaluate_single(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> None:
-        results = [np.empty(array.shape, np.float32) for array in outputs]
-        evaluate([np.ascontiguousarray(array, np.float32) for array in inputs], results, status)
-        for array, result in zip(outputs, results, strict=True):
-            array[...] = result
-
-    return evaluate if real is DOUBLE else evaluate_single
-
-
-def _casadi_evaluators(source: Model | str | Path, ports: Ports) -> dict[str, Evaluator]:
-    import casadi
-
+def _in_casadi(origin: Origin) -> dict[str, CompiledFunction]:
+    """The functions in CasADi, always made anew of the model: its files can carry more than functions."""
     from symscrew.export import casadi_functions
 
-    if isinstance(source, Model):
-        functions = casadi_functions(source)
-    else:
-        functions = {name: casadi.Function.load(str(Path(source) / f"{name}.casadi")) for name in ports}
-    return {name: casadi_evaluator(function) for name, function in functions.items()}
+    made = casadi_functions(origin.model())
+    return {f: CompiledFunction(f, *origin.ports[f], casadi_evaluator(made[f])) for f in origin.ports}
 
 
 def casadi_evaluator(function: Any) -> Evaluator:
@@ -360,11 +219,3 @@ def casadi_evaluator(function: Any) -> Evaluator:
             target[status != 0] = np.nan
 
     return evaluate
-
-
-def _unflatten(array: np.ndarray, batch: tuple[int, ...], shape: tuple[int, ...]) -> np.ndarray:
-    """Rows of column-major entries as arrays (*batch, *shape)."""
-    full, depth = array.reshape(*batch, *reversed(shape)), len(batch)
-    if len(shape) < 2:
-        return full
-    return np.moveaxis(full, range(depth, full.ndim), range(full.ndim - 1, depth - 1, -1))

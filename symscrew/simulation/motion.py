@@ -7,16 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
-from symscrew.model import Model, derive
+from symscrew.model import Model
 from symscrew.program import Program
-from symscrew.runtime import find_compiler
+from symscrew.runtime import CompileError, find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
+from symscrew.simulation.derived_model import derived_model
 from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
@@ -100,7 +102,7 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     Raises:
         DescriptionError: the effects leave no forward dynamics, or the scene commands what a contact determines.
     """
-    model = derive(scene.mechanism, scene.effects)
+    model = derived_model(scene.mechanism, scene.effects)
     if "forward_dynamics" not in model.programs:
         raise DescriptionError(
             f"{scene.name}: these effects leave nothing to simulate, since drives then do not determine accelerations "
@@ -178,11 +180,22 @@ def _integrated(
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
         raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
-    if chosen == "c" and own:
-        return integrate_natively(scene, programs, start, progress)
-    return integrate(
-        scene, programs, start, contacts=contacts, controller=controller, compiled=chosen == "c", progress=progress
-    )
+    further = partial(integrate, scene, programs, start, contacts=contacts, controller=controller, progress=progress)
+    try:
+        if chosen == "c" and own:
+            return integrate_natively(scene, programs, start, progress)
+        return further(compiled=chosen == "c")
+    except CompileError as error:
+        if backend is not None:
+            raise
+        history = further(compiled=False)
+        notice = f"evaluated on NumPy, some hundred times slower than compiled: {one_line(error)}"
+        return replace(history, events=(notice, *history.events))
+
+
+def one_line(error: Exception) -> str:
+    """The first line of what a compiler said."""
+    return str(error).partition("\n")[0].rstrip(":")
 
 
 def _of_steps(scene: Scene) -> tuple[str, ...]:

@@ -6,14 +6,16 @@ Plant --print_c--> functions --constants, adapters--> one file with the kernels 
 from __future__ import annotations
 
 import itertools
+import json
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from symscrew.export import decimal, print_c
+from symscrew.export import banner, decimal, print_c
 from symscrew.model import Model
+from symscrew.runtime import entry, key_of, version
 from symscrew.scene import Table
 from symscrew.simulation.contacts import SHARED, Law, laws
 from symscrew.simulation.fronts import layouts, paths
@@ -60,14 +62,26 @@ NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (v
 
 
 def generated(plant: Plant) -> dict[str, str]:
-    """The plant's functions as C: file name to text."""
+    """The plant's functions as C: file name to text, printed once and then read from the user's cache."""
+    reduced = _reduced(plant)
+    about = ["C of a plant", version(), *banner(reduced), *(p.hash for p in reduced.programs.values())]
+    with entry(key_of(*(text.encode("utf-8") for text in about))) as kept:
+        found = kept.read()
+        if found is None:
+            found = json.dumps(print_c(reduced, batches=False)).encode("ascii")
+            kept.write(found)
+    texts: dict[str, str] = json.loads(found)
+    return texts
+
+
+def _reduced(plant: Plant) -> Model:
+    """The model with what a run calls, and nothing else."""
     programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
     if plant.rates is not None and plant.sizes["x"]:
         programs["state_rates"] = plant.rates
     if plant.closure is not None:
         programs["closure_both"] = replace(plant.closure, name="closure_both")
-    reduced = Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
-    return print_c(reduced, batches=False)
+    return Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
 
 
 def kernel_text(name: str) -> str:

@@ -238,7 +238,7 @@ def _shares(differences: Mapping[str, float], sizes: Mapping[str, float]) -> dic
 def _scales(system: System, function: str) -> np.ndarray:
     """What divides the entries of a result so that lengths and angles, forces and torques compare."""
     if function == "forward_dynamics":
-        return np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        return system.scales
     slides = [Acting(system, ()).slides(joint, k) for joint, k in system.drives]
     return np.array([1.0 if s else system.length for s in slides])
 

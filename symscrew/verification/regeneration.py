@@ -1,8 +1,8 @@
 """Is generated output what the tool generates today, does it compile, and do its targets agree?
 
 `check` derives the model again from the directory's mechanism.toml and the effects in its manifest, and
-compares bytes. Only what has just been generated is compiled and run, never code found in the directory; a
-.casadi file with other bytes (they depend on the version of CasADi) is loaded and compared by value.
+compares bytes. Only what has just been generated is compiled, loaded and run, nothing found in the directory: .casadi
+files, too, are compared by their bytes and never read.
 """
 
 from __future__ import annotations
@@ -19,21 +19,19 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.description import load_description
 from symscrew.export import (
     HASHES,
     PRECISIONS,
     FileHash,
     OutputError,
-    effect_from_json,
     file_hash,
-    model_hash,
     read_hashes,
     read_json,
     read_manifest,
 )
 from symscrew.generation import EMBEDDED, TARGETS, Case, Results, by_value, compare_values, render, with_brought
-from symscrew.model import Model, derive
+from symscrew.model import Model
+from symscrew.runtime import model_of
 from symscrew.verification.embedded import CORES, measure, missing_tools
 
 VECTORS = "test_vectors.json"
@@ -125,20 +123,7 @@ def _place(target: str) -> int:
 
 def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
     """The model of a directory, with the recorded states as test inputs where they fit."""
-    mechanism = load_description(directory / "mechanism.toml")
-    effects = tuple(effect_from_json(entry) for entry in content["effects"])
-    functions = content.get("functions", {})
-    wanted: dict[str, Any] = {
-        "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
-        "regressor": any("regressor" in name for name in functions),
-        "one_mode": content.get("one_mode") is True,
-    }
-    # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named
-    chosen = content.get("independent") or None
-    model = _selected(derive(mechanism, effects, **wanted), content)
-    if chosen and model_hash(model) != content.get("hash"):
-        other = _selected(derive(mechanism, effects, independent=chosen, **wanted), content)
-        model = other if model_hash(other) == content.get("hash") else model
+    model = model_of(directory, content)
     recorded = {} if VECTORS in read_hashes(directory) else read_json(directory / VECTORS)
     inputs = dict(model.test_inputs)
     for name, program in model.programs.items():
@@ -146,11 +131,6 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
         arrays = _arrays(entry.get("inputs"), [(p.name, p.size) for p in program.inputs])
         inputs[name] = arrays if arrays is not None else inputs[name]
     return dataclasses.replace(model, test_inputs=inputs)
-
-
-def _selected(model: Model, content: Mapping[str, Any]) -> Model:
-    """The model, with the functions of the manifest only if these were selected."""
-    return model.only(tuple(content.get("functions", {}))) if content.get("selected") is True else model
 
 
 def _arrays(entry: Any, ports: Sequence[tuple[str, int]]) -> tuple[np.ndarray, ...] | None:
@@ -220,7 +200,7 @@ def _compare_embedded(record: Mapping[str, Any], model: Model, precision: str) -
 def _compare_files(
     directory: Path, files: Mapping[str, bytes], hashes: Mapping[str, FileHash]
 ) -> Iterator[tuple[bool, str]]:
-    """Bytes of every file, or its hash; recorded values and files that a library wrote are compared by value."""
+    """Bytes of every file, or its hash; recorded values are compared by value."""
     same = 0
     for name, data in sorted(files.items()):
         path = directory / name
@@ -234,7 +214,12 @@ def _compare_files(
                 yield False, f"{name} is missing; generate again"
         elif path.read_bytes() == data:
             same += 1
-        elif not (by_value(name) or name == VECTORS):
+        elif by_value(name):
+            yield (
+                False,
+                f"{name} has other bytes than this version of its library writes, and is not read; generate again",
+            )
+        elif name != VECTORS:
             yield False, f"{name} differs from what is generated today{_first_difference(path.read_bytes(), data)}"
     for name in sorted(set(hashes) - set(files)):
         yield False, f"{name} is in {HASHES}, but is not generated today; generate again"

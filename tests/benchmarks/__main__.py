@@ -9,7 +9,17 @@ from pathlib import Path
 from symscrew.studies.benchmark.pinocchio_build import CPP_FLAGS
 from symscrew.studies.this_machine import machine
 
-from . import derivatives, forward_dynamics, generation, growth, inverse_dynamics, lean, optimisation, simulation
+from . import (
+    arrays,
+    derivatives,
+    forward_dynamics,
+    generation,
+    growth,
+    inverse_dynamics,
+    lean,
+    optimisation,
+    simulation,
+)
 from .tables import table
 
 BENCHMARKS = {
@@ -18,6 +28,7 @@ BENCHMARKS = {
     "derivatives": (derivatives.run, 25),
     "growth": (growth.run, 3),
     "lean": (lean.run, 50),
+    "arrays": (arrays.run, 25),
     "simulation": (simulation.run, 25),
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),

@@ -21,10 +21,11 @@ import numpy as np
 
 from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
+from symscrew.export import SPILLS
 from symscrew.export.c import print_c
 from symscrew.generation.folder import render
 from symscrew.model import Model, derive
-from symscrew.runtime.compiled import FLAGS, SPILLS, find_compiler
+from symscrew.runtime import FLAGS, find_compiler
 from symscrew.simulation.native import Library, RunLog
 from symscrew.simulation.state_programs import plant
 from symscrew.studies.accuracy.growth_study import GRAVITY, four_bars

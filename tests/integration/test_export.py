@@ -18,6 +18,7 @@ from support import handmade
 from symscrew.generation.c_target import STRICT
 from symscrew.generation.folder import generate
 from symscrew.generation.value_comparison import relative_difference
+from symscrew.model import Model
 from symscrew.runtime.compiled import CompileError, EvaluationError, compile_c, find_compiler, load
 
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang")) if path]
@@ -42,9 +43,9 @@ def numpy_module(directory: Path):
     return module
 
 
-def evaluators(directory: Path) -> dict:
+def evaluators(model: Model, directory: Path) -> dict:
     """Target name to f(function, arrays (states, size)) -> (outputs (states, size), status)."""
-    compiled = {backend: load(directory, backend=backend) for backend in ("c", "casadi")}
+    compiled = {"c": load(directory, trusted=True), "casadi": load(model, backend="casadi")}
 
     def run(backend: str):
         def call(name: str, inputs):
@@ -61,8 +62,8 @@ def evaluators(directory: Path) -> dict:
 
 
 @pytest.fixture(scope="module")
-def targets(generated) -> dict:
-    return evaluators(generated)
+def targets(model, generated) -> dict:
+    return evaluators(model, generated)
 
 
 # -- the same operations in every language -----------------------------------------------------------
@@ -112,7 +113,7 @@ def test_substeps_reach_what_newton_alone_does_not(tmp_path, target):
     y, guess = np.array([[0.1], [1.0], [-0.7], [100.0]]), np.zeros((4, 2))
     direct = handmade.model(assemble=replace(handmade.far_target(), max_substeps=1))
     assert direct("assemble", y, guess)[1].tolist() == [0, 3, 3, 3]
-    (q,), status = evaluators(tmp_path / "out")[target]("assemble", [y, guess])
+    (q,), status = evaluators(far, tmp_path / "out")[target]("assemble", [y, guess])
     assert status.tolist() == [0, 0, 0, 3]
     assert q[:3, 1] == pytest.approx(10 * y[:3, 0], abs=1e-12)
 
@@ -174,7 +175,7 @@ def test_ports_without_entries(tmp_path):
     hollow = handmade.program("hollow", {"x": 1, "none": 0}, {"y": lambda t, x, n: [x[0] + 1], "z": lambda t, x, n: []})
     model = handmade.model(hollow=hollow)
     generate(model, tmp_path / "out")
-    for target, call in evaluators(tmp_path / "out").items():
+    for target, call in evaluators(model, tmp_path / "out").items():
         (y, z), status = call("hollow", [np.array([[1.0], [2.0]]), np.zeros((2, 0))])
         assert (y.tolist(), z.shape, status.tolist()) == ([[2.0], [3.0]], (2, 0), [0, 0]), target
     command = [
@@ -192,8 +193,8 @@ def test_ports_without_entries(tmp_path):
 
 
 @pytest.mark.parametrize("backend", ["c", "casadi"])
-def test_batch_equals_single_calls(model, generated, backend):
-    compiled = load(generated, backend=backend)
+def test_batch_equals_single_calls(model, backend):
+    compiled = load(model, backend=backend)
     assert compiled.backend == backend
     x = np.random.default_rng(0).normal(size=(4, 3, 3))
     scalars, matrix = compiled.every_operation(x, np.zeros(2))
@@ -206,7 +207,7 @@ def test_batch_equals_single_calls(model, generated, backend):
 
 
 def test_failures_raise_or_are_returned(generated):
-    compiled = load(generated)
+    compiled = load(generated, trusted=True)
     x = np.array([[1.0, 1.0], [0.0, 1.0]])
     with pytest.raises(EvaluationError, match=r"guarded: 1 of 2 states failed; the first is state \(1,\): near-sing"):
         compiled.guarded(x)
@@ -219,7 +220,7 @@ def test_failures_raise_or_are_returned(generated):
 
 
 def test_wrong_calls_say_what_was_expected(generated):
-    compiled = load(generated)
+    compiled = load(generated, trusted=True)
     with pytest.raises(ValueError, match=r"guarded expects x of shape \(2,\).*got \(3,\)"):
         compiled.guarded(np.zeros(3))
     with pytest.raises(TypeError, match=r"expects \(x, unused\)"):
@@ -228,13 +229,14 @@ def test_wrong_calls_say_what_was_expected(generated):
         _ = compiled.missing
 
 
-def test_without_a_compiler_casadi_takes_over(generated, monkeypatch):
+def test_without_a_compiler_casadi_takes_over(model, monkeypatch):
     monkeypatch.setattr("symscrew.runtime.compiled.find_compiler", lambda: None)
-    compiled = load(generated)
+    monkeypatch.setattr("symscrew.runtime.compilers.find_compiler", lambda: None)
+    compiled = load(model)
     assert compiled.backend == "casadi"
     assert compiled.guarded([2.0, 0.0]) == pytest.approx([0.5, 0.0])
     with pytest.raises(CompileError, match="no C compiler"):
-        load(generated, backend="c")
+        load(model, backend="c")
 
 
 def test_casadi_files_load_without_symscrew(generated):

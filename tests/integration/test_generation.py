@@ -168,7 +168,7 @@ def test_the_seed_from_its_name_to_compiled_code(tmp_path):
     for port in (*entry["inputs"], *entry["outputs"]):
         assert len(port["labels"]) == int(np.prod(port["shape"]))
         assert isinstance(port["unit"], str) or len(port["unit"]) == len(port["labels"])
-    compiled, seed = load(tmp_path / "seed"), model("three_ups_upu_s")
+    compiled, seed = load(tmp_path / "seed", trusted=True, vectorised=False), model("three_ups_upu_s")
     states = seed.test_inputs["inverse_dynamics"]
     u = compiled.inverse_dynamics(*states)
     (expected,), _ = seed("inverse_dynamics", *states)

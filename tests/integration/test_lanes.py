@@ -1,4 +1,4 @@
-"""Equal limbs side by side: found in the programs, and equal to limb after limb in C, bit for bit."""
+"""Equal limbs side by side: by what values are called, and equal to limb after limb in C, bit for bit."""
 
 from __future__ import annotations
 
@@ -14,14 +14,18 @@ from support.model_states import model
 from support.packed_numbers import evaluated
 
 from symscrew import catalogue
+from symscrew.algebra import Origin
 from symscrew.export.c import IN_LANES, print_source
 from symscrew.export.listing import checked_slots, live_instructions
 from symscrew.model import derive
-from symscrew.program.lanes.correspondence import corresponding, signed
+from symscrew.program.equal_limbs import Limb, Limbs
 from symscrew.program.lanes.lane_padding import padded
 from symscrew.program.lanes.lane_signs import Part, fewest_flips
+from symscrew.program.lanes.limb_lanes import readings_of
+from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Plan
 from symscrew.program.lanes.packs import Pack, Packing, packed
+from symscrew.program.lanes.signed_operations import signed
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Instruction, Program
 from symscrew.runtime.compiled import find_compiler, load
@@ -35,9 +39,13 @@ def straight(name: str, function: str) -> Program:
 
 def packing(name: str, function: str) -> tuple[Program, Packing]:
     program = straight(name, function)
-    found = packed(live_instructions(program)[0], checked_slots(program))
+    found = in_lanes(program)
     assert found is not None, f"nothing packed in {name}.{function}"
     return program, found
+
+
+def in_lanes(program: Program) -> Packing | None:
+    return packed(live_instructions(program)[0], checked_slots(program), origins=program.origins, limbs=program.limbs)
 
 
 @pytest.mark.parametrize(("name", "function"), [CASES[0], ("stewart_6ups", PLATFORM)])
@@ -55,19 +63,28 @@ def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> No
 
 
 @pytest.mark.parametrize(("name", "limbs", "part"), [("three_ups_upu_s_physical", 4, 0.5), ("stewart_6ups", 6, 0.6)])
-def test_equal_limbs_are_found_without_being_told(name: str, limbs: int, part: float) -> None:
-    operations, _ = signed(live_instructions(straight(name, PLATFORM))[0])
-    best = max(corresponding(operations), key=lambda rows: sum(len(row) - row.count(None) - 1 for row in rows))
-    assert len(best[0]) == limbs
-    assert sum(len(row) - row.count(None) - 1 for row in best) > part * len(operations)
+def test_lanes_are_the_limbs(name: str, limbs: int, part: float) -> None:
+    """Corresponding operations have one name, but for the limb; most operations are in rows."""
+    program = straight(name, PLATFORM)
+    operations, negatives = signed(live_instructions(program)[0])
+    (family,) = program.limbs.families
+    lanes = next(readings_of(operations, negatives, program.origins, family))
+    rows = rows_of(operations, lanes)
+    assert {len(row) for row in rows} == {limbs}
+    assert all(lanes.lane[slot] == k for row in rows for k, slot in enumerate(row) if slot is not None)
+    assert sum(len(row) - row.count(None) - 1 for row in rows) > part * len(operations)
+    named = [{lanes.names[s] for s in row if s in lanes.names} for row in rows if set(row) <= set(lanes.names)]
+    assert len(named) > 20
+    assert sum(len(names) == 1 for names in named) > 0.9 * len(named)  # others are what a limb has in another axis
 
 
-def test_programs_without_equal_parts_stay_as_they_are() -> None:
+def test_programs_without_equal_limbs_stay_as_they_are() -> None:
     for name in ("ur5", "panda"):
         program = straight(name, "inverse_dynamics")
-        assert packed(live_instructions(program)[0], checked_slots(program)) is None
-    chain = [Instruction(k, "mul", (k - 1, 0)) for k in range(1, 200)]
-    assert packed(chain, [199]) is None
+        assert not program.limbs.families and in_lanes(program) is None
+    program = straight(CASES[0][0], PLATFORM)
+    assert in_lanes(replace(program, limbs=Limbs())) is None
+    assert in_lanes(replace(program, origins={})) is None
 
 
 def test_rows_that_wait_for_each_other_are_not_both_packed() -> None:
@@ -187,12 +204,14 @@ def test_a_limb_along_an_axis_joins_the_others() -> None:
         limbs = list(range(first, first + 3))
     state = [2.0, 3.0, 5.0, 7.0]
     expected = [(((abs(x) * 7 * 0.25 + 5) * 3) + 7) * 0.5 for x in (2.0, 3.25, 1.25)]
-    operations, _ = signed(program)
-    rows = next(rows for rows in corresponding(operations) if len(rows[0]) == 3)
+    ends = Limbs((tuple(Limb(f"limb{k}", {f"limb{k}": "link"}) for k in range(3)),))
+    origins = {slot: Origin("drive", f"limb{k}") for k, slot in enumerate(limbs)}
+    operations, negatives = signed(program)
+    rows = rows_of(operations, next(readings_of(operations, negatives, origins, ends.families[0])))
     more = padded(operations, rows, 1 + limbs[-1])
     (first,) = {*next(row for row in more.rows if 6 in row)} - {6, 7}
     assert first is not None and more.copies[first] == 0  # 1 x + 0 y
-    found = packed(program, limbs)
+    found = packed(program, limbs, origins=origins, limbs=ends)
     assert found is not None
     assert not {4, 5} & set(found.operations)  # nobody reads them any more
     assert evaluated(limbs, found, state) == expected
@@ -203,6 +222,6 @@ def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
     """Though its first arm lies along an axis; before, arms 2 and 3 alone did not pay."""
     program = derive(catalogue.load("delta"), one_mode=True).programs[PLATFORM]
     operations, _ = signed(live_instructions(program)[0])
-    found = packed(live_instructions(program)[0], checked_slots(program), [slot for slot, _ in program.guards])
+    found = in_lanes(program)
     assert found is not None and len(found.items) < 0.6 * len(operations)
     assert {sum(t is not None for t in item.targets) for item in found.items if isinstance(item, Pack)} <= {2, 3}

@@ -12,3 +12,5 @@ model = assert_type(symscrew.derive(mechanism), symscrew.Model)
 compiled = assert_type(symscrew.load("out"), CompiledModel)
 run = assert_type(symscrew.simulate(symscrew.load_scene("fall.toml")), Run)
 mobility = assert_type(symscrew.analyse_mobility(mechanism), Mobility)
+
+symscrew.simulate("fall.toml")  # type: ignore[arg-type]  # a name is no scene: unless mypy refuses this, it warns

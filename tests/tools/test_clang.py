@@ -11,15 +11,16 @@ from support.batches import EXACT, MACHINES, NAME, check_layouts, check_vector_c
 from support.lanes import CASES, check_bits
 from support.model_states import model
 
-from symscrew.runtime import compiled
+from symscrew.runtime import compilers
 from symscrew.runtime.compiled import load
 
 pytestmark = [pytest.mark.optimised, pytest.mark.skipif(shutil.which("clang") is None, reason="clang is not installed")]
 
 
-def test_clang_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled, "find_compiler", lambda: shutil.which("clang"))
-    both = [load(model(NAME), backend="c", vectorised=blocks, flags=EXACT) for blocks in (True, False)]
+def test_clang_gives_the_same(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(compilers, "find_compiler", lambda: shutil.which("clang"))
+    found = model(NAME)
+    both = [load(found, vectorised=blocks, flags=EXACT, build_dir=tmp_path / str(blocks)) for blocks in (True, False)]
     check_layouts(model(NAME), *both)
 
 

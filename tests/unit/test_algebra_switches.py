@@ -24,6 +24,7 @@ from symscrew.algebra import (
     elementary,
     eliminate,
     expression_node,
+    magnitude,
     rank_volumes,
     traversal,
     volume,
@@ -189,3 +190,23 @@ def test_a_tape_introduces_itself_in_a_line() -> None:
     x, y = inputs(tape, 1.0, 2.0)
     assert repr(tape) == f"Tape({len(tape.nodes)} nodes, 2 inputs)"
     assert repr(x * y) == f"Node(mul {x.index} {y.index})" and repr(x) == "Node(x0)"
+
+
+def test_magnitudes_are_those_of_the_samples_at_hand() -> None:
+    tape = Tape()
+    x = tape.symbol("x", "1", "input")
+    for values in ([1.0, -2.0], [3.0, 0.5]):
+        tape.set_samples({x: np.array(values)})
+        sizes = [abs(3 * v) for v in values]
+        for _ in range(2):  # the second time it is known
+            assert magnitude(tape, 3 * x, 1.0) == (min(sizes), max(sizes))
+            assert magnitude(tape, 3 * x, 2.0) == (2 * min(sizes), 2 * max(sizes))
+
+
+def test_structural_zeros_and_ones_make_no_nodes() -> None:
+    tape = Tape()
+    x = tape.symbol("x", "1", "input")
+    count = len(tape.nodes)
+    assert x + 0 is x and 0 + x is x and x * 1 is x and x * 0 is tape.zero and 0 * x is tape.zero
+    assert len(tape.nodes) == count
+    assert x * -1 is -x and x + 1 is tape.add(x, tape.one)

@@ -1,4 +1,4 @@
-"""Limits of the search for lanes: what they leave out is done one by one, and all numbers stay."""
+"""Limits of lanes: what they leave out is done one by one, and all numbers stay."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from symscrew.algebra import Node, Tape
 from symscrew.export import c_printed
 from symscrew.export.c_precision import DOUBLE
 from symscrew.export.c_printed import Printed
-from symscrew.program import Function, Packing, Port, Program, evaluate, lower, packed
-from symscrew.program.lanes import correspondence, lane_signs, pack_plan, packs
+from symscrew.program import Function, Instruction, Limb, Limbs, Packing, Port, Program, evaluate, lower, packed
+from symscrew.program.lanes import lane_signs, limb_lanes, limb_rows, pack_plan, packs
 from symscrew.program.lanes.pack_plan import Plan
+from symscrew.program.lanes.signed_operations import signed
 
 LEGS = 4
 
@@ -34,12 +35,15 @@ def program(legs: int = LEGS) -> Program:
             along = [along[1] * c + d, along[2] * b - a, along[0] * d + sign * b]
         total = total + along[0] * along[1] / (along[2] * length)
     flat = [*shared, *(x for leg in own for x in leg)]
-    ports = Port("x", (len(flat),), ("1",) * len(flat), (), ""), Port("y", (1,), ("1",), (), "")
-    return lower(Function("legs", "", ports[:1], ports[1:], (tuple(flat),), ((total,),)))
+    labels = (*(f"hub.{k}" for k in range(3)), *(f"leg{k}.{n}" for k in range(legs) for n in range(4)))
+    ports = Port("q", (len(flat),), ("1",) * len(flat), labels, ""), Port("y", (1,), ("1",), (), "")
+    equal = Limbs((tuple(Limb(f"leg{k}", {f"leg{k}": "link"}) for k in range(legs)),))
+    return lower(Function("legs", "", ports[:1], ports[1:], (tuple(flat),), ((total,),), limbs=equal))
 
 
 def found(of: Program) -> Packing | None:
-    return packed(of.instructions, [s for s in of.results[0] if isinstance(s, int)], of.checked)
+    results = [s for s in of.results[0] if isinstance(s, int)]
+    return packed(of.instructions, results, of.checked, origins=of.origins, limbs=of.limbs)
 
 
 def check_numbers(of: Program, packing: Packing) -> None:
@@ -60,13 +64,10 @@ def test_legs_are_found() -> None:
 @pytest.mark.parametrize(
     ("module", "name", "limit"),
     [
-        (correspondence, "MOST_INSTRUCTIONS", 10),
-        (correspondence, "MOST_CLASSES", 0),
-        (correspondence, "MOST_SPLITS", 0),
-        (correspondence, "MOST_LANES", LEGS - 1),
-        (correspondence, "LEAST", 1.0),
+        (packs, "MOST_LANES", LEGS - 1),
         (packs, "HOPELESS", 0.0),
-        (packs, "TRIED", 0),
+        (packs, "LIKELY", 0.0),
+        (packs, "NEAR", 0.0),
         (packs, "ENOUGH", 0.0),
     ],
 )
@@ -80,13 +81,14 @@ def test_beyond_a_limit_nothing_is_packed(
 @pytest.mark.parametrize(
     ("module", "name", "limit"),
     [
-        (correspondence, "MOST_CANDIDATES", 1),
-        (correspondence, "ROUNDS", 2),
-        (correspondence, "NEIGHBOUR", 0),
-        (correspondence, "LEAST", 0.0),
+        (limb_lanes, "ROUNDS", 1),
+        (limb_rows, "MOST_ALIKE", 1),
+        (limb_rows, "ALONE", 1),
+        (limb_rows, "AMONG", 1),
+        (limb_rows, "HINT", 0),
         (packs, "HOPELESS", 9.0),
-        (packs, "MOST_JOINED", 0),
-        (packs, "OTHERS", 0),
+        (packs, "LIKELY", 9.0),
+        (packs, "NEAR", 9.0),
         (pack_plan, "ROUNDS_OF_UNDOING", 0),
         (pack_plan, "GATHERED", 0.1),
         (pack_plan, "TAKEN_OUT", 9.0),
@@ -110,21 +112,16 @@ def test_more_lanes_than_a_vector_holds_take_several() -> None:
     check_numbers(of, packing)
 
 
-def test_packs_that_do_not_pay_are_undone(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where gathering is dear, some packs cost more than they save; undone one by one, the rest costs less."""
-    of = program()
-    operations, _ = correspondence.signed(of.instructions)
-    (rows, *_) = correspondence.corresponding(operations)
-    wanted = {slot for slot in of.results[0] if isinstance(slot, int)}
-    kept = {}
-    for price in (0.1, 1e3):
-        monkeypatch.setattr(pack_plan, "GATHERED", price)
-        plan = Plan(pack_plan.Code(operations, wanted), rows)
-        before = plan.cost
-        plan.improve()
-        kept[price] = sum(plan.on)
-        assert plan.cost <= before
-    assert kept[1e3] < kept[0.1] == len(plan.on)
+@pytest.mark.parametrize(("gathered", "kept"), [(0.0, 1), (0.2, 1), (0.4, 0), (1.5, 0)])
+def test_packs_that_do_not_pay_are_undone(gathered: float, kept: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Four products of inputs: one in place of four operations, and eight entries to gather."""
+    monkeypatch.setattr(pack_plan, "GATHERED", gathered)
+    monkeypatch.setattr(pack_plan, "TAKEN_OUT", 0.0)
+    operations, _ = signed([Instruction(8 + k, "mul", (k, 4 + k)) for k in range(4)])
+    plan = Plan(pack_plan.Code(operations, set(operations)), (tuple(operations),))
+    assert plan.cost == pytest.approx(1 + 8 * gathered)
+    plan.improve()
+    assert sum(plan.on) == kept and plan.cost == pytest.approx(min(1 + 8 * gathered, 4))
 
 
 @pytest.mark.parametrize(

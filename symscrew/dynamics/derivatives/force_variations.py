@@ -11,7 +11,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import ZERO, Node, Vector, add, cross, differentiate, dot, scale, subtract, transform
+from symscrew.algebra import (
+    ZERO,
+    Node,
+    Vector,
+    add,
+    cross,
+    differentiate,
+    dot,
+    named_wrench,
+    scale,
+    subtract,
+    transform,
+)
 from symscrew.dynamics.derivatives.closure_variations import relative_turns
 from symscrew.dynamics.derivatives.motion_variations import Variation, link_rotations
 from symscrew.effects import Acting
@@ -71,6 +83,8 @@ class _Powers:
             apart = link.index in outer or not beside.isdisjoint(range(link.v.start, link.v.stop))
             self._collect(total, in_v, link, turned if apart else own[link.index], forces=self.forces)
             before = [(here.before(f), here.before(m)) for f, m in turned]
+            for change, name in zip(turned, ("", *self.variation.names), strict=True):
+                named_wrench(change, "force", system.tree.part(link.index), by=name)
             if link.index in outer:
                 self._collect(total, self.columns, link, outer[link.index])
                 before = _both(before, outer[link.index])
@@ -113,7 +127,10 @@ class _Powers:
         changes = self.variation.rate_changes(moving)
         own = {}
         for k in range(1, len(lean)):
-            by = (inertial_change(lean[k], moving[k].omega, change[k]) for change in changes)
+            changed = [inertial_change(lean[k], moving[k].omega, change[k]) for change in changes]
+            part = system.tree.part(k)
+            pairs = zip(changed, self.variation.names, strict=True)
+            by = [named_wrench(wrench, "momentum_rate", part, by=name) for wrench, name in pairs]
             own[k] = [acting.inertial_wrench(k, lean[k], moving), *by]
         outer = {}
         for k, load in acting.loads.items():

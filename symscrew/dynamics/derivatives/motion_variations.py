@@ -21,6 +21,7 @@ from symscrew.algebra import (
     cross,
     differentiate,
     dot,
+    named_vector,
     scale,
     subtract,
     transform,
@@ -79,7 +80,11 @@ class Variation:
     @cached_property
     def turns(self) -> list[list[Vector]]:
         """Virtual rotation of every link, own axes, per direction."""
-        return [link_rotations(self.system, direction.step) for direction in self.in_v]
+        found = [link_rotations(self.system, direction.step) for direction in self.in_v]
+        for direction, turns in zip(self.directions, found, strict=True):
+            for part, turn in zip(self.system.tree.parts, turns, strict=True):
+                named_vector(turn, "turned", part, by=direction.name)
+        return found
 
     def turn(self, link: int) -> list[Vector]:
         """Virtual rotations of one link, own axes."""
@@ -115,7 +120,9 @@ class Variation:
             carried = add(carried, cross(change.omega, scale(2, speed.linear)))
             carried = add(add(carried, cross(scale(2, parent.omega), rate.linear)), gain.linear)
             carried = add(carried, change.origin)  # last: what gravity adds is all that its frame has of its own
+            part = system.tree.part(link.index)
             if not link.motion.turns:
+                named_vector(carried, "acceleration", part, by=direction.name)
                 result.append(Rates(change.omega, change.alpha, carried, change.matrix))
                 continue
             before = here.outwards(parent.omega)
@@ -125,6 +132,8 @@ class Variation:
             alpha = add(alpha, add(cross(turned, speed.angular), cross(before, rate.angular)))
             alpha = add(alpha, gain.angular)
             origin = add(here.outwards(carried), cross(moving[link.index].origin, step.angular))
+            for vector, quantity in ((omega, "omega"), (alpha, "alpha"), (origin, "acceleration")):
+                named_vector(vector, quantity, part, by=direction.name)
             result.append(Rates(omega, alpha, origin, matrix_change(moving[link.index].omega, omega, alpha)))
         return result
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import IDENTITY, ZERO, Affine, Matrix, Node, Tape, cross, transpose
+from symscrew.algebra import IDENTITY, ZERO, Affine, Matrix, Node, Tape, cross, named_entries, transpose
 from symscrew.kinematics import GROUND, Cut, System, on_hub
 from symscrew.loops.formulations.cut_rows import CutRows, Definition, is_single, unit_scales, used_definitions
 from symscrew.loops.formulations.plain_rows import plain_rows
@@ -33,6 +33,8 @@ def contact_rows(system: System, cut: Cut) -> CutRows | None:
         if len(entries) < 2:
             return entries
         name = ("contact", cut.joint.name, len(definitions))
+        labels = [system.tree.v[k].label if isinstance(k, int) else str(k[2]) for k in entries]
+        named_entries(entries.values(), "contact_rate", [f"{cut.joint.name}.{name[2]}|{label}" for label in labels])
         definitions.append((name, {name: tape.one, **{k: -e for k, e in entries.items()}}))
         return {name: tape.one}
 

@@ -15,7 +15,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from symscrew.algebra import Affine, Node, Vector, add, cross, dot, scale, subtract, transform, transpose
+from symscrew.algebra import (
+    Affine,
+    Node,
+    Vector,
+    add,
+    cross,
+    dot,
+    named,
+    named_entries,
+    named_vector,
+    scale,
+    subtract,
+    transform,
+    transpose,
+)
 from symscrew.kinematics import GROUND, Cut, Rates, System
 from symscrew.loops.formulations.cut_rows import CutRows
 from symscrew.loops.limbs import RodLimb, rod_limb
@@ -105,6 +119,7 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
     for direction, tip, entries in zip((n, across, axis), (arm, far, far), own, strict=True):
         row = _difference(system, cut, carrier, at=tip, direction=direction) | entries
         rows.append({k: e for k, e in row.items() if e is not system.tape.zero})
+    _name(system, limb, (n, across, aside), rows)
     size = system.tape.sqrt(system.tape.node(dot(limb.tip, limb.tip)))
     length = float(system.numeric([size], (system.inputs.q, system.reference))[0])
     return RodRows(
@@ -117,6 +132,16 @@ def rod_rows(system: System, cut: Cut) -> RodRows | None:
         n=n,
         aside=aside,
     )
+
+
+def _name(system: System, limb: RodLimb, seen: tuple[Vector, Vector, Node], rows: Sequence[Affine]) -> None:
+    """Call what the rows are made of so."""
+    part, (n, across, aside) = system.tree.part(limb.second.index), seen
+    named_vector(n, "rod", part)
+    named_vector(across, "second_axis", part)
+    named(aside, "aside", part)
+    for name, row in zip(("length", "first", "second"), rows, strict=True):
+        named_entries(row.values(), "closure", [f"{part}.{name}|{system.tree.v[k].label}" for k in row])
 
 
 def _rod(system: System, cut: Cut) -> RodLimb | None:

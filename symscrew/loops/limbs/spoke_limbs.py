@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import Node, Vector, add, dot, scale, subtract, transform, transpose
+from symscrew.algebra import Node, Vector, add, dot, named, named_vector, scale, subtract, transform, transpose
 from symscrew.kinematics import Cut, Link, System, Turn
 from symscrew.loops.limbs.limb_form import LimbForm
 
@@ -55,6 +55,9 @@ def pointing(
     across = d[0] * d[0] + d[1] * d[1]
     radius = tape.sqrt(across)
     length = tape.sqrt(across + d[2] * d[2]) if length is None else length
+    part = system.tree.part(second.index)
+    named_vector(d, "limb_target", part)
+    named(length, "limb_length", part)
     # The second axis b is perpendicular to d: turned by the first angle it is (-d_y, d_x)/radius.
     bx, by = outer.axis[0], outer.axis[1]
     wanted = d[0] * by - d[1] * bx, d[0] * bx + d[1] * by

@@ -1,6 +1,7 @@
-"""Lanes: parts of a program that do the same with other data, such as equal limbs, side by side in vectors.
+"""Lanes: equal limbs of a mechanism side by side in vectors.
 
-Program --correspondence--> classes --lane_padding, lane_signs--> equal parts --pack_plan, packs--> Packing
+Program with origins --limb_lanes, limb_rows--> corresponding operations --lane_padding, lane_signs--> equal lanes
+                     --pack_plan, packs--> Packing
 """
 
 from symscrew.program.lanes.packs import Pack, Packing, Vector, packed

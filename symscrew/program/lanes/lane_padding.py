@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.program.lanes.correspondence import Operand, Operation, Row
+from symscrew.program.lanes.signed_operations import Operand, Operation, Row
 
 NEUTRAL = {"mul": 1.0, "add": 0.0}  # the operand with which an operation is a copy
 # How well operands of two lanes fit each other, best first: in one row, the same slot, both constants, one slot times

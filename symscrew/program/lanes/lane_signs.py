@@ -38,24 +38,41 @@ def fewest_flips(parts: Sequence[Part]) -> set[int]:
     One after the other takes its other way if there are not more flips then: what is equal may lead to less.
     """
     other: set[int] = set()
-    least, ways = _flips(parts, other)
+    place = {part.number: k for k, part in enumerate(parts)}
+    now = _flips(parts, other)
     for _ in range(ROUNDS):
-        before = least
+        before, ways = now.count, now.ways
         for number in sorted(ways):
-            found, _ = _flips(parts, other ^ {number}, most=least)
-            if found <= least:
-                other, least = other ^ {number}, found
-        if least == before:
+            found = _flips(parts, other ^ {number}, now, place[number])
+            if found.count <= now.count:
+                other, now = other ^ {number}, found
+        if now.count == before:
             break
-        _, ways = _flips(parts, other)
+        now = _flips(parts, other)
     return other
 
 
-def _flips(parts: Sequence[Part], other: Set[int], most: float = float("inf")) -> tuple[int, list[int]]:
-    """How many flips there are, counted up to more than `most`, and the packs that can be had in two ways."""
-    made: dict[int, int] = {}
-    count, ways = 0, []
-    for part in parts:
+@dataclass(frozen=True)
+class _Flips:
+    """How many flips there are, in front of every pack too, the signs of packs, and those that can be had two ways.
+
+    The ways are those behind where the count started.
+    """
+
+    count: int
+    until: list[int]
+    made: dict[int, int]
+    ways: list[int]
+
+
+def _flips(parts: Sequence[Part], other: Set[int], known: _Flips | None = None, start: int = 0) -> _Flips:
+    """The flips; from a pack on if they are `known` in front of it, and up to more than there were then."""
+    made = dict(known.made) if known else {}
+    until = known.until[:start] if known else []
+    count, most = (known.until[start], known.count) if known else (0, None)
+    ways = []
+    for part in parts[start:]:
+        until.append(count)
         busy = part.busy
         signs = [own if source is None else own ^ made[source] for source, _, own in part.operands]
         constant = part.op == "reciprocal" or any(constant for _, constant, _ in part.operands)
@@ -74,6 +91,6 @@ def _flips(parts: Sequence[Part], other: Set[int], most: float = float("inf")) -
         made[part.number] = result
         if two:
             ways.append(part.number)
-        if count > most:
+        if most is not None and count > most:
             break
-    return count, ways
+    return _Flips(count, until, made, ways)

@@ -8,13 +8,12 @@ undone.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 
-from symscrew.program.lanes.correspondence import SLOW, Operand, Operation, Row
+from symscrew.program.lanes.signed_operations import SLOW, WIDEST, Operand, Operation, Row
 
-WIDTHS = (2, 4)  # of vectors; more lanes than that take several
+WIDTHS = (2, WIDEST)  # of vectors
 GATHERED = 1.5  # an entry that is put into a vector: a load with insertion, on the one port that shuffles
 TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 ROUNDS_OF_UNDOING = 2  # over all packs, or fewer if one undoes nothing; a pack that would pay undone later stays
@@ -51,9 +50,8 @@ class Plan:
         found: tuple[Row, ...],
         *,
         copies: Mapping[int, int | float] | None = None,
-        plain: tuple[Row, ...] | None = None,
     ) -> None:
-        self.code, self.plain, self.copies = code, plain or found, copies or {}
+        self.code, self.copies = code, copies or {}
         self.operations = operations = code.operations
         parts = -(-len(found[0]) // WIDTHS[-1])
         lanes = -(-len(found[0]) // parts)
@@ -73,9 +71,9 @@ class Plan:
                 for read in (arg, self.copies.get(arg) if isinstance(arg, int) else None):
                     if isinstance(read, int):
                         self.users.setdefault(read, []).append(slot)
-        self.needs: Counter[Need] = Counter()
+        self.needs: dict[Need, int] = {}
         self.cost = 0.0
-        self._wanted: dict[Item, tuple[Need, ...]] = {}
+        self._wanted: dict[Item, list[Need]] = {}
         self.order()
         for key in (key for slot in code.wanted for key in self._read(slot)):
             self._need(key, 1)
@@ -112,23 +110,23 @@ class Plan:
 
     def at(self, slot: int | float) -> tuple[int, int] | None:
         """Row and lane of a slot that is packed."""
-        found = self.place.get(slot) if isinstance(slot, int) else None
-        return found if found and self.on[found[0]] else None
+        found = self.place.get(slot) if type(slot) is int else None
+        return found if found is not None and self.on[found[0]] else None
 
     def source(self, column: Column) -> int | None:
         """The row whose pack holds a column as it is."""
-        rows = set()
+        row = None
         for k, entry in enumerate(column):
             if entry is not None:
                 found = self.at(self._plain(entry[0]))
-                if found is None or found[1] != k:
+                if found is None or found[1] != k or (row is not None and found[0] != row):
                     return None
-                rows.add(found[0])
-        return rows.pop() if len(rows) == 1 else None
+                row = found[0]
+        return row
 
     def _plain(self, operand: int | float) -> int | float:
         """What an operand is a copy of, if it is one and not packed."""
-        if isinstance(operand, int) and operand in self.copies and self.at(operand) is None:
+        if type(operand) is int and operand in self.copies and self.at(operand) is None:
             return self.copies[operand]
         return operand
 
@@ -153,32 +151,38 @@ class Plan:
         different = len(set(what))
         return GATHERED if different == 1 else GATHERED * different
 
-    def _wants(self, item: Item) -> tuple[Need, ...]:
+    def _wants(self, item: Item) -> list[Need]:
         """What an item needs beside vectors that are there: slots taken out, vectors gathered; remembered."""
-        if item not in self._wanted:
-            self._wanted[item] = tuple(self._looked_up(item))
-        return self._wanted[item]
+        found = self._wanted.get(item)
+        if found is None:
+            self._wanted[item] = found = self._looked_up(item)
+        return found
 
-    def _looked_up(self, item: Item) -> Iterator[Need]:
+    def _looked_up(self, item: Item) -> list[Need]:
         packs, number = item
+        found: list[Need] = []
         if not packs:
             if number not in self.copies and number not in self.shared:
                 for a, _ in self.operations[number].args:
-                    yield from self._read(self._plain(a))
-            return
+                    found += self._read(self._plain(a))
+            return found
         for column in self.columns[number]:
-            entries = tuple(self._plain(entry[0]) for entry in column if entry is not None)
-            if self.source(column) is None and not all(isinstance(a, float) for a in entries):
-                yield ("in", entries)
-                for a in dict.fromkeys(entries):
-                    yield from self._read(a)
+            if self.source(column) is None:
+                entries = tuple([self._plain(entry[0]) for entry in column if entry is not None])
+                if not all(type(a) is float for a in entries):
+                    found.append(("in", entries))
+                    for a in dict.fromkeys(entries):
+                        found += self._read(a)
+        return found
 
-    def _read(self, operand: int | float) -> Iterator[Need]:
+    def _read(self, operand: int | float) -> list[Need]:
         """What is needed to have an operand on its own."""
-        if isinstance(operand, int):
-            yield ("out", operand)
-            if operand in self.shared:
-                yield from (("out", a) for a, _ in self.operations[operand].args if isinstance(a, int))
+        if type(operand) is not int:
+            return []
+        if operand not in self.shared:
+            return [("out", operand)]
+        behind: list[Need] = [("out", a) for a, _ in self.operations[operand].args if isinstance(a, int)]
+        return [("out", operand), *behind]
 
     def _own(self, item: Item) -> float:
         packs, number = item
@@ -194,12 +198,12 @@ class Plan:
             self._need(key, sign)
 
     def _need(self, key: Need, sign: int) -> None:
-        before = self.needs[key]
-        self.needs[key] += sign
-        if min(before, before + sign) == 0:
+        before = self.needs.get(key, 0)
+        self.needs[key] = after = before + sign
+        if not before or not after:
             self.cost += sign * self._price(key)
 
-    def _toggle(self, row: int, known: Mapping[Item, tuple[Need, ...]] | None = None) -> dict[Item, tuple[Need, ...]]:
+    def _toggle(self, row: int, known: Mapping[Item, list[Need]] | None = None) -> dict[Item, list[Need]]:
         """Pack a row, or undo it, and account for it and for all that reads it; `known` takes a toggle back.
 
         What all of these wanted before is returned.
@@ -210,7 +214,7 @@ class Plan:
         concerned = around | (packed if self.on[row] else single)
         for item in concerned:
             self._account(item, -1)
-        kept = [slot for slot in members if self.needs["out", slot]]
+        kept = [slot for slot in members if self.needs.get(("out", slot))]
         self.cost -= sum(self._price(("out", slot)) for slot in kept)
         before = {item: self._wanted.pop(item) for item in concerned}
         self._wanted |= known or {}
@@ -229,7 +233,7 @@ class Plan:
         for _ in range(ROUNDS_OF_UNDOING):
             changed = False
             for row in range(len(self.rows)):
-                if self.on[row]:
+                if self.on[row] and self._at_edge(row):
                     before = self.cost
                     wanted = self._toggle(row)
                     if self.cost < before:
@@ -238,6 +242,12 @@ class Plan:
                         self._toggle(row, wanted)
             if not changed:
                 return
+
+    def _at_edge(self, row: int) -> bool:
+        """Whether something is gathered for a pack or taken out of it: undone among packs only, it would cost more."""
+        if self._wants((True, row)):
+            return True
+        return any(slot is not None and self.needs.get(("out", slot)) for slot in self.rows[row])
 
     # -- order ----------------------------------------------------------------------------------------
 
@@ -285,7 +295,7 @@ class Plan:
     def settled(self) -> Plan:
         """The same packs without copies that are in none, and without operations that nobody reads any more."""
         gone = {slot for slot in self.copies if self.at(slot) is None}
-        gone |= {slot for slot in self.shared if not self.needs["out", slot]}
+        gone |= {slot for slot in self.shared if not self.needs.get(("out", slot))}
         operations = {
             slot: Operation(o.op, tuple((self._plain(a), sign) for a, sign in o.args))
             for slot, o in self.operations.items()

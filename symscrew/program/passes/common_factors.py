@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symscrew.algebra import Node, remade, uses
+from symscrew.algebra import Node, handed_on, remade, uses
 
 
 def factored(roots: Sequence[Node]) -> list[Node]:
@@ -25,7 +25,7 @@ def factored(roots: Sequence[Node]) -> list[Node]:
         else:
             continue
         if made is not node:
-            new[index] = made
+            new[index] = handed_on(node, made)
     return [new.get(root.index, root) for root in roots]
 
 

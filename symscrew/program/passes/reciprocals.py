@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, evaluation_order, remade
+from symscrew.algebra import Node, evaluation_order, handed_on, remade
 
 
 def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
@@ -65,7 +65,7 @@ def _rebuilt(roots: Sequence[Node], replaced: dict[int, tuple[Node, Node]]) -> l
             continue
         args = tuple(new[arg.index] for arg in needed)
         if node.index in replaced:
-            new[node.index] = node.tape.mul(*args)
+            new[node.index] = handed_on(node, node.tape.mul(*args))
         else:
-            new[node.index] = node if args == node.args else remade(node.tape, node.op, args)
+            new[node.index] = node if args == node.args else handed_on(node, remade(node.tape, node.op, args))
     return [new[root.index] for root in roots]

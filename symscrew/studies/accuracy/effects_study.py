@@ -110,7 +110,7 @@ def _numpy_run(
 def _scales(model: Model, function: str) -> np.ndarray:
     system = model.system
     if function == "forward_dynamics":
-        return np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        return system.scales
     units = model.programs[function].outputs[0].units
     return np.array([1.0 if unit == "N" else system.length for unit in units])
 

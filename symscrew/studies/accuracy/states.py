@@ -89,7 +89,7 @@ def paper_states(model: Model, count: int = INSTANTS) -> States:
 def random_states(model: Model, count: int, seed: int = 11) -> States:
     """Random consistent states about the reference configuration; rates and accelerations of order one."""
     random, system, made = np.random.default_rng(seed), model.system, _Evaluated(model)
-    units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+    units = system.scales
     step = REACH * random.uniform(-1, 1, (count, len(units))) * units
     q = system.advance(np.repeat(system.reference[None], count, 0), step)
     extra = [np.repeat(system.parameter_values[None], count, 0)] if system.parameters else []

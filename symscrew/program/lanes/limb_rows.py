@@ -1,0 +1,213 @@
+"""Rows of corresponding operations, one per limb: by their names, then by what lies beside them.
+
+    same name, same operation --> row;   beside rows: operands and readers of members --> pairs, the likeliest first
+
+Operations without names correspond if they are beside rows at the same places: operands of corresponding operations
+and readers of them vote for each other, one more if nothing else there does the same. Pairs are taken the most votes
+first, and each new one votes for its own neighbours, so that rows grow from the named values into what lies between.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Hashable, Iterator, Mapping
+from heapq import heappop, heappush
+from itertools import combinations
+
+from symscrew.program.lanes.limb_lanes import LimbLanes
+from symscrew.program.lanes.signed_operations import PACKED, Operation, Row
+
+ALONE, AMONG = 4, 2  # what a neighbour counts that is the only one there with its operation, or one of several
+HINT = 1  # what it counts to have the same hint: as much as a shared operand
+MOST_ALIKE = 24  # operations that look alike and are compared; of more, neighbours decide: pairs grow with the square
+CONSTANT, SHARED, UNNAMED = -1, -2, -3  # operands that are not known by their name
+LEAF = "leaf"  # what is there from the start: inputs, sines and cosines
+
+
+def rows_of(operations: Mapping[int, Operation], lanes: LimbLanes) -> tuple[Row, ...]:
+    """Operations in rows of corresponding ones, two or more in each, a limb at the same place in all."""
+    pairing = _Pairing(operations, lanes)
+    pairing.run()
+    rows = {id(row): row for row in pairing.row.values() if sum(s is not None for s in row) > 1}
+    first = {key: min(s for s in row if s is not None) for key, row in rows.items()}
+    found = [rows[key] for key in sorted(rows, key=first.__getitem__) if first[key] in operations]
+    return tuple(map(tuple, found))
+
+
+class _Pairing:
+    """The rows so far, by slot, and pairs that wait to be taken."""
+
+    def __init__(self, operations: Mapping[int, Operation], lanes: LimbLanes) -> None:
+        self.operations, self.lanes, self.lane = operations, lanes, lanes.lane
+        self.op: dict[int, str] = {}
+        self.beside: dict[int, tuple[dict[str, list[int]], dict[str, list[int]]]] = {}
+        self.row: dict[int, list[int | None]] = {}
+        self.votes: dict[tuple[int, int], int] = {}
+        self.heap: list[tuple[int, int, int]] = []
+        self._neighbours()
+        self.taken = {slot: 1 << self.lane[slot] for slot in self.op}  # limbs with a member in the row of a slot
+        self.made, self.pure = self._made()
+        self.outer = self._read_outside()
+
+    def _read_outside(self) -> dict[int, frozenset[int]]:
+        """What an operation, and operands of its limb without a name, read that is none of the limb's.
+
+        Shared values, and for the operation itself constants as one.
+        """
+        own: dict[int, set[int]] = {}
+        found: dict[int, frozenset[int]] = {}
+        lane, names = self.lane, self.lanes.names
+        for slot, op in self.op.items():
+            if op != LEAF:
+                inside = [a for a, _ in self.operations[slot].args if type(a) is int]
+                own[slot] = {a for a in inside if lane.get(a) != lane[slot]}
+                more = [own[a] for a in inside if a in own and lane[a] == lane[slot] and a not in names]
+                constant = {CONSTANT} if len(inside) < len(self.operations[slot].args) else ()
+                found[slot] = frozenset(own[slot].union(constant, *more))
+        return found
+
+    def _neighbours(self) -> None:
+        """Operands and readers of every slot in its own lane, by operation."""
+        lane, op, beside, operations = self.lane, self.op, self.beside, self.operations
+        for slot, operation in operations.items():
+            own = lane.get(slot)
+            if own is None or operation.op not in PACKED:
+                continue
+            op[slot] = operation.op
+            below: dict[str, list[int]] = {}
+            beside[slot] = below, {}
+            for a, _ in operation.args:
+                if type(a) is not int or lane.get(a) != own:
+                    continue
+                if a not in op:
+                    if a in operations:
+                        continue
+                    op[a], beside[a] = LEAF, ({}, {})
+                mine = below.setdefault(op[a], [])
+                if a not in mine:
+                    mine.append(a)
+                    beside[a][1].setdefault(operation.op, []).append(slot)
+
+    def _made(self) -> tuple[dict[int, int], set[int]]:
+        """What every operation is made of, down to names, as a number; and those that are made of a limb's alone."""
+        known: dict[Hashable, int] = {}
+        number: dict[int, int] = {}
+        pure: set[int] = set()
+        names, lane, operations = self.lanes.names, self.lane, self.operations
+
+        def part(a: int | float, own: int) -> int:
+            if isinstance(a, float):
+                return CONSTANT
+            if lane.get(a) != own:
+                return SHARED
+            if a not in number and a in names:
+                return known.setdefault(names[a], len(known))
+            return number.get(a, UNNAMED)
+
+        for slot, operation in operations.items():
+            own = lane.get(slot)
+            if own is None:
+                continue
+            if slot in names:
+                number[slot] = known.setdefault((operation.op, names[slot]), len(known))
+                pure.add(slot)
+                continue
+            parts = sorted([part(a, own) for a, _ in operation.args])
+            number[slot] = known.setdefault((operation.op, *parts), len(known))
+            if all(isinstance(a, float) or a in pure or (a in names and lane.get(a) == own) for a, _ in operation.args):
+                pure.add(slot)
+        return number, pure
+
+    # -- rows -------------------------------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Rows by name, then by votes."""
+        for row in list(self._named()):
+            for x, y in combinations([s for s in row if s is not None], 2):
+                self._vote_beside(x, y)
+        for group in self._groups():
+            if len(group) <= MOST_ALIKE:
+                for x, y in combinations(group, 2):
+                    self._vote(x, y, 0)
+        heap, votes, taken = self.heap, self.votes, self.taken
+        while heap:
+            weight, x, y = heappop(heap)
+            if not taken[x] & taken[y] and -weight == votes[x, y]:
+                self._join(x, y)
+
+    def _groups(self) -> Iterator[list[int]]:
+        """Operations that are made alike."""
+        groups: defaultdict[tuple[int, str], list[int]] = defaultdict(list)
+        for slot, op in self.op.items():
+            if op != LEAF:
+                groups[self.made[slot], op].append(slot)
+        yield from groups.values()
+
+    def _named(self) -> Iterator[list[int | None]]:
+        """Rows of what is the same down to names of the limb, if there are equally many in every limb that has some."""
+        leaves: defaultdict[Hashable, list[int]] = defaultdict(list)
+        for slot, op in self.op.items():
+            if op == LEAF and slot in self.lanes.names:
+                leaves[self.lanes.names[slot]].append(slot)
+        certain = ([s for s in group if s in self.pure] for group in self._groups())
+        for group in [*leaves.values(), *certain]:
+            columns: list[list[int]] = [[] for _ in range(self.lanes.count)]
+            for slot in group:
+                columns[self.lane[slot]].append(slot)
+            lengths = {len(column) for column in columns if column}
+            if len(lengths) == 1 and sum(map(bool, columns)) > 1:
+                for k in range(lengths.pop()):
+                    row = [column[k] if column else None for column in columns]
+                    self._joined(row)
+                    yield row
+
+    def _joined(self, row: list[int | None]) -> None:
+        """Its members are in this row now, together."""
+        members = [slot for slot in row if slot is not None]
+        taken = 0
+        for slot in members:
+            taken |= 1 << self.lane[slot]
+        for slot in members:
+            self.row[slot], self.taken[slot] = row, taken
+
+    def _members(self, x: int) -> list[int | None]:
+        return self.row.get(x) or [x if k == self.lane[x] else None for k in range(self.lanes.count)]
+
+    def _join(self, x: int, y: int) -> None:
+        one, other = self._members(x), self._members(y)
+        self._joined([b if a is None else a for a, b in zip(one, other, strict=True)])
+        for p in one:
+            for q in other:
+                if p is not None and q is not None:
+                    self._vote_beside(p, q)
+
+    # -- votes ------------------------------------------------------------------------------------------------
+
+    def _vote_beside(self, p: int, q: int) -> None:
+        """What is beside two members of a row at the same places corresponds, too."""
+        for mine, others in zip(self.beside[p], self.beside[q], strict=True):
+            for op, some in mine.items():
+                more = others.get(op)
+                if more:
+                    amount = ALONE if len(some) == len(more) == 1 else AMONG
+                    for x in some:
+                        for y in more:
+                            self._vote(x, y, amount)
+
+    def _vote(self, x: int, y: int, amount: int) -> None:
+        if self.taken[x] & self.taken[y]:  # some limb has a member in the rows of both
+            return
+        pair = (x, y) if x < y else (y, x)
+        weight = self.votes.get(pair)
+        if weight is None:
+            weight = self._alike(x, y)
+        self.votes[pair] = weight = weight + amount
+        heappush(self.heap, (-weight, *pair))
+
+    def _alike(self, x: int, y: int) -> int:
+        """What two slots have in common by themselves."""
+        hints, made = self.lanes.hints, self.made
+        weight = HINT * (x in hints and hints[x] == hints.get(y))
+        if x in made:
+            weight += len(self.outer[x] & self.outer[y])
+        return weight

@@ -1,0 +1,238 @@
+"""Where the functions that are loaded come from, and how far that is trusted.
+
+    Model                        its programs, printed here
+    folder                       mechanism.toml, effects --derive, print_c--> C; its own must be the same, byte for byte
+    folder, trusted              its own C, as it stands
+
+Of a folder nothing is compiled, imported or deserialised that was not made here: its C is compared with what its
+description gives, and it is the C made here that is compiled. What was made of the same description by the same version
+is kept as text in the user's cache, so that this takes its time once.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import platform
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew import __version__
+from symscrew.description import check_name, load_description
+from symscrew.errors import DescriptionError, shorten
+from symscrew.export import (
+    HASHES,
+    PRECISIONS,
+    OutputError,
+    Precision,
+    effect_from_json,
+    interface,
+    model_hash,
+    print_c,
+    read_hashes,
+    read_manifest,
+    read_port,
+)
+from symscrew.model import Model, derive
+from symscrew.program import Port
+from symscrew.runtime import user_cache
+
+Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
+PACKAGE = Path(__file__).parents[1]
+DESCRIPTION = "mechanism.toml"
+LARGEST_ARRAY = 1 << 31  # entries of a port: a manifest that says more was not written here, and sizes could overflow
+NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
+
+
+@dataclass(frozen=True)
+class Origin:
+    """A model's name, functions with their arrays, precision; `model` derives it.
+
+    `files`: the C of one function, or of all (""). `sources`: C files of a folder, which are compiled as they stand.
+    """
+
+    name: str
+    ports: Ports
+    precision: Precision
+    model: Callable[[], Model]
+    files: Callable[[str], Mapping[str, str]]
+    sources: tuple[Path, ...] = ()
+
+
+def origin_of(source: Model | str | Path, precision: str | None, *, trusted: bool, lanes: bool) -> Origin:
+    """The origin of a model or of a folder that `generate` wrote.
+
+    Raises:
+        OutputError: the folder holds nothing that `generate` wrote, only hashes, or something else than it would write.
+        ValueError: a precision that the folder does not have.
+    """
+    if isinstance(source, Model):
+        real, made = PRECISIONS[precision or "double"], source
+        own_ports = {name: (p.inputs, p.outputs) for name, p in made.programs.items()}
+
+        def printed(function: str) -> Mapping[str, str]:
+            return print_c(made.only([function]) if function else made, precision=real, lanes=lanes)
+
+        return Origin(made.name, own_ports, real, lambda: made, printed)
+    directory = Path(source)
+    content = read_manifest(directory)
+    name, ports, own = read_interface(directory, content)
+    if read_hashes(directory):
+        raise OutputError(f"{source}: holds hashes in place of its code ({HASHES}); generate it without --hashes-only")
+    if precision not in (None, own.name):
+        raise ValueError(f"{source}: expected its own precision, {own.name}, got {precision}; generate it again")
+
+    def derived() -> Model:
+        model = model_of(directory, content)
+        _same_interface(directory, model, name, ports=ports, precision=own)
+        return model
+
+    if trusted:
+        named = (f for f in content["files"] if isinstance(f, str) and f.endswith(".c") and Path(f).name == f)
+        sources = sorted((f for f in named if not f.endswith(NOT_THE_LIBRARY)), key=lambda f: (f != f"{name}.c", f))
+        if not sources:
+            raise OutputError(f"{directory}/manifest.json: lists no C files; generate the target c")
+        return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources))
+    texts: dict[str, Mapping[str, str]] = {}
+
+    def files(function: str) -> Mapping[str, str]:
+        if not texts:
+            texts.update(_proved(directory, name, own, derived))
+        return texts[function]
+
+    return Origin(name, ports, own, derived, files)
+
+
+def read_interface(directory: Path, content: Mapping[str, Any]) -> tuple[str, Ports, Precision]:
+    """Name, ports of every function, and precision, as a manifest says.
+
+    Raises:
+        OutputError: it is no manifest of this tool.
+    """
+    try:
+        name = check_name(content["mechanism"], "manifest.json, mechanism")
+        functions = {check_name(f, "manifest.json, function"): entry for f, entry in content["functions"].items()}
+        ports = {f: (_ports(entry["inputs"]), _ports(entry["outputs"])) for f, entry in functions.items()}
+        precision = PRECISIONS["single" if content.get("precision") == "single" else "double"]
+    except DescriptionError as error:
+        raise OutputError(f"{directory}: {error}") from error
+    except (AttributeError, KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
+        what = f"{type(error).__name__}: {shorten(str(error))}"
+        text = f"{directory}/manifest.json: expected functions with ports ({what}); generate again"
+        raise OutputError(text) from error
+    if not ports:
+        raise OutputError(f"{directory}/manifest.json: expected functions, found none; generate again")
+    return name, ports, precision
+
+
+def _ports(entries: Sequence[Any]) -> tuple[Port, ...]:
+    found = tuple(map(read_port, entries))
+    for entry, port in zip(entries, found, strict=True):
+        check_name(port.name, "manifest.json, port")
+        if any(type(n) is not int or n < 0 for n in entry["shape"]) or not 1 <= len(port.shape) <= 2:
+            raise ValueError(f"{port.name}: shape {entry['shape']}")
+        if math.prod(port.shape) > LARGEST_ARRAY or len(port.units) != port.size:
+            raise ValueError(f"{port.name}: {len(port.units)} units for shape {entry['shape']}")
+    if len({port.name for port in found}) != len(found):
+        raise ValueError("two ports of one name")
+    return found
+
+
+def model_of(directory: Path, content: Mapping[str, Any]) -> Model:
+    """The model that a folder was generated from, derived again from its description and the effects in its manifest.
+
+    Raises:
+        OutputError: an effect that does not exist.
+        DescriptionError: mechanism.toml describes no mechanism.
+    """
+    mechanism = load_description(directory / DESCRIPTION)
+    effects = tuple(effect_from_json(entry) for entry in content["effects"])
+    functions = content.get("functions", {})
+    wanted: dict[str, Any] = {
+        "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
+        "regressor": any("regressor" in name for name in functions),
+        "one_mode": content.get("one_mode") is True,
+    }
+    # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named
+    chosen = content.get("independent") or None
+    model = _selected(derive(mechanism, effects, **wanted), content)
+    if chosen and model_hash(model) != content.get("hash"):
+        other = _selected(derive(mechanism, effects, independent=chosen, **wanted), content)
+        model = other if model_hash(other) == content.get("hash") else model
+    return model
+
+
+def _selected(model: Model, content: Mapping[str, Any]) -> Model:
+    """The model, with the functions of the manifest only if these were selected."""
+    return model.only(tuple(content.get("functions", {}))) if content.get("selected") is True else model
+
+
+def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, precision: Precision) -> None:
+    """What a manifest says of functions against the model that it should be of."""
+    own = {function: (program.inputs, program.outputs) for function, program in model.programs.items()}
+    if model.name != name:
+        text = f"{directory}/manifest.json: it is of {name}, {DESCRIPTION} of {model.name}; generate again"
+        raise OutputError(text)
+    here, there = interface(precision.real, own), interface(precision.real, ports)
+    if here != there:
+        wrong = sorted(set(here) ^ set(there))[0]
+        raise OutputError(
+            f"{directory}/manifest.json: its functions are not those of {DESCRIPTION} ({shorten(wrong, 100)}); "
+            "generate again"
+        )
+
+
+def _proved(
+    directory: Path, name: str, precision: Precision, derived: Callable[[], Model]
+) -> dict[str, Mapping[str, str]]:
+    """C files of every function, after those of the folder have been found to be what its description gives."""
+    read = [_bytes(directory / file) for file in (DESCRIPTION, "manifest.json")]
+    key = user_cache.key_of(b"C of a folder", version().encode(), precision.name.encode(), *read)
+    with user_cache.entry(key) as entry:
+        kept = _texts(entry.read())
+        if kept is None:
+            model = derived()
+            whole = print_c(model, precision=precision)
+            kept = {f: print_c(model.only([f]), precision=precision, lanes=False) for f in model.programs}
+            kept[""] = whole
+            entry.write(json.dumps(kept).encode("utf-8"))
+    for file, text in kept[""].items():
+        if file.endswith(".c") and _bytes(directory / file) != text.encode("utf-8"):
+            raise OutputError(
+                f"{directory}/{file}: is not the code that {DESCRIPTION} and manifest.json give with this version; "
+                "generate it again, or load it with trusted=True if you know where it comes from"
+            )
+    return dict(kept)
+
+
+def _texts(kept: bytes | None) -> dict[str, dict[str, str]] | None:
+    """What was kept as JSON, if that is what it is."""
+    try:
+        found = json.loads(kept) if kept is not None else None
+    except (ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) and "" in found else None
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be read ({error.strerror}); generate again") from error
+
+
+@cache
+def version() -> str:
+    """What derived texts depend on beside their description: this package, file by file, and what it computes with."""
+    facts = [__version__, platform.python_version(), np.__version__]
+    for folder, _, files in sorted(os.walk(PACKAGE)):
+        if not folder.endswith("__pycache__"):
+            found = ((file, os.stat(os.path.join(folder, file))) for file in sorted(files))
+            facts += [f"{folder}/{file} {facts.st_size} {facts.st_mtime_ns}" for file, facts in found]
+    return "\n".join(facts)

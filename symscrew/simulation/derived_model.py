@@ -1,0 +1,95 @@
+"""The model of a mechanism and effects, derived once and then read from the user's cache.
+
+    mechanism, effects --derive--> programs --JSON--> cache
+                        --cache--> programs, each made when it is asked for
+
+Both ways give the same numbers, bit by bit: the programs are the same, and what a run computes of the mechanism itself
+it computes of a system that was made for the run, not of the one that was used to derive.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, TypeVar
+
+import numpy as np
+
+from symscrew.description import Mechanism, to_toml
+from symscrew.effects import Effect, effect_to_table, transformed
+from symscrew.errors import DescriptionError
+from symscrew.kinematics import System
+from symscrew.model import Model, derive
+from symscrew.program import Iteration, Program, from_lists, to_lists
+from symscrew.runtime import entry, key_of, version
+
+T = TypeVar("T")
+KEPT = ("notes", "one_mode", "independent", "selected")  # of a model, beside its programs and states
+
+
+class Asked(Mapping[str, T]):
+    """Values that are made when they are first asked for."""
+
+    def __init__(self, lists: Mapping[str, Any], make: Callable[[Any], T]) -> None:
+        """`make` makes the value of what is in `lists`."""
+        self._lists, self._make, self._made = lists, make, dict[str, T]()
+
+    def __getitem__(self, name: str) -> T:
+        """The value, made now if nobody asked before."""
+        if name not in self._made:
+            self._made[name] = self._make(self._lists[name])
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._lists)
+
+    def __len__(self) -> int:
+        return len(self._lists)
+
+
+def derived_model(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
+    """`derive(mechanism, effects)`, with a system of its own.
+
+    Raises:
+        DescriptionError: as `derive`.
+    """
+    with entry(_key(mechanism, effects)) as kept:
+        found = _read(kept.read())
+        if found is None:
+            model = derive(mechanism, effects)
+            found = {
+                **{name: getattr(model, name) for name in KEPT},
+                "programs": {name: to_lists(program) for name, program in model.programs.items()},
+                "states": {name: [x.tolist() for x in arrays] for name, arrays in model.test_inputs.items()},
+                "sizes": {name: [x.shape for x in arrays] for name, arrays in model.test_inputs.items()},
+            }
+            text = json.dumps(found)
+            kept.write(text.encode("ascii"))
+            found = json.loads(text)  # the same way, whether it was there or not
+    system = System(mechanism, transformed(mechanism, tuple(effects)))
+    programs: Mapping[str, Program | Iteration] = Asked(found["programs"], from_lists)
+    shaped = {name: list(zip(found["states"][name], found["sizes"][name], strict=True)) for name in found["states"]}
+    states = Asked(shaped, lambda of: tuple(np.array(x, dtype=float).reshape(shape) for x, shape in of))
+    kept_fields: dict[str, Any] = {name: tuple(v) if isinstance(v := found[name], list) else v for name in KEPT}
+    return Model(mechanism.name, mechanism, tuple(effects), programs, states, system, **kept_fields)
+
+
+def _key(mechanism: Mechanism, effects: Sequence[Effect]) -> str | None:
+    """Of all that a model is made of; None where a mechanism cannot be written."""
+    try:
+        texts = [to_toml(mechanism), repr(mechanism.warnings), *map(repr, map(_named, effects))]
+    except DescriptionError:
+        return None
+    return key_of(b"model", *(text.encode("utf-8", "surrogateescape") for text in (version(), *texts)))
+
+
+def _named(effect: Effect) -> tuple[str, object]:
+    return f"{type(effect).__module__}.{type(effect).__qualname__}", effect_to_table(effect)
+
+
+def _read(kept: bytes | None) -> dict[str, Any] | None:
+    try:
+        found = json.loads(kept) if kept is not None else None
+    except (ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) and "programs" in found else None
