@@ -9,12 +9,17 @@ from collections.abc import Iterable
 class DescriptionError(ValueError):
     """A description that cannot be used: says where, what was expected, what came, and the cure.
 
-    The command line turns it into exit code 2. `in_file`: the file in which it is, which the text then begins with.
+    The command line turns it into exit code 2.
     """
 
-    def __init__(self, text: str = "", *, in_file: str = "") -> None:
-        super().__init__(f"{in_file}: {text}" if in_file else text)
-        self.in_file = in_file
+
+class FileError(DescriptionError):
+    """What is wrong in a file, whose name it begins with: files that name this one do not put theirs before it."""
+
+
+def in_file(name: str, error: DescriptionError) -> FileError:
+    """The error with the name of the file that it is in, once."""
+    return error if isinstance(error, FileError) else FileError(f"{name}: {error}")
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

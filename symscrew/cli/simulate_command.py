@@ -34,7 +34,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, integrate, write; 1 where the run ended early."""
+    """Read, derive, integrate, write; 1 where the run ended early or is not as good as asked for."""
     from tqdm import tqdm
 
     from symscrew.scene import load_scene
@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
         print("\n".join(run_summary(found)))
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
-    return DONE if found.ok else FAILED
+    return DONE if found.ok and found.accurate else FAILED
 
 
 def _numbers(found: Run) -> dict[str, object]:
@@ -73,8 +73,12 @@ def _numbers(found: Run) -> dict[str, object]:
 
     return {
         "scene": found.scene.name,
-        "ok": found.ok,
-        "status": found.status,
+        "ok": found.ok and found.accurate,
+        "status": found.verdict,
+        "estimated_error": found.estimate.error
+        if found.estimate is not None and np.isfinite(found.estimate.error)
+        else None,
+        "impacts_took": dict(found.losses),
         "outputs": len(found.t),
         "end": float(found.t[-1]),
         "closure_error": float(found.closure_error.max(initial=0.0)),

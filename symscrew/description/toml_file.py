@@ -26,7 +26,7 @@ import sympy
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.expressions import to_text
 from symscrew.description.mechanism import Body, Joint, Mechanism, Parameter, Vector
-from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
 
 # The reader of TOML descends once per bracket and per dot: beyond these limits a file is refused before it is read.
 MAX_BYTES = 1_000_000  # the largest of the catalogue has 14 kB
@@ -76,7 +76,7 @@ def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mecha
     try:
         return parse_description(read_text(file), run_time=run_time)
     except DescriptionError as error:
-        raise DescriptionError(str(error), in_file=file.name) from error
+        raise in_file(file.name, error) from error
 
 
 def read_text(file: Path) -> str:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from symscrew.description.toml_file import read_text
-from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
 
 Read = TypeVar("Read")
 
@@ -22,9 +22,7 @@ def from_file(path: str | Path, loads: Callable[..., Read]) -> Read:
     try:
         return loads(read_text(file), folder=file.parent, name=file.stem)
     except DescriptionError as error:
-        if error.in_file:  # of a file that this one names
-            raise
-        raise DescriptionError(str(error), in_file=file.name) from error
+        raise in_file(file.name, error) from error
 
 
 def check_sections(

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from symscrew.description import Mechanism, to_toml
-from symscrew.errors import DescriptionError, shorten
+from symscrew.errors import DescriptionError, in_file, shorten
 from symscrew.formats.draft import Draft
 from symscrew.formats.from_draft import mechanism
 from symscrew.formats.mjcf_reader import read_mjcf
@@ -80,7 +80,7 @@ def load_format(path: str | Path, *, formats: Sequence[Format] = FORMATS) -> Mec
     try:
         return mechanism(readers[root.tag](root, file.name))
     except DescriptionError as error:
-        raise DescriptionError(str(error), in_file=file.name) from error
+        raise in_file(file.name, error) from error
 
 
 def save_as(model: Mechanism, path: str | Path) -> None:

@@ -7,14 +7,18 @@ from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.scene.controllers import controller, parameter_values
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
 from symscrew.scene.scene_file import load_scene, parse_scene
+from symscrew.scene.time_features import UNCHANGING, TimeFeatures, features_in_time
 
 __all__ = [
     "INTEGRATION_METHODS",
+    "UNCHANGING",
     "Initial",
     "Integrator",
     "Scene",
     "Table",
+    "TimeFeatures",
     "controller",
+    "features_in_time",
     "load_scene",
     "parameter_values",
     "parse_scene",

@@ -152,7 +152,9 @@ def margins(at: ContactState, modes: Modes) -> np.ndarray:
 
 
 def start_modes(at: ContactState) -> Modes:
-    """Modes at the start: slipping with the rate, stuck where it is zero and the static force suffices.
+    """Modes at the start by places and rates alone: slipping with the rate, or stuck; on a stop at rest, or free.
+
+    `mode_changes.beginning` says what becomes of them.
 
     Raises:
         DescriptionError: a joint starts beyond its stop.
@@ -169,9 +171,10 @@ def start_modes(at: ContactState) -> Modes:
                 raise DescriptionError(
                     f"initial.coordinates: {rule.contact.joint} = {q[rule.q]:g} lies beyond its stop at {place:g}"
                 )
-        end = 1 if rule.upper - q[rule.q] < 1e-12 else -1 if q[rule.q] - rule.lower < 1e-12 else 0
-        modes.append(end if end * rate > -STILL else 0)
-    return released(at, Modes(tuple(modes)))
+        near = 1e-12 * units[rule.v]
+        end = 1 if rule.upper - q[rule.q] < near else -1 if q[rule.q] - rule.lower < near else 0
+        modes.append(end if abs(rate) < STILL else 0)
+    return Modes(tuple(modes))
 
 
 def released(at: ContactState, modes: Modes) -> Modes:
@@ -212,40 +215,3 @@ def _turned(at: ContactState, modes: Modes) -> Modes:
         if dead and abs(base[row]) > 1e-9 * float(np.abs(base).max()):
             modes = modes.with_mode(k, int(np.sign(base[row])))
     return modes
-
-
-def impact(at: ContactState, modes: Modes, hit: int, end: int) -> tuple[np.ndarray, Modes]:
-    """Rates and modes after contact `hit` has met its stop `end`: Newton's law of impact.
-
-    Other stops that are in contact take their part by impulses that only push (complementarity, by active sets).
-    """
-    rules, v, units, accelerations = at.rules, at.v, at.units, at.accelerations
-    base = accelerations(np.zeros(len(rules)))
-    active = [hit, *(k for k, m in enumerate(modes.values) if k != hit and m and rules[k].contact.kind == "stop")]
-    ends = {k: end if k == hit else modes.values[k] for k in active}
-    columns = {}
-    for k in active:
-        unit = np.zeros(len(rules))
-        unit[k] = 1.0
-        columns[k] = accelerations(unit) - base
-    while True:
-        rows = [rules[k].v for k in active]
-        matrix = np.stack([columns[k][rows] for k in active], 1)
-        wanted = np.array([-rules[k].restitution * v[rules[k].v] if k == hit else 0.0 for k in active])
-        impulse = np.linalg.lstsq(matrix, wanted - v[rows], rcond=SHARED)[0]
-        pulling = [k for k, p in zip(active, impulse, strict=True) if ends[k] * p > 0 and k != hit]
-        if not pulling:
-            break
-        active = [k for k in active if k not in pulling]
-    after = v + sum((columns[k] * p for k, p in zip(active, impulse, strict=True)), start=np.zeros_like(v))
-    for k in ends:
-        if k not in active:
-            modes = modes.with_mode(k, 0)
-    slow = abs(after[rules[hit].v] / units[rules[hit].v]) <= SOFT * max(1.0, float(np.abs(v / units).max()))
-    if slow:
-        after = after - columns[hit] * (after[rules[hit].v] / columns[hit][rules[hit].v])
-    modes = modes.with_mode(hit, end if slow else 0)
-    for k, rule in enumerate(rules):
-        if rule.contact.kind == "friction" and abs(after[rule.v] / units[rule.v]) > STILL:
-            modes = modes.with_mode(k, int(np.sign(after[rule.v])))
-    return after, modes

@@ -22,9 +22,10 @@ from symscrew.simulation.derived_model import derived_model
 from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
-from symscrew.simulation.recording import History, State
+from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
+from symscrew.simulation.verdict import verdict
 
 Progress = Callable[[float], None]
 
@@ -35,7 +36,9 @@ class Run:
 
     t (n,), q (n, nq), v (n, nv), u (n, drives), x (n, states; the last is the work of drives and effects where there
     are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
-    energy_balance (n,) energy - energy at the start - work [J], reactions (n, 6 joints) or None.
+    energy_balance (n,) energy - energy at the start - work + what impacts took [J], `losses`: the latter in all by
+    the joint's name, `estimate` of its error by another run, `verdict`: the status with what was judged, `accurate`:
+    whether that is good, reactions (n, 6 joints) or None.
     """
 
     scene: Scene
@@ -57,10 +60,21 @@ class Run:
     x_labels: tuple[str, ...] = ()
     backend: str = "c"
     inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
+    losses: Mapping[str, float] = field(default_factory=dict)
+    estimate: Estimate | None = None
+    accurate: bool = True
+    verdict: str = ""
 
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
         return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"
+
+    @property
+    def unbalanced(self) -> float:
+        """Largest energy balance by the largest energy that was moved: kinetic, potential, work or losses."""
+        moved = np.ptp(self.energy, axis=0).max(initial=0.0) if len(self.t) else 0.0
+        largest = max(float(moved), float(self.energy[:, 0].max(initial=0.0)), sum(self.losses.values()))
+        return float(np.abs(self.energy_balance).max(initial=0.0)) / (largest or 1.0)
 
     @property
     def energy_error(self) -> float:
@@ -139,8 +153,17 @@ def simulate(
     )
     if controller is None:
         history = with_longest_stable_step(scene, programs, history, (q, v, x))
-    history = replace(history, events=(*moves(scene, model, q, v), *history.events))
-    return _observed(scene, model, programs, history)
+    history = replace(history, events=(*moves(scene, model, q, v), *_of_steps(scene), *history.events))
+    return judged(_observed(scene, model, programs, history))
+
+
+def judged(run: Run) -> Run:
+    """The run with its verdict: a run that stopped is not accurate, one that came to its end is looked at."""
+    if not run.ok:
+        return replace(run, accurate=False, verdict=run.status)
+    opening = float(run.closure_error.max(initial=0.0))
+    accurate, text = verdict(run.scene, run.estimate or Estimate(), opening, run.unbalanced)
+    return replace(run, accurate=accurate, verdict=text)
 
 
 def _integrated(
@@ -153,7 +176,7 @@ def _integrated(
     backend: str | None,
     progress: Progress | None,
 ) -> History:
-    own = scene.integrator.method in NATIVE_METHODS and not contacts and controller is None
+    own = scene.integrator.method in NATIVE_METHODS and controller is None
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
         raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
@@ -173,6 +196,17 @@ def _integrated(
 def one_line(error: Exception) -> str:
     """The first line of what a compiler said."""
     return str(error).partition("\n")[0].rstrip(":")
+
+
+def _of_steps(scene: Scene) -> tuple[str, ...]:
+    """What a fixed step becomes so that outputs fall on ends of steps: an event where it is another one."""
+    step, between = scene.integrator.step, 1.0 / scene.rate
+    if step is None or step <= between * (1 + 1e-9):
+        return ()
+    return (
+        f"the step of {step:g} s is longer than the {between:g} s between two outputs: steps of {between:g} s are "
+        "taken, from output to output; a lower rate leaves longer ones",
+    )
 
 
 def evaluated(model: Model, name: str, known: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -198,7 +232,11 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     u = found.get("u", np.zeros((n, 0)))
     energy = evaluated(model, "energy", known)["energy"]
     work = history.x[:, -1] if programs.works else np.zeros(n)
-    balance = energy.sum(axis=1) - energy[:1].sum(axis=1) - work
+    taken = np.array([sum(loss for when, _, loss in history.losses if 0 < when < t) for t in history.t])
+    balance = energy.sum(axis=1) - energy[:1].sum(axis=1) - work + taken
+    losses: dict[str, float] = {}
+    for _, name, loss in history.losses:
+        losses[name] = losses.get(name, 0.0) + float(loss)
     closure = np.zeros(n)
     if programs.closure is not None:
         closure = np.abs(evaluated(model, "closure", known)["residual"] * programs.rows).max(axis=1, initial=0.0)
@@ -211,5 +249,5 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
         history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
-        {name: array for name, array in found.items() if name != "u"},
+        {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
     )  # fmt: skip

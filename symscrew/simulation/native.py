@@ -10,20 +10,23 @@ import hashlib
 import math
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from symscrew.runtime import compile_c
-from symscrew.scene import INTEGRATION_METHODS, Scene
+from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
+from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Passage, State
 from symscrew.simulation.run_source import source, table_code
 from symscrew.simulation.state_programs import Plant
+from symscrew.simulation.verdict import estimated
 
 NATIVE_FLAGS = ("-O3", "-fno-trapping-math")
 NATIVE_METHODS = {name: m.kernel for name, m in INTEGRATION_METHODS.items() if m.kernel is not None}
 GOING_ON = 1  # outcome of the compiled loop: its portion of steps is used up
+EVENT = 8  # outcome of the compiled loop: the mode of a contact has ended
 
 
 MOST_CROSSINGS = 10_000  # singular configurations that a run records; it goes on beyond, and an event says so
@@ -78,17 +81,34 @@ class Library:
 
     def start(
         self, t: float, q: np.ndarray, v: np.ndarray, x: np.ndarray, *, method: str, h: float, rtol: float,
-        atol: float, longest: float, budget: int,
+        atol: float, longest: float, budget: int, features: TimeFeatures = UNCHANGING,
     ) -> int:  # fmt: skip
-        """Begin at a state, with steps of h [s] (0: chosen) or local tolerances; 0 where that is possible."""
+        """Begin at a state, with steps of h [s] (0: chosen) or local tolerances; 0 where that is possible.
+
+        `features`: what inputs do in time, by which steps are bounded.
+        """
         d = ctypes.c_double
+        self.features = features  # the loop reads these arrays as long as it runs
         arrays = [np.ascontiguousarray(a, dtype=float) for a in (q, v, x)]
         return int(
             self.code.simulation_start(
                 _pointer(self.state), d(t), *map(_pointer, arrays), ctypes.c_int(NATIVE_METHODS[method]), d(h), d(rtol),
-                d(atol), d(longest), ctypes.c_long(budget),
+                d(atol), d(longest), ctypes.c_long(budget), _pointer(features.edges), _pointer(features.lefts),
+                ctypes.c_size_t(len(features.edges)),
             )
         )  # fmt: skip
+
+    def change(self, q: np.ndarray, v: np.ndarray, modes: Sequence[int]) -> int:
+        """Go on from another state and other modes of the contacts; 0 where that is possible."""
+        arrays = [np.ascontiguousarray(a, dtype=float) for a in (q, v, modes)]
+        return int(self.code.simulation_change(_pointer(self.state), *map(_pointer, arrays)))
+
+    def accelerations(self, t: float, state: State, forces: np.ndarray) -> np.ndarray:
+        """Accelerations (nv,) by given forces of the contacts."""
+        a = np.zeros(max(self.plant.sizes["v"], 1))
+        arrays = [np.ascontiguousarray(part, dtype=float) for part in (*state, forces)]
+        outcome = self.code.simulation_accelerations(ctypes.c_double(t), *map(_pointer, arrays), _pointer(a))
+        return a[: self.plant.sizes["v"]] if outcome == 0 else np.full(self.plant.sizes["v"], np.nan)
 
     def advance(self, most: int, log: RunLog) -> int:
         """Go on for at most `most` steps, into the log; see simulation.c for the outcome."""
@@ -106,7 +126,7 @@ class Library:
         t, numbers = np.zeros(1), np.zeros(8)
         q, v, x = (np.zeros(max(sizes[k], 1)) for k in "qvx")
         self.code.simulation_report(*map(_pointer, (self.state, t, q, v, x, numbers)))
-        names = ("steps", "rejected", "careful", "evaluations", "pivot", "h", "reason")
+        names = ("steps", "rejected", "careful", "evaluations", "pivot", "h", "reason", "event")
         state = q[: sizes["q"]], v[: sizes["v"]], x[: sizes["x"]]
         return float(t[0]), state, dict(zip(names, numbers.tolist(), strict=False))
 
@@ -120,6 +140,7 @@ ENDINGS = {
     3: "more steps than most_steps allows",
     4: "the loops could not be closed again",
     5: "the accelerations are not defined",
+    9: f"more than {MOST_EVENTS} changes of contact",
     6: "at rest in a singular configuration, where several motions begin: none of them is singled out",
 }
 PORTION = 20_000  # steps between two looks at the progress, some milliseconds to a second
@@ -130,9 +151,12 @@ NEAR_SINGULAR = 0.25
 def integrate_natively(
     scene: Scene, plant: Plant, start: State, progress: Callable[[float], None] | None = None
 ) -> History:
-    """The run of a scene from (q, v, x) by the compiled loop; `progress` is called with the part done."""
+    """The run of a scene from (q, v, x) by the compiled loop, with an estimate of its error by runs with other steps;
+    `progress` is called with the part done."""
     library = Library(plant, table_code(list(scene.tables.values())))
-    return run_natively(library, scene, start, progress)
+    found = run_natively(library, scene, start, progress)
+    estimate = estimated(scene, plant.system, found, lambda other: run_natively(library, other, start))
+    return replace(found, estimate=estimate)
 
 
 def run_natively(
@@ -144,17 +168,25 @@ def run_natively(
     h = choice.step or 0.0
     if h:  # outputs fall on ends of steps
         h = 1.0 / scene.rate / max(1, math.ceil(1.0 / scene.rate / h - 1e-9))
+    features = features_in_time(scene, library.plant.model)
+    contacts = NativeContacts(library, scene, start)
     outcome = library.start(
         0.0, *start, method=choice.method, h=h, rtol=local, atol=local,
         longest=choice.longest_step or scene.duration, budget=choice.most_steps,
+        features=features,
     )  # fmt: skip
     if outcome == 0:
-        outcome = GOING_ON
-    while outcome == GOING_ON:
+        outcome = contacts.begun(GOING_ON)
+    while outcome in (GOING_ON, EVENT):
         outcome = library.advance(PORTION, log)
+        if outcome == EVENT:
+            outcome = contacts.met(GOING_ON)
         if progress is not None:
             progress(float(log.times[max(int(log.written[0]) - 1, 0)]) / scene.duration)
-    return _history(library, log, outcome)
+    found = _history(library, log, outcome)
+    forces = contacts.forces(found.t, found.q, found.v, found.x)
+    events = (*features.notices, *contacts.events, *found.events)
+    return replace(found, events=events, losses=contacts.losses, contact_forces=forces)
 
 
 def _history(library: Library, log: RunLog, outcome: int) -> History:

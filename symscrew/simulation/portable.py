@@ -15,14 +15,16 @@ import numpy as np
 
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
-from symscrew.scene import INTEGRATION_METHODS, Scene
+from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
-from symscrew.simulation.recording import History, State
+from symscrew.simulation.mode_changes import Change, beginning, change
+from symscrew.simulation.native_contacts import MOST_EVENTS
+from symscrew.simulation.recording import History, State, shown_time
+from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.state_programs import Plant
 
 Controller = Callable[[float, np.ndarray, np.ndarray], object]
-MOST_EVENTS = 10_000  # a run with more changes of contact is stopped and says so: chattering, not motion
 # Local errors are held to a thousandth of the error aimed at in the result, for they add up; not below what rounding
 # leaves of a step (SciPy's own least relative tolerance is 100 units in the last place).
 LOCAL, LEAST_ABSOLUTE, LEAST_RELATIVE = 1e-3, 3e-14, 2.3e-14
@@ -83,10 +85,12 @@ class _Marching:
     ) -> None:
         self.scene, self.f, self.rules, self.controller, self.progress = scene, functions, rules, controller, progress
         self.method = INTEGRATION_METHODS[scene.integrator.method]
+        self.features, self.latest = features_in_time(scene, functions.plant.model), np.inf
         self.modes = contact.Modes(())
         self.contact_forces: list[np.ndarray] = []  # at the samples
         self.samples: list[tuple[float, np.ndarray]] = []
         self.events: list[str] = []
+        self.losses: list[tuple[float, str, float]] = []  # energy that impacts take
         self.steps = 0
 
     # -- slopes -----------------------------------------------------------------------------------------------
@@ -119,6 +123,7 @@ class _Marching:
 
     def slopes(self, t: float, y: np.ndarray) -> np.ndarray:
         q, v, x = self.parts(y)
+        t = min(t, self.latest)
         a, x_dot = self.f.slopes(t, q, v, x, u=self.commanded(t, q, v), outside=self.forces(t, y))
         return np.concatenate([self.f.coordinate_rates(q, v), a, x_dot])
 
@@ -134,6 +139,7 @@ class _Marching:
         y = self.settled(np.concatenate(start))
         if self.rules:
             self.modes = contact.start_modes(self.contacts_at(0.0, y))
+            y = self.adopted(0.0, y, beginning(self.contacts_at(0.0, y), self.modes))
         self.sample(0.0, y)
         try:
             MARCHES[self.method.marching](self, y, times)
@@ -157,14 +163,17 @@ class _Marching:
             u = np.array([self.commanded(a, b, c) for a, b, c in zip(t, q, v, strict=True)]).reshape(len(t), self.f.nu)
         forces = np.array(self.contact_forces) if self.rules else None
         counters = {"steps": float(self.steps), "evaluations": float(self.f.evaluations)}
-        return History(t, q, v, x, ok, status, "library", (), tuple(self.events), counters, u, forces)
+        return History(
+            t, q, v, x, ok, status, "library", (), (*self.features.notices, *self.events), counters, u, forces,
+            tuple(self.losses))  # fmt: skip
 
     def solver(self, t: float, y: np.ndarray, end: float) -> Any:
-        """SciPy's integrator from t to `end`."""
+        """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for."""
         local = max(LOCAL * self.scene.integrator.tolerance, LEAST_ABSOLUTE)
+        until, self.latest = self.features.ahead(t, end, SPAN)
         longest = self.scene.integrator.longest_step or np.inf
         made = getattr(_scipy(), self.method.library)
-        return made(self.slopes, t, y, end, rtol=max(local, LEAST_RELATIVE), atol=local, max_step=longest)
+        return made(self.slopes, t, y, until, rtol=max(local, LEAST_RELATIVE), atol=local, max_step=longest)
 
     def count(self) -> None:
         self.steps += 1
@@ -242,41 +251,28 @@ class _Marching:
         t, k = found
         if len(self.events) >= MOST_EVENTS:
             raise RunError(f"more than {MOST_EVENTS} changes of contact")
-        rule, mode = self.rules[k], self.modes.values[k]
-        q, v, x = self.parts(y)
-        before = self.contacts_at(t, y)
-        name = rule.contact.joint
-        if rule.contact.kind == "friction" and mode != 0:
-            text = f"{name} sticks"
-            self.modes = contact.released(before, self.modes.with_mode(k, 0))
-            if self.modes.values[k] != 0:
-                text = f"{name} turns back"
-        elif rule.contact.kind == "friction":
-            force = self.forces(t, y)
-            self.modes = self.modes.with_mode(k, -int(np.sign(force[k])))
-            text = f"{name} slips"
-        elif mode == 0:
-            end = 1 if rule.upper - q[rule.q] < q[rule.q] - rule.lower else -1
-            v, self.modes = contact.impact(before, self.modes, k, end)
-            y = np.concatenate([q, v, x])
-            self.modes = contact.released(self.contacts_at(t, y), self.modes)
-            text = f"{name} meets its {'upper' if end > 0 else 'lower'} stop"
-        else:
-            self.modes = self.modes.with_mode(k, 0)
-            text = f"{name} leaves its stop"
-        self.events.append(f"t = {t:.9g} s: {text}")
-        return y
+        return self.adopted(t, y, change(self.contacts_at(t, y), self.modes, k))
+
+    def adopted(self, t: float, y: np.ndarray, found: Change) -> np.ndarray:
+        """The state with the rates and modes of a change, which is recorded."""
+        q, _, x = self.parts(y)
+        self.modes = found.modes
+        self.events += [f"t = {shown_time(t)} s: {text}" for text in found.texts]
+        self.losses += [(t, name, loss) for name, loss in found.losses.items()]
+        return np.concatenate([q, found.v, x])
 
     def restarted(self, y: np.ndarray, times: np.ndarray) -> None:
         """Multistep methods: from output to output, projected and begun anew at each."""
         for left, right in pairwise(times):
-            solver = self.solver(float(left), y, float(right))
-            while solver.status == "running":
-                message = solver.step()
-                self.count()
-            if solver.status == "failed":
-                raise RunError(f"the integrator gave up: {message}")
-            y = self.settled(solver.y)
+            t = float(left)
+            while t < right:
+                solver = self.solver(t, y, float(right))
+                while solver.status == "running":
+                    message = solver.step()
+                    self.count()
+                if solver.status == "failed":
+                    raise RunError(f"the integrator gave up: {message}")
+                t, y = solver.t, self.settled(solver.y)
             self.sample(float(right), y)
 
     def fixed_steps(self, y: np.ndarray, times: np.ndarray) -> None:
@@ -284,11 +280,15 @@ class _Marching:
         step, advance = self.scene.integrator.step, FIXED_STEPS[self.scene.integrator.method]
         assert step is not None  # the reader of scenes asks for it
         for left, right in pairwise(times):
-            count = max(1, int(np.ceil((right - left) / step - 1e-9)))
-            h = (right - left) / count
-            for i in range(count):
-                self.count()
-                y = self.settled(advance(self, left + i * h, y, h))
+            t = float(left)
+            while t < right:
+                until, self.latest = self.features.ahead(t, float(right), 0)
+                count = max(1, int(np.ceil((until - t) / step - 1e-9)))
+                h = (until - t) / count
+                for i in range(count):
+                    self.count()
+                    y = self.settled(advance(self, t + i * h, y, h))
+                t = until
             self.sample(float(right), y)
 
     def euler(self, t: float, y: np.ndarray, h: float) -> np.ndarray:

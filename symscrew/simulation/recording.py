@@ -10,6 +10,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+
+@dataclass(frozen=True)
+class Estimate:
+    """`error`: largest difference of a coordinate [rad, characteristic lengths] to the other run; NaN: there is none.
+
+    `growth`: by how much the differences grew from the first tenth of the run to its end.
+    """
+
+    error: float = np.nan
+    growth: float = np.nan
+
+
 State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time
 
 
@@ -28,7 +40,8 @@ class Passage:
 class History:
     """Samples t (n,), q (n, nq), v (n, nv), x (n, nx); u (n, drives) where they came from outside.
 
-    `contact_forces` (n, contacts): inputs of effects that the integrator determined itself.
+    `contact_forces` (n, contacts): inputs of effects that the integrator determined itself. `losses`: time [s], joint
+    and energy [J] of every impact.
     """
 
     t: np.ndarray
@@ -43,8 +56,15 @@ class History:
     counters: Mapping[str, float] = field(default_factory=dict)
     u: np.ndarray | None = None
     contact_forces: np.ndarray | None = None
+    losses: tuple[tuple[float, str, float], ...] = ()
+    estimate: Estimate | None = None
 
     @property
     def forces(self) -> np.ndarray:
         """Contact forces (n, contacts), of no columns where there are none."""
         return np.zeros((len(self.t), 0)) if self.contact_forces is None else self.contact_forces
+
+
+def shown_time(t: float) -> str:
+    """A time [s] with all digits that are meant: those of the double, at most to 1e-12 s."""
+    return f"{round(t, 12):.15g}"

@@ -47,12 +47,13 @@ def arrays(run: Run) -> dict[str, np.ndarray]:
     text = {
         "mechanism": to_toml(run.scene.mechanism),
         "scene": run.scene.text,
-        "status": run.status,
+        "status": run.verdict or run.status,
         "backend": run.backend,
     }
     result = {
         "t": run.t, "q": run.q, "v": run.v, "u": run.u, "x": run.x, "energy": run.energy,
-        "closure_error": run.closure_error, "energy_balance": run.energy_balance, "ok": np.array(run.ok),
+        "closure_error": run.closure_error, "energy_balance": run.energy_balance,
+        "ok": np.array(run.ok and run.accurate),
         "crossing_times": np.array([c.t for c in run.crossings]),
         "crossing_configurations": np.array([c.q for c in run.crossings]).reshape(len(run.crossings), run.q.shape[1]),
         "crossing_rows": np.array([" ".join(c.rows) for c in run.crossings], dtype=str),
@@ -87,7 +88,7 @@ def run_summary(run: Run) -> list[str]:
     """What a person wants to know about a run, line by line."""
     kinetic = float(run.energy[:, 0].max(initial=0.0))
     lines = [
-        f"{run.scene.name}: {run.status}",
+        f"{run.scene.name}: {run.verdict or run.status}",
         f"{len(run.t)} outputs to t = {run.t[-1]:.9g} s; " + ", ".join(
             f"{int(n)} {key} steps" if key == "careful" else f"{int(n)} {key}"
             for key, n in run.counters.items()
@@ -97,6 +98,10 @@ def run_summary(run: Run) -> list[str]:
         f"energy balance: at most {np.abs(run.energy_balance).max(initial=0.0):.2e} J, largest kinetic energy "
         f"{kinetic:.4g} J",
     ]  # fmt: skip
+    if run.estimate is not None and np.isfinite(run.estimate.error):
+        asked = "" if run.scene.integrator.step else f", asked for: {run.scene.integrator.tolerance:g}"
+        lines.append(f"estimated error: {run.estimate.error:.1e} (rad, lengths by the characteristic length){asked}")
+    lines += [f"impacts at {name} took {loss:.9g} J" for name, loss in run.losses.items()]
     names = labels(run)["q"]
     for c in run.crossings:
         place = ", ".join(f"{n} = {value:.6g}" for n, value in list(zip(names, c.q, strict=True))[:8])

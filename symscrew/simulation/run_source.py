@@ -15,9 +15,9 @@ import numpy as np
 
 from symscrew.export import banner, decimal, print_c
 from symscrew.model import Model
-from symscrew.program import Program
 from symscrew.runtime import entry, key_of, version
 from symscrew.scene import Table
+from symscrew.simulation.contacts import SHARED, Law, laws
 from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.state_programs import Plant
 
@@ -38,13 +38,25 @@ THRESHOLDS = {
     # Of a chart's scale: least distance of the places between which the zone is interpolated. Closer together they
     # enlarge what rounding leaves at them, and a run gets stuck (seen at 0.002).
     "SPACING": 0.015,
+    "SHARED": SHARED,
+    # The instant of an event is that of the step's polynomial; putting the state onto the loops moves it by that
+    # polynomial's error. A margin that is off zero by less at the start of its new mode counts as zero.
+    "MOST_MOVED": 1e-5,
     "REACH": 0.6,  # longest step in local coordinates: a chart is a good one within about half a radian
     "CAREFUL_TOLERANCE": 4e-12,  # least local tolerance of careful steps: near the zone accelerations are noise
+    # A repeated step whose error does not fall, as that of a smooth motion would, is rounding of the accelerations: its
+    # local tolerance is raised from the first to at most the second, tenfold each time. Without, steps shrink without
+    # end and a tighter tolerance ends in a stopped run (governor at 1e-11); the second is what a run may lose there.
+    "LEAST_NOISE": 2e-14,
+    "MOST_NOISE": 2e-12,
     "DUST": 1e-150,  # slopes below it count as zero: their products would be denormal numbers, twelve times as slow
 }
 # Newton steps onto the loops, each of which doubles the digits; a step of the run that needs more is repeated, shorter
 # or with care.
 MOST_CORRECTIONS = 12
+# Intervals of time, on each of which inputs are polynomials of order 8 to the tolerance, that a step may span: it is of
+# order 8 itself and would resolve about two. More: short features are seen late; fewer: steps shorter than errors ask.
+SPAN = 4
 # what stands for the tables of a scene that has none
 NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
 
@@ -65,9 +77,8 @@ def generated(plant: Plant) -> dict[str, str]:
 def _reduced(plant: Plant) -> Model:
     """The model with what a run calls, and nothing else."""
     programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
-    rates = plant.model.programs.get("effect_state_rates")
-    if isinstance(rates, Program):
-        programs["effect_state_rates"] = rates
+    if plant.rates is not None and plant.sizes["x"]:
+        programs["state_rates"] = plant.rates
     if plant.closure is not None:
         programs["closure_both"] = replace(plant.closure, name="closure_both")
     return Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
@@ -105,7 +116,7 @@ def constants(plant: Plant) -> str:
         "FREE": nv - plant.rank, "NY": 2 * nv + nx, "PASSIVE": passive, "PLAIN_COUNT": len(plain),
         "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
         "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "ENTRIES": len(plant.entries),
-        "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": MOST_CORRECTIONS,
+        "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": MOST_CORRECTIONS, "SPAN": SPAN,
         "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
     }  # fmt: skip
     reals = {
@@ -176,14 +187,31 @@ def _sums(counts: Sequence[int]) -> list[int]:
     return [0, *itertools.accumulate(counts)]
 
 
-def adapters(plant: Plant) -> str:
-    """C that calls the generated functions by the names that the kernels use."""
+def contact_constants(rules: Sequence[Law]) -> str:
+    """The contacts of a run as constant data; "" for none."""
+    if not rules:
+        return ""
+
+    def entry(rule: Law) -> str:
+        reals = (rule.coulomb, rule.static, rule.stribeck, rule.lower, rule.upper)
+        numbers = [decimal(float(np.clip(value, -1e300, 1e300))) for value in reals]  # no infinities in C99's text
+        return f"{{{int(rule.contact.kind == 'stop')}, {rule.v}, {rule.q}, {', '.join(numbers)}}}"
+
+    table = ", ".join(entry(rule) for rule in rules)
+    return (
+        f"#define CONTACTS {len(rules)}\n#define CONTACT_TABLE {{{table}}}\n"
+        f"static double CONTACT_FORCE[CONTACTS];\n#define OUTSIDE_INPUTS CONTACT_FORCE\n"
+    )
+
+
+def adapters(plant: Plant, forces: str = "forces_at") -> str:
+    """C that calls the generated functions by the names that the kernels use; `forces`: that of the accelerations."""
     name = plant.model.name
     commanded = list(plant.inputs.outputs)
     outside = next((port.size for port in plant.slopes.inputs if port.name == "s"), 0) - plant.tables
     lines = [
-        "static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
-        "                     double *x_dot)",
+        f"static int {forces}(double t, const double *q, const double *v, const double *x, const double *u, double *a,",
+        f"{' ' * len(f'static int {forces}(')}double *x_dot)",
         "{",
         f"    double s[NS + {outside + 1}] = {{0.0}};",
         "    tables_at(t, s);",
@@ -204,12 +232,12 @@ def adapters(plant: Plant) -> str:
     spare = max([p.size for p in plant.forward.outputs if p.name != "a"], default=0)
     if spare:
         lines.append(f"    double spare[{spare}];")
-    if sum(p.size for p in plant.slopes.outputs if p.name == "x_dot"):
-        lines += ["    for (int k = 0; k < NX; ++k) {", "        x_dot[k] = 0.0;", "    }"]
-    rates = plant.model.programs.get("effect_state_rates")
-    if isinstance(rates, Program):
-        given = ", ".join(known.get(p.name, f"{p.name}_command") for p in rates.inputs)
-        lines += [f"    if ({name}_effect_state_rates({given}, x_dot) > 0) {{", "        return 2;", "    }"]
+    if plant.rates is not None and plant.sizes["x"]:
+        lines += [
+            f"    if ({name}_state_rates(&t, q, v, x, u, s, PARAMETERS, x_dot) > 0) {{",
+            "        return 2;",
+            "    }",
+        ]
     lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
     if plant.closure is not None:
         p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
@@ -227,11 +255,16 @@ def source(plant: Plant, tables: str = "") -> str:
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
-    parts = ("rows.c", "manifold.c", "chart.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "simulation.c")
+    rules = laws(plant.model, [c for e in plant.model.effects for c in e.contacts()]) if plant.outside else ()
+    parts = (
+        "rows.c", "manifold.c", "contacts.c", "chart.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "events.c",
+        "simulation.c",
+    )  # fmt: skip
     kernels = [kernel_text(file) for file in parts]
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
-    head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations"]
-    return "\n".join([*head, kernel_text("dop853_error.h"), tables or NO_TABLES, adapters(plant), *kernels])
+    head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations", contact_constants(rules)]
+    plain = adapters(plant, "plain_forces_at" if rules else "forces_at")
+    return "\n".join([*head, kernel_text("dop853_error.h"), tables or NO_TABLES, plain, *kernels])
 
 
 def table_code(tables: Sequence[Table]) -> str:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from symscrew.program import Program, evaluate
+from symscrew.program import RankRevealing, evaluate, evaluate_rank_revealing
 from symscrew.runtime import compile_c
 from symscrew.scene import Table
 from symscrew.simulation.run_source import generated
@@ -81,13 +81,15 @@ class PlantFunctions:
             known |= {p.name.removesuffix("_command"): c for p, c in zip(plant.inputs.outputs, commanded, strict=True)}
             effect_states = sum(p.size for p in plant.forward.inputs if p.name == "x")
             known["x"] = x[:effect_states]
-            results, status = plant.model("forward_dynamics", *[known[p.name] for p in plant.forward.inputs])
+            arguments = [known[p.name] for p in plant.forward.inputs]
+            if isinstance(plant.forward, RankRevealing):
+                results, status = evaluate_rank_revealing(plant.forward, arguments)
+            else:
+                results, status = evaluate(plant.forward, arguments)
             outcome = max(int(status), 0)
             a, x_dot = results[0], np.zeros(self.nx)
-            rates = plant.model.programs.get("effect_state_rates")
-            if isinstance(rates, Program):
-                (own,), _ = evaluate(rates, [known[p.name] for p in rates.inputs])
-                x_dot[: len(own)] = own
+            if plant.rates is not None and self.nx:
+                (x_dot,), _ = evaluate(plant.rates, arrays)
         if outcome > 0:
             raise RunError(f"the accelerations are not defined (status {outcome})")
         return a, x_dot

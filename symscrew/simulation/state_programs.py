@@ -9,18 +9,23 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from symscrew.functions import a_port, q_port, u_port, v_port
 from symscrew.kinematics import System
 from symscrew.model import Model
-from symscrew.program import Port, Program, evaluate
+from symscrew.program import Port, Program, RankRevealing, evaluate
 from symscrew.simulation.fronts import Front, fronts, regular
 from symscrew.simulation.linking import Linker, Operand
 
 WORK = "work"  # label of the last state, the work of drives and effects
+# A pivot of forward dynamics below this part of its median over the sample states hands over to the second path. What
+# rounding leaves of accelerations grows with the inverse of a pivot, and a step may end anywhere near its zero, however
+# short it is: at the model's own threshold (1e-5) steps brought errors of 1e-11 to 1e-5 in, which no tolerance reduced.
+# Smaller: such errors come back; larger: the second path, some ten times as costly, is taken in regular places too.
+WARY = 0.05
 STANDARD = ("q", "v", "u", "x", "t", "p")  # inputs of forward dynamics that are no inputs of effects
 
 
@@ -29,7 +34,8 @@ class Plant:
     """What an integrator needs of a model in a scene.
 
     `slopes`: (t, q, v, x, u, s, p) -> a, x_dot. `inputs`: the same -> u_command and the effects' inputs.
-    `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small.
+    `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small;
+    `rates`: x_dot alone, which has no pivots, for there.
     `closure`: q, p -> residual, the Jacobian's entries that are not always zero, or None without loops; `entries`:
     their rows and columns (n, 2). `units`, `rows`: what divides rates and closure
     rows to make them plain numbers. `fronts`: the order in which the closure's rows are made orthogonal. `pivot`: the
@@ -52,6 +58,7 @@ class Plant:
     tables: int
     outside: tuple[str, ...] = ()
     entries: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), dtype=int))
+    rates: Program | None = None
 
     def __repr__(self) -> str:
         count = len(self.slopes.instructions)
@@ -110,23 +117,49 @@ def plant(
     wiring = _Wiring(forward, controller, len(effect_states), len(controller_states), tables, tuple(outside))
     link = _Link(linker, wiring)
     outputs = link.run(forward)
-    own_rates = model.programs.get("effect_state_rates")
-    rates = [*(link.run(own_rates)["x_dot"] if isinstance(own_rates, Program) else ()), *link.commands.get("c_dot", ())]
-    if work:
-        rates.append(_power(link, model, powers))
+    rates = _state_rates(link, model, work)
     x_dot = Port("x_dot", (len(rates),), ("1/s",) * len(rates), labels, "rates of the states")
     slopes = linker.program(
         "slopes", "Accelerations and rates of the states.", [(a_port(system), outputs["a"]), (x_dot, rates)]
     )
+    alone = _Link(Linker(ports), wiring)
+    by_itself = alone.linker.program("state_rates", "Rates of the states.", [(x_dot, _state_rates(alone, model, work))])
     values = system.parameter_values if parameters is None else np.asarray(parameters, dtype=float)
+    slopes, forward = _wary(slopes, forward, model)
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
     rows = np.array([1.0 / system.length if row.unit == "N" else 1.0 for cut in system.cuts for row in cut.rows])
     closure, entries = _closure(model)
     found, pivot = _regular(model, units, rows, entries) if closure is not None else ((), 1.0)
     return Plant(
         model, slopes, _inputs(ports, wiring), forward, closure, labels, units, rows, found, pivot, bool(work), values,
-        tables, tuple(outside), entries,
+        tables, tuple(outside), entries, by_itself,
     )  # fmt: skip
+
+
+def _wary(slopes: Program, forward: Program, model: Model) -> tuple[Program, Program]:
+    """Both with the thresholds of their pivots raised to a part of what regular states have, if there is a second path.
+
+    What the scene commands does not change the pivots, and the forward dynamics' own come first in both.
+    """
+    if not isinstance(forward, RankRevealing) or not forward.guards:
+        return slopes, forward
+    states = dict(zip(("q", "v"), model.system.sample_states[:2], strict=True))
+    ports = tuple(Port(f"pivot{k}", (1,), ("1",), ("",), "a pivot") for k in range(len(forward.guards)))
+    results = tuple((slot,) for slot, _ in forward.guards)
+    pivots = Program(
+        "pivots", "Pivots.", forward.inputs, ports, forward.instructions, results, (), (), forward.slots
+    )  # fmt: skip
+    count = len(states["q"])
+    given = {"p": np.repeat(model.system.parameter_values[None], count, 0), **states}
+    found, _ = evaluate(pivots, [given.get(port.name, np.zeros((count, port.size))) for port in forward.inputs])
+    usual = [float(np.nanmedian(np.abs(values))) if np.isfinite(values).any() else 0.0 for values in found]
+    raised = [max(own, WARY * value) for (_, own), value in zip(forward.guards, usual, strict=True)]
+
+    def guarded(program: Program) -> Program:
+        first = tuple((slot, threshold) for (slot, _), threshold in zip(program.guards, raised, strict=False))
+        return replace(program, guards=(*first, *program.guards[len(raised) :]))
+
+    return guarded(slopes), guarded(forward)
 
 
 @dataclass(frozen=True)
@@ -183,6 +216,13 @@ class _Link:
     def run(self, program: Program) -> dict[str, tuple[Operand, ...]]:
         """Outputs of a function of the model at the present state."""
         return self.linker.call(program, self.arguments)
+
+
+def _state_rates(link: _Link, model: Model, work: bool) -> list[Operand]:
+    """Rates of the states of the effects, of those of the controller, and the power where work is wanted."""
+    own = model.programs.get("effect_state_rates")
+    rates = [*(link.run(own)["x_dot"] if isinstance(own, Program) else ()), *link.commands.get("c_dot", ())]
+    return [*rates, _power(link, model, model.programs.get("effect_power"))] if work else rates
 
 
 def _power(link: _Link, model: Model, powers: object) -> Operand:

@@ -10,7 +10,7 @@ import pytest
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.scene.contents import Table
-from symscrew.scene.scene_file import parse_scene
+from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.simulation.initial import initial_state
 from symscrew.simulation.motion import prepare
 
@@ -147,3 +147,14 @@ def test_the_command_line_refuses_and_writes_nothing(tmp_path: Path, capsys: pyt
     assert main(["simulate", str(scene), "--out", str(tmp_path / "no" / "run.npz")]) == 2
     assert main(["simulate", str(tmp_path / "none.toml"), "--json"]) == 2
     assert list(tmp_path.iterdir()) == [scene]
+
+
+@pytest.mark.parametrize("mass, wrong", [("-1", "m.toml: bodies.b.mass: "), ("1", "s.toml: scene.rate: ")])
+def test_an_error_names_the_file_that_it_is_in_and_no_other(tmp_path: Path, mass: str, wrong: str) -> None:
+    joint = '{ type = "P", parent = "base", child = "b", point = [0, 0, 0], axes = [[0, 0, 1]] }'
+    body = f"b = {{ mass = {mass}, com = [0, 0, 0], inertia = [1, 1, 1] }}"
+    (tmp_path / "m.toml").write_text(f'[mechanism]\nname = "m"\n[bodies]\n{body}\n[joints]\nj = {joint}\n')
+    (tmp_path / "s.toml").write_text('[scene]\nmechanism = "m.toml"\nduration = 1\nrate = -1\n')
+    with pytest.raises(DescriptionError) as found:
+        load_scene(tmp_path / "s.toml")
+    assert str(found.value).startswith(wrong) and str(found.value).count(".toml") == 1

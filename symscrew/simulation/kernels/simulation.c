@@ -1,6 +1,6 @@
 /* A run: steps, their control, samples at given times, and what happens on the way. */
 
-enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL };
+enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL, EVENT };
 
 typedef struct {
     double t, x[NX1], q[NQ1], v[NV1];
@@ -13,6 +13,12 @@ typedef struct {
     long steps, rejected, careful, evaluations;
     long budget;
     int reason;        /* why the last step failed */
+    int event;         /* the contact whose mode has ended */
+    int fresh;         /* the same, and 1, in the first step behind it; else 0 */
+    const double *edges;          /* of intervals of time (time_features.py) */
+    const double *lefts;          /* where inputs change at once: the latest time before the edge; else 0 */
+    size_t edge_count, edge_at;   /* the first one behind t */
+    double lands;      /* the edge on which the step ends exactly; 0: on none */
     Step step;
 } Simulation;
 
@@ -59,7 +65,8 @@ static double pivot_rate(const double *q, const double *v)
 }
 
 int simulation_start(Simulation *s, double t, const double *q, const double *v, const double *x, int method, double h,
-                     double rtol, double atol, double longest, long budget)
+                     double rtol, double atol, double longest, long budget, const double *edges, const double *lefts,
+                     size_t edge_count)
 {
     memset(s, 0, sizeof *s);
     s->t = t;
@@ -73,6 +80,9 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     s->longest = longest;
     s->earlier_error = 1e-4;
     s->budget = budget;
+    s->edges = edges;
+    s->lefts = lefts;
+    s->edge_count = edge_count;
     without_dust(s->v, NV);
     without_dust(s->x, NX);
     const int outcome = settle(s->q, s->v, &s->pivot);
@@ -246,16 +256,58 @@ static size_t crossings_within(Simulation *s, double rate_at_end, Crossing *foun
     return met;
 }
 
+/* The latest end of a step that does not pass what changes in time unseen: the next break, or SPAN edges ahead. */
+static double reach_in_time(Simulation *s, double *left)
+{
+    *left = 0.0;
+    while (s->edge_at < s->edge_count && s->edges[s->edge_at] <= s->t) {
+        ++s->edge_at;
+    }
+    for (size_t k = s->edge_at; k < s->edge_count; ++k) {
+        if (s->lefts[k] > 0.0 || k + 1 == s->edge_at + SPAN) {
+            *left = s->lefts[k];
+            return s->edges[k];
+        }
+    }
+    return 0.0;
+}
+
+/* Shortens a step to what changes in time: onto it, or onto half of the way where one step does not reach it. */
+static double shortened(Simulation *s, double h, double limit, double left)
+{
+    s->lands = s->step.until = 0.0;
+    if (!(limit > 0.0) || s->t + 2.0 * h <= limit) {
+        return h;
+    }
+    if (s->t + h * (1.0 + 1e-9) < limit) {
+        return 0.5 * (limit - s->t);
+    }
+    s->lands = limit;
+    s->step.until = left;
+    return limit - s->t;
+}
+
 /* One accepted step of at most h (fixed methods: of exactly h), with retries. */
 static int advance(Simulation *s, double target)
 {
     Step *step = &s->step;
     const int adaptive = s->method == DOP853;
     int cautious = 0;
+    double last_error = 0.0, noise = 0.0;
     for (int attempt = 0; attempt < 60; ++attempt) {
-        double h = adaptive ? fmin(s->h, s->longest) : s->h;
-        if (!adaptive && target - s->t < 1.5 * h) {
-            h = target - s->t;
+        double left;
+        const double limit = reach_in_time(s, &left), whole = fmin(s->h, s->longest);
+        double h = adaptive ? whole : s->h;
+        s->lands = s->step.until = 0.0;
+        if (!adaptive) { /* equal parts of the way to the next output or break */
+            const int first = left > 0.0 && limit < target;
+            const double way = (first ? limit : target) - s->t;
+            const double parts = fmax(1.0, ceil(way / h - 1e-9));
+            h = way / parts;
+            s->lands = first && parts == 1.0 ? limit : 0.0;
+            s->step.until = s->lands > 0.0 ? left : 0.0;
+        } else if (s->h > 0.0) {
+            h = shortened(s, whole, limit, left);
         }
         const int careful = cautious || needs_care(s, h);
         const int fresh = !s->started || careful || step->careful;
@@ -275,7 +327,7 @@ static int advance(Simulation *s, double target)
         }
         if (!s->started && adaptive && s->h <= 0.0) {
             s->h = first_step(s, step);
-            h = s->h;
+            h = shortened(s, s->h, limit, left);
         }
         s->started = 1;
         if (careful && adaptive) { /* the chart covers a neighbourhood only */
@@ -283,7 +335,11 @@ static int advance(Simulation *s, double target)
             for (int k = 0; k < NV; ++k) {
                 size = fmax(size, fabs(s->v[k] / UNIT[k]));
             }
-            h = size > 0.0 ? fmin(h, REACH / size) : h;
+            const double least = size > 0.0 ? fmin(h, REACH / size) : h;
+            if (least < h) {
+                s->lands = step->until = 0.0;
+                h = least;
+            }
         }
         step->h = h;
         if (!(fabs(h) > s->shortest + 1e-15 * fabs(s->t))) {
@@ -291,8 +347,13 @@ static int advance(Simulation *s, double target)
         }
         int outcome = take(step, s->method);
         if (outcome == 0 && adaptive) { /* near the zone accelerations are noise below CAREFUL_TOLERANCE */
-            const double floor = careful ? CAREFUL_TOLERANCE : 0.0;
+            const double floor = fmax(careful ? CAREFUL_TOLERANCE : 0.0, noise);
             step->error = dop853_error(step, fmax(s->rtol, floor), fmax(s->atol, floor));
+            if (step->error >= 1.0 && last_error > 0.0 && step->error > 0.05 * last_error && noise < MOST_NOISE) {
+                noise = fmax(10.0 * noise, LEAST_NOISE); /* of order 8 it would have fallen: rounding is what is left */
+                step->error = dop853_error(step, fmax(s->rtol, fmax(floor, noise)), fmax(s->atol, fmax(floor, noise)));
+            }
+            last_error = step->error;
         } else {
             step->error = 0.0;
         }
@@ -303,7 +364,8 @@ static int advance(Simulation *s, double target)
                     const double error = fmax(step->error, 1e-8);
                     double factor = 0.9 * pow(error, -0.125 + 0.75 * 0.04) * pow(s->earlier_error, 0.04);
                     factor = fmin(6.0, fmax(0.333, factor));
-                    s->h = h * (attempt > 0 ? fmin(1.0, factor) : factor);
+                    const double next = h * (attempt > 0 ? fmin(1.0, factor) : factor);
+                    s->h = attempt == 0 && h < whole ? fmax(next, whole) : next; /* time cut it short, not its error */
                     s->earlier_error = fmax(error, 1e-4);
                 }
                 s->careful += careful;
@@ -363,12 +425,22 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             return outcome;
         }
         Step *step = &s->step;
-        const double end = s->method == DOP853 || times[*written] - step->t - step->h > 1e-9 * step->h
-                               ? step->t + step->h
-                               : times[*written];
+        double end = s->method == DOP853 || times[*written] - step->t - step->h > 1e-9 * step->h ? step->t + step->h
+                                                                                                : times[*written];
+        end = s->lands > 0.0 ? s->lands : end;
+#if CONTACTS
+        Event event;
+        if (first_event(step, s->method, s->fresh - 1, &event) != 0) {
+            return NOT_DEFINED;
+        }
+        end = event.contact >= 0 ? step->t + event.part * step->h : end;
+#endif
         const int regular = step->pivot > 0.5 * PIVOT && !step->careful; /* a secant will do */
         const double rate = regular ? (step->pivot - s->pivot) / step->h : pivot_rate(step->q, step->v);
         *met += crossings_within(s, rate, crossings + *met, room - *met);
+        while (*met > 0 && crossings[*met - 1].t > end) { /* behind an event the motion is another one */
+            --*met;
+        }
         while (*written < count && times[*written] <= end) {
             double pivot;
             const double when = times[*written];
@@ -383,6 +455,25 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             }
             ++*written;
         }
+#if CONTACTS
+        if (event.contact >= 0) {
+            s->event = event.contact;
+            s->fresh = event.contact + 1;
+            if (state_within(step, s->method, end, s->q, s->v, s->x, &s->pivot) != 0) {
+                return NOT_CLOSED;
+            }
+            s->t = end;
+            s->pivot_rate = pivot_rate(s->q, s->v);
+            s->started = 0;
+            s->evaluations += evaluations;
+            return EVENT;
+        }
+        if (step->pivot > CAREFUL && !step->careful && kept(end, step->q, step->v, step->x) != 0) {
+            return NOT_CLOSED;
+        }
+#endif
+        s->fresh = 0;
+        s->started = step->until > 0.0 ? 0 : s->started; /* behind a break the slope is another one */
         s->t = end;
         memcpy(s->q, step->q, sizeof s->q);
         memcpy(s->v, step->v, sizeof s->v);
@@ -407,4 +498,31 @@ void simulation_report(const Simulation *s, double *t, double *q, double *v, dou
     numbers[4] = s->pivot;
     numbers[5] = s->h;
     numbers[6] = (double)s->reason;
+    numbers[7] = (double)s->event;
 }
+
+#if CONTACTS
+/* Goes on from another state and other modes at the same time. */
+int simulation_change(Simulation *s, const double *q, const double *v, const double *modes)
+{
+    memcpy(s->q, q, sizeof(double) * NQ);
+    memcpy(s->v, v, sizeof(double) * NV);
+    for (int k = 0; k < CONTACTS; ++k) {
+        contact_mode[k] = (int)modes[k];
+    }
+    s->started = 0;
+    if (s->pivot < CAREFUL) {
+        return 0;
+    }
+    const int outcome = settle(s->q, s->v, &s->pivot);
+    return outcome == 0 ? kept(s->t, s->q, s->v, s->x) : outcome;
+}
+
+/* Accelerations by given forces of the contacts. */
+int simulation_accelerations(double t, const double *q, const double *v, const double *x, const double *force, double *a)
+{
+    double x_dot[NX1];
+    memcpy(CONTACT_FORCE, force, sizeof CONTACT_FORCE);
+    return valid(plain_forces_at(t, q, v, x, NULL, a, x_dot));
+}
+#endif

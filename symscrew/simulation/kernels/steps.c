@@ -10,6 +10,7 @@ typedef struct {
 #endif
     const double *u;      /* drives held by the caller, or NULL */
     double t, h;
+    double until;         /* the step ends where inputs change at once: nothing is evaluated later than this; 0: it does not */
     double start[NY1], end[NY1];
     double k[16][NY1];    /* slopes; 12 is that at the end */
     double q[NQ1], v[NV1], x[NX1], pivot; /* the state at the end, on the manifold */
@@ -22,6 +23,7 @@ static int slope(Step *s, double t, const double *y, double *dy)
 {
     double q[NQ1];
     COUNT_EVALUATION;
+    t = s->until > 0.0 && t > s->until ? s->until : t;
 #if NR && FREE
     if (s->careful) {
         double v[NV1], z[NV1], pivot;
@@ -108,7 +110,8 @@ static int finish(Step *s)
     memcpy(s->x, s->end + 2 * NV, sizeof(double) * NX);
 #if NR && FREE
     if (s->careful) {
-        const int outcome = branch_state(&s->chart, s->t + s->h, s->end, s->end + NV, s->x, s->q, s->v, NULL, NULL,
+        const double end = s->until > 0.0 && s->t + s->h > s->until ? s->until : s->t + s->h;
+        const int outcome = branch_state(&s->chart, end, s->end, s->end + NV, s->x, s->q, s->v, NULL, NULL,
                                          &s->pivot, s->u);
         local_coordinates(s->base, s->q, s->end);
         memcpy(s->end + NV, s->v, sizeof(double) * NV);

@@ -1,0 +1,281 @@
+/* Where the mode of a contact ends within a step. Positions and rates of a step are polynomials of time; what is no
+ * polynomial (forces, states near singular configurations) is taken through SAMPLES of it. A polynomial that is positive
+ * at all of its Bernstein coefficients is so throughout, so halving the interval finds the first root, however short the
+ * excursion behind it is (Farouki, CAGD 29, 2012, 379, section 3). */
+#if CONTACTS
+#define SAMPLES 9
+#define DEGREE (SAMPLES - 1)
+typedef struct {
+    double c[SAMPLES]; /* of powers of the part of the step, 0 to 1 */
+} Polynomial;
+
+/* The dense output of y[i]. */
+static Polynomial dense_polynomial(const Step *s, int i)
+{
+    Polynomial p = {{0.0}};
+    for (int j = 6; j >= 0; --j) {
+        double next[SAMPLES] = {0.0};
+        p.c[0] += s->dense[j][i];
+        for (int k = 0; k < DEGREE; ++k) {
+            if (j % 2 == 0) {
+                next[k + 1] += p.c[k];
+            } else {
+                next[k] += p.c[k];
+                next[k + 1] -= p.c[k];
+            }
+        }
+        memcpy(p.c, next, sizeof next);
+    }
+    p.c[0] += s->start[i];
+    return p;
+}
+
+static double sample_place(int i)
+{
+    return 0.5 * (1.0 - cos(3.14159265358979323846 * i / DEGREE)); /* Chebyshev's, both ends among them */
+}
+
+/* Through values at the sample places, by divided differences. */
+static Polynomial through(const double *values)
+{
+    double d[SAMPLES];
+    Polynomial p = {{0.0}};
+    memcpy(d, values, sizeof d);
+    for (int j = 1; j < SAMPLES; ++j) {
+        for (int i = DEGREE; i >= j; --i) {
+            d[i] = (d[i] - d[i - 1]) / (sample_place(i) - sample_place(i - j));
+        }
+    }
+    for (int j = DEGREE; j >= 0; --j) {
+        for (int k = DEGREE; k > 0; --k) {
+            p.c[k] = p.c[k - 1] - sample_place(j) * p.c[k];
+        }
+        p.c[0] = d[j] - sample_place(j) * p.c[0];
+    }
+    return p;
+}
+
+/* The first place in [left, right] where the polynomial with Bernstein coefficients b there is not positive; 2: none. */
+static double first_below(const double *b, double left, double right)
+{
+    double one[SAMPLES], other[SAMPLES], work[SAMPLES];
+    int positive = 1;
+    if (!(b[0] > 0.0)) {
+        return left;
+    }
+    for (int i = 1; i < SAMPLES; ++i) {
+        positive &= b[i] > 0.0;
+    }
+    if (positive) {
+        return 2.0;
+    }
+    const double middle = 0.5 * (left + right);
+    if (!(middle > left && middle < right)) {
+        return right;
+    }
+    memcpy(work, b, sizeof work);
+    for (int j = 0; j < SAMPLES; ++j) {
+        one[j] = work[0];
+        other[DEGREE - j] = work[DEGREE - j];
+        for (int i = 0; i < DEGREE - j; ++i) {
+            work[i] = 0.5 * (work[i] + work[i + 1]);
+        }
+    }
+    const double found = first_below(one, left, middle);
+    return found <= 1.0 ? found : first_below(other, middle, right);
+}
+
+/* The part of the step at which a margin ends; 2: it does not. A margin within `slack` of zero at the start counts as
+ * zero there: what it does next decides. */
+static double end_of(Polynomial p, double slack)
+{
+    double b[SAMPLES], size = 0.0;
+    int zeros = 0;
+    for (int k = 1; k < SAMPLES; ++k) {
+        size = fmax(size, fabs(p.c[k]));
+    }
+    while (zeros < DEGREE && fabs(p.c[zeros]) <= (zeros == 0 ? slack : 1e-9 * size)) {
+        ++zeros;
+    }
+    if (zeros == DEGREE) {
+        return 2.0; /* it stays zero */
+    }
+    for (int k = 0; k < SAMPLES; ++k) { /* what is left without these zeros, which has the same sign behind them */
+        b[k] = k + zeros < SAMPLES ? p.c[k + zeros] : 0.0;
+    }
+    for (int k = 0; k < SAMPLES; ++k) { /* powers to Bernstein: b_i = sum of binom(i, k) / binom(n, k) c_k */
+        p.c[k] = b[k];
+    }
+    for (int i = 0; i < SAMPLES; ++i) {
+        double ratio = 1.0;
+        b[i] = 0.0;
+        for (int k = 0; k <= i; ++k) {
+            b[i] += ratio * p.c[k];
+            ratio *= (double)(i - k) / (DEGREE - k);
+        }
+    }
+    return first_below(b, 0.0, 1.0);
+}
+
+typedef struct {
+    double part; /* of the step */
+    int contact;
+} Event;
+
+/* Keeps the earlier of two ends. */
+static void consider(Event *e, int k, double part)
+{
+    if (part <= 1.0 && part < e->part) {
+        e->part = part;
+        e->contact = k;
+    }
+}
+
+/* Whether a free stop could be reached in this step: it is far where ten times the way of the fastest slope is less. */
+static int near_stop(const Step *s, const Contact *c)
+{
+    double fastest = 0.0;
+    for (int j = 0; j < 13; ++j) {
+        fastest = fmax(fastest, fabs(s->k[j][c->v]));
+    }
+    const double place = s->base[c->q] + s->start[c->v], way = 10.0 * fabs(s->h) * fastest;
+    return place + way >= c->upper || place - way <= c->lower;
+}
+
+static int sampled(Step *s, int method, double (*q)[NQ1], double (*v)[NV1], double (*force)[CONTACTS], int forces)
+{
+    double x[NX1], a[NV1], x_dot[NX1], pivot;
+    for (int i = 0; i < SAMPLES; ++i) {
+        const double t = s->t + s->h * sample_place(i);
+        int outcome = state_within(s, method, t, q[i], v[i], x, &pivot);
+        if (outcome == 0 && forces) {
+            outcome = valid(forces_at(t, q[i], v[i], x, s->u, a, x_dot));
+            memcpy(force[i], CONTACT_FORCE, sizeof force[i]);
+        }
+        if (outcome != 0) {
+            return outcome;
+        }
+    }
+    return 0;
+}
+
+/* The first end of a mode within the step. 0, or why the step cannot be looked at. `fresh`: the contact whose mode has
+ * just changed, or -1: its margin begins at zero up to what putting the state onto the loops has moved it by. */
+static int first_event(Step *s, int method, int fresh, Event *e)
+{
+    double q[SAMPLES][NQ1], v[SAMPLES][NV1], force[SAMPLES][CONTACTS], values[SAMPLES];
+    int grips = 0, looks = s->careful;
+    e->part = 2.0;
+    e->contact = -1;
+    for (int k = 0; k < CONTACTS; ++k) {
+        grips |= held(k);
+        looks |= held(k) || CONTACT[k].kind == FRICTION || near_stop(s, CONTACT + k);
+    }
+    if (!looks) {
+        return 0;
+    }
+    int outcome = prepare_dense(s, method);
+    if (outcome == 0 && (grips || s->careful)) {
+        outcome = sampled(s, method, q, v, force, grips);
+    }
+    if (outcome != 0) {
+        return outcome;
+    }
+    for (int k = 0; k < CONTACTS; ++k) {
+        const Contact *c = CONTACT + k;
+        Polynomial p;
+        if (held(k)) {
+            for (int side = -1; side <= 1; side += 2) { /* friction: both levels; a stop: only the side that it is on */
+                if (c->kind == STOP && side != contact_mode[k]) {
+                    continue;
+                }
+                double most = 0.0;
+                for (int i = 0; i < SAMPLES; ++i) {
+                    values[i] = (c->kind == FRICTION ? c->fixed : 0.0) - side * force[i][k];
+                    most = fmax(most, fabs(force[i][k]));
+                }
+                consider(e, k, end_of(through(values), 1e-12 * fmax(most, c->kind == FRICTION ? c->fixed : 0.0)));
+            }
+            continue;
+        }
+        const int index = c->kind == FRICTION ? NV + c->v : c->v;
+        if (s->careful) {
+            for (int i = 0; i < SAMPLES; ++i) {
+                values[i] = c->kind == FRICTION ? v[i][c->v] : q[i][c->q];
+            }
+            p = through(values);
+        } else {
+            p = dense_polynomial(s, index);
+            p.c[0] += c->kind == FRICTION ? 0.0 : s->base[c->q];
+        }
+        const double slack = 1e-11 * UNIT[c->v];
+        for (int side = -1; side <= 1; side += 2) {
+            Polynomial margin = p;
+            if (c->kind == FRICTION && side != contact_mode[k]) {
+                continue;
+            }
+            const double sign = c->kind == FRICTION ? side : -side; /* side 1: the upper stop */
+            for (int i = 0; i < SAMPLES; ++i) {
+                margin.c[i] *= sign;
+            }
+            if (c->kind == STOP) {
+                const double end = side > 0 ? c->upper : c->lower;
+                if (!(fabs(end) < 1e300)) {
+                    continue;
+                }
+                margin.c[0] += side * end;
+            }
+            margin.c[0] += c->kind == FRICTION ? slack : 0.0; /* a rate that only touches zero does not end a slip */
+            const int zero = k == fresh && fabs(margin.c[0]) < MOST_MOVED * UNIT[c->v];
+            consider(e, k, end_of(margin, zero ? fmax(slack, fabs(margin.c[0])) : slack));
+        }
+    }
+    return 0;
+}
+
+/* What is held stays where it is: rates to zero, places onto the stops, by forces of the held contacts. */
+static int kept(double t, double *q, double *v, const double *x)
+{
+    Grip g;
+    double a[NV1], x_dot[NX1], error[CONTACTS], force[CONTACTS], z[NV1], moved[NQ1], pivot;
+    int any = 0;
+    for (int k = 0; k < CONTACTS; ++k) {
+        any |= held(k);
+    }
+    if (!any) {
+        return 0;
+    }
+    for (int pass = 0; pass < 2; ++pass) { /* places, then rates: each is put back onto the loops */
+        memset(CONTACT_FORCE, 0, sizeof CONTACT_FORCE);
+        int outcome = valid(plain_forces_at(t, q, v, x, NULL, a, x_dot));
+        outcome = outcome == 0 ? gripped(t, q, v, x, NULL, a, &g) : outcome;
+        if (outcome != 0) {
+            return outcome;
+        }
+        for (int i = 0; i < g.count; ++i) {
+            const Contact *c = CONTACT + g.unknown[i];
+            const double end = contact_mode[g.unknown[i]] > 0 ? c->upper : c->lower;
+            error[i] = pass == 1 ? -v[c->v] : c->kind == STOP ? end - q[c->q] : 0.0;
+        }
+        grip(&g, error, force);
+        memset(z, 0, sizeof z);
+        for (int i = 0; i < g.count; ++i) {
+            for (int k = 0; k < NV; ++k) {
+                z[k] += g.column[i][k] * force[i];
+            }
+        }
+        if (pass == 0) {
+            retract(q, z, moved);
+            memcpy(q, moved, sizeof(double) * NQ);
+        } else {
+            for (int k = 0; k < NV; ++k) {
+                v[k] += z[k];
+            }
+        }
+        if (settle(q, v, &pivot) != 0) {
+            return FAILED;
+        }
+    }
+    return 0;
+}
+#endif

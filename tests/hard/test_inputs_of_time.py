@@ -1,0 +1,78 @@
+"""What inputs do in time is met wherever it is: pulses, knots, jumps, kinks; what cannot be bounded is named."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from hard.mechanisms import chain
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Integrator, Scene, Table
+from symscrew.simulation.motion import Run, simulate
+
+BACKENDS = ["numpy", *(["c"] if find_compiler() else [])]
+
+
+def pushed(force: str, duration: float, *, tables: dict[str, Table] | None = None, **how: object) -> Run:
+    """1 kg on a slider under a force: its speed is the integral of the force."""
+    body = {"mass": 1, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    mechanism = chain("block", ("x", "P", "base", "block", [0, 0, 0], [[1, 0, 0]]), driven="x", block=body)
+    backend = how.pop("backend", None)
+    scene = Scene(
+        "pushed", mechanism, (), duration, 10 / duration, drives={"x": force}, tables=tables or {},
+        integrator=Integrator(**how),  # type: ignore[arg-type]
+    )  # fmt: skip
+    return simulate(scene, backend=backend)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("width", [1e-1, 1e-3, 1e-5])
+def test_a_pulse_in_a_long_time(width: float, backend: str) -> None:
+    """A Gaussian anywhere in 100 s gives sqrt(pi) width; stepped over it gave 0."""
+    for middle in (1.234, 50.0, 77.7):
+        run = pushed(f"exp(-((t - {middle})/{width})^2)", 100.0, backend=backend)
+        assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * width, rel=1e-8)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("how", [{"tolerance": 1e-3}, {"tolerance": 1e-10}, {"method": "rk4", "step": 0.5}])
+def test_a_push_in_a_table(how: dict, backend: str) -> None:
+    """1000 N for 1 ms at 50 s: 1 m/s behind it, whatever the steps."""
+    table = Table("f", (0, 50, 50.0000001, 50.001, 50.0010001, 100), (0, 0, 1000, 1000, 0, 0))
+    run = pushed("f", 100.0, tables={"f": table}, backend=backend, **how)
+    assert run.v[-1, 0] == pytest.approx(1.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize(
+    "force, speed",
+    [
+        ("(1 + abs(t - 1/3)/(t - 1/3))/2", 2 / 3),  # a jump
+        ("abs(t - 0.1234)", (0.1234**2 + 0.8766**2) / 2),
+        ("abs(sin(7*t))", (4 + 1 - np.cos(7 - 2 * np.pi)) / 7),
+        ("sqrt(t)", 2 / 3),
+        ("sin(40*t)*t", np.sin(40) / 1600 - np.cos(40) / 40),
+        ("atan(1000*(t - 0.5))", 0.0),
+        ("1/(1 + (1000*(t - 0.5))^2)", np.arctan(500.0) / 500),
+        ("tan(t)", -np.log(np.cos(1.0))),
+    ],
+)
+def test_jumps_kinks_and_waves(force: str, speed: float, backend: str) -> None:
+    assert pushed(force, 1.0, backend=backend).v[-1, 0] == pytest.approx(speed, abs=2e-9)
+
+
+@pytest.mark.parametrize("force", ["sin(t*q_x)", "exp(-(t - q_x)^2)"])
+def test_what_cannot_be_bounded_is_named(force: str) -> None:
+    run = pushed(force, 0.1)
+    assert any(text.startswith("drives.x: ") and "beforehand" in text for text in run.events)
+    assert not pushed("3*sin(t)*q_x - t^2*v_x", 0.1).events
+
+
+def test_what_changes_too_fast_is_named() -> None:
+    run = pushed("1e-3*sin(1e9*t)", 1.0, most_steps=100)
+    assert any("sin(1000000000*t)/1000 changes too fast" in text for text in run.events)
+
+
+def test_a_step_longer_than_between_outputs_says_what_it_becomes() -> None:
+    assert "steps of 0.1 s are taken" in pushed("1", 1.0, method="rk4", step=0.3).events[0]
+    assert not pushed("1", 1.0, method="rk4", step=0.1).events

@@ -1,0 +1,95 @@
+"""A run that came to its end says whether it is as accurate as asked for; energy taken by impacts has a name."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.runs import error_of, scene_of
+
+from symscrew.cli.parser import main
+from symscrew.description import load_description
+from symscrew.effects import Gravity
+from symscrew.runtime.compiled import find_compiler
+from symscrew.scene.contents import Initial, Scene
+from symscrew.simulation import native
+from symscrew.simulation.initial import initial_state
+from symscrew.simulation.motion import prepare, simulate
+from symscrew.simulation.recording import Estimate
+from symscrew.simulation.verdict import verdict
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: runs are compared in the compiled loop")
+FIVE_BAR = Path(__file__).parents[1] / "data" / "short_five_bar.toml"
+
+
+@pytest.mark.parametrize("name", ["andrews", "bricard", "n_four_bar"])
+def test_the_estimate_bounds_the_error(name: str) -> None:
+    """At least a third of the error that the reference shows, and not thousands of times as much."""
+    run = simulate(scene_of(name, tolerance=1e-7))
+    assert run.estimate is not None and run.accurate and run.verdict == "completed"
+    assert error_of(name, run) / 3 < run.estimate.error < 1e-7
+
+
+@pytest.mark.parametrize("tolerance", [1e-13, 1e-12, 1e-11])
+def test_at_the_tightest_tolerances_runs_are_compared_with_other_ones(tolerance: float) -> None:
+    """Below 3e-12 local tolerances are those of rounding: two such runs are one and the same, and say nothing."""
+    run = simulate(scene_of("heavy_top", tolerance=tolerance))
+    assert run.estimate is not None and 1e-15 < run.estimate.error < 1e-10
+
+
+def five_bar(duration: float, rates: tuple[float, float]) -> Scene:
+    """The five-bar that passes places where its distal rods align, again and again."""
+    start = Initial(rates={"base_left": rates[0], "base_right": rates[1]})
+    return Scene("five_bar", load_description(FIVE_BAR), (Gravity(),), duration, 50.0, start)
+
+
+def test_a_chaotic_motion_says_so_with_a_number() -> None:
+    run = simulate(five_bar(6.0, (0.5, 0.2)))
+    assert run.ok and not run.accurate
+    assert run.verdict.startswith("completed, accuracy not reached: an error of about")
+    assert "differences grew by a factor of" in run.verdict
+
+
+def test_tightening_and_halving_do_not_bring_errors_in() -> None:
+    """Adaptive and fixed steps agree to what the motion makes of rounding. With the pivots' own threshold (1e-5) errors
+    of 1e-8 to 1e-5 came in wherever a step ended near a zero of the elimination, whatever its length."""
+    scene = five_bar(2.0, (3.0, -2.5))
+    model, plant = prepare(scene)
+    library = native.Library(plant)
+    start = (*initial_state(scene, model, plant.parameters), np.zeros(len(plant.x_labels)))
+
+    def end(**how: object) -> np.ndarray:
+        integrator = replace(scene.integrator, **how)  # type: ignore[arg-type]
+        found = native.run_natively(library, replace(scene, integrator=integrator), start)
+        assert found.ok and found.counters["steps"] < 25_000
+        return found.q
+
+    tight = [end(tolerance=10.0**-k) for k in range(9, 14)]
+    fixed = [end(method="rk8", step=step) for step in (1e-3, 5e-4, 2e-4, 1e-4)]
+    middle = np.median([*tight, *fixed], axis=0)
+    assert max(np.abs(q - middle).max() for q in (*tight, *fixed)) < 3e-9
+
+
+def test_what_decides() -> None:
+    scene = five_bar(1.0, (0.0, 0.0))
+    good = Estimate(1e-9, 10.0)
+    assert verdict(scene, good, 1e-13, 1e-12) == (True, "completed")
+    assert verdict(scene, good, 1e-8, 1e-12)[1].startswith("failed: the loops are open")
+    assert verdict(scene, good, 1e-13, 0.2)[1].startswith("failed: the energy is out of balance")
+    assert verdict(scene, good, 1e-13, 1e-4)[1].startswith("completed, accuracy not reached: the energy")
+    assert not verdict(scene, Estimate(2e-8, 1e6), 1e-13, 1e-12)[0]
+    assert not verdict(scene, Estimate(float("inf")), 1e-13, 1e-12)[0]
+
+
+def test_the_exit_code_follows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "five_bar.toml").write_text(FIVE_BAR.read_text(encoding="utf-8"), encoding="utf-8")
+    text = (
+        "[scene]\nmechanism = 'five_bar.toml'\nduration = {}\n[initial.rates]\nbase_left = 0.5\n"
+        "[[effects]]\ntype = 'gravity'\n"
+    )
+    for duration, code in ((0.2, 0), (6, 1)):
+        (tmp_path / "scene.toml").write_text(text.format(duration), encoding="utf-8")
+        assert main(["simulate", str(tmp_path / "scene.toml")]) == code
+        assert ("accuracy not reached" in capsys.readouterr().out) == bool(code)
