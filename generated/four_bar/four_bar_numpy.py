@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 49837ad85f163960
+Programs: 86f6eec574493080
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -171,46 +171,41 @@ def body_poses(*arguments):
     Operations: 44 (add 21, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("body_poses", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = np.cos(x0)
-        x4 = np.sin(x0)
-        x5 = -x4
-        x6 = 0.9272952180016122 + x1
-        x7 = np.cos(x6)
-        x8 = x4 * x7
-        x9 = np.sin(x6)
-        x10 = x3 * x9
-        x11 = x8 + x10
-        x12 = 0.8 * x11
-        x13 = x4 * x9
-        x14 = x3 * x7
-        x15 = x13 - x14
-        x16 = 0.6 * x15
-        x17 = x12 - x16
-        x18 = 0.6 * x11
-        x19 = 0.8 * x15
-        x20 = x18 + x19
-        x21 = -x20
-        x22 = x4 - x20
-        x23 = 0.15 * x22
-        x24 = x3 - x17
-        x25 = 0.15 * x24
-        x26 = 0.4899573262537283 - x2
-        x27 = np.sin(x26)
-        x28 = 0.47058823529411764 * x27
-        x29 = np.cos(x26)
-        x30 = 0.8823529411764706 * x29
-        x31 = x28 + x30
-        x32 = 0.8823529411764706 * x27
-        x33 = 0.47058823529411764 * x29
-        x34 = x32 - x33
-        x35 = -x34
-        x36 = 0.64 * x31
-        x37 = 0.64 - x36
-        x38 = 0.64 * x34
-        x39 = -x38
-        return _finish(batch, ((x3, 0.0, x5, 0.0, 1.0, 0.0, x4, 0.0, x3, 0.0, 0.0, 0.0, x17, 0.0, x21, 0.0, 1.0, 0.0, x20, 0.0, x17, x23, 0.0, x25, x31, 0.0, x34, 0.0, 1.0, 0.0, x35, 0.0, x31, x37, 0.0, x39),), (), (x5, x21, x23, x25, x35, x37, x39))
+        crank_cos = np.cos(A_q)
+        crank_sin = np.sin(A_q)
+        minus_crank_sin = -crank_sin
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t2 = crank_sin * coupler_cos
+        coupler_sin = np.sin(t1)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.8 * coupler_rotation_xx
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        coupler_poses_Rxx = t4 - 0.6 * minus_coupler_rotation_xy
+        coupler_poses_Rxz = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
+        coupler_poses_Rzx = -coupler_poses_Rxz
+        coupler_poses_x = 0.15 * (crank_sin - coupler_poses_Rxz)
+        coupler_poses_z = 0.15 * (crank_cos - coupler_poses_Rxx)
+        t12 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t12)
+        t13 = 0.47058823529411764 * minus_rocker_sin
+        rocker_cos = np.cos(t12)
+        rocker_poses_Rxx = t13 + 0.8823529411764706 * rocker_cos
+        rocker_poses_Rzx = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
+        rocker_poses_Rxz = -rocker_poses_Rzx
+        rocker_poses_x = 0.64 - 0.64 * rocker_poses_Rxx
+        rocker_poses_z = -(0.64 * rocker_poses_Rzx)
+        return _finish(batch, ((crank_cos, 0.0, minus_crank_sin, 0.0, 1.0, 0.0, crank_sin, 0.0,
+            crank_cos, 0.0, 0.0, 0.0, coupler_poses_Rxx, 0.0, coupler_poses_Rzx, 0.0, 1.0, 0.0,
+            coupler_poses_Rxz, 0.0, coupler_poses_Rxx, coupler_poses_x, 0.0, coupler_poses_z,
+            rocker_poses_Rxx, 0.0, rocker_poses_Rzx, 0.0, 1.0, 0.0, rocker_poses_Rxz, 0.0,
+            rocker_poses_Rxx, rocker_poses_x, 0.0, rocker_poses_z),), (), (minus_crank_sin,
+            coupler_poses_Rzx, coupler_poses_x, coupler_poses_z, rocker_poses_Rxz, rocker_poses_x,
+            rocker_poses_z))
 
 
 def body_twists(*arguments):
@@ -233,18 +228,18 @@ def body_twists(*arguments):
     Operations: 15 (add 7, mul 5, trig 2, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = x3 + x4
-        x7 = np.cos(x0)
-        x8 = 0.15 * x7
-        x9 = x4 * x8
-        x10 = -x9
-        x11 = np.sin(x0)
-        x12 = 0.15 * x11
-        x13 = x4 * x12
-        x14 = 0.64 * x5
-        return _finish(batch, ((0.0, x3, 0.0, 0.0, 0.0, 0.0, 0.0, x6, 0.0, x10, 0.0, x13, 0.0, x5, 0.0, 0.0, 0.0, x14),), (), (x6, x10, x13, x14, x1, x2))
+        coupler_omega_z = A_v + B_v
+        coupler_twist_linear_x = -(B_v * (0.15 * np.cos(A_q)))
+        coupler_twist_linear_z = B_v * (0.15 * np.sin(A_q))
+        rocker_twist_linear_z = 0.64 * D_v
+        return _finish(batch, ((0.0, A_v, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_omega_z, 0.0,
+            coupler_twist_linear_x, 0.0, coupler_twist_linear_z, 0.0, D_v, 0.0, 0.0, 0.0,
+            rocker_twist_linear_z),), (), (coupler_omega_z, coupler_twist_linear_x,
+            coupler_twist_linear_z, rocker_twist_linear_z, B_q, D_q))
 
 
 def body_twist_rates(*arguments):
@@ -269,23 +264,22 @@ def body_twist_rates(*arguments):
     Operations: 21 (add 9, mul 9, trig 2, compare 1)
     """
     entries, batch = _entries("body_twist_rates", {"q": 3, "v": 3, "a": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
+    ) = entries
     with np.errstate(all="ignore"):
-        x9 = x6 + x7
-        x10 = np.sin(x0)
-        x11 = 0.15 * x10
-        x12 = x3 * x11
-        x13 = x4 * x12
-        x14 = np.cos(x0)
-        x15 = 0.15 * x14
-        x16 = x7 * x15
-        x17 = x13 - x16
-        x18 = x7 * x11
-        x19 = x3 * x15
-        x20 = x4 * x19
-        x21 = x18 + x20
-        x22 = 0.64 * x8
-        return _finish(batch, ((0.0, x6, 0.0, 0.0, 0.0, 0.0, 0.0, x9, 0.0, x17, 0.0, x21, 0.0, x8, 0.0, 0.0, 0.0, x22),), (), (x9, x17, x21, x22, x1, x2, x5))
+        coupler_twist_rate_angular_y = A_a + B_a
+        coupler_position_x = 0.15 * np.sin(A_q)
+        t2 = B_v * (A_v * coupler_position_x)
+        coupler_position_z = 0.15 * np.cos(A_q)
+        coupler_twist_rate_linear_x = t2 - B_a * coupler_position_z
+        coupler_twist_rate_linear_z = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
+        rocker_twist_rate_linear_z = 0.64 * D_a
+        return _finish(batch, ((0.0, A_a, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_twist_rate_angular_y,
+            0.0, coupler_twist_rate_linear_x, 0.0, coupler_twist_rate_linear_z, 0.0, D_a, 0.0, 0.0,
+            0.0, rocker_twist_rate_linear_z),), (), (coupler_twist_rate_angular_y,
+            coupler_twist_rate_linear_x, coupler_twist_rate_linear_z, rocker_twist_rate_linear_z,
+            B_q, D_q, D_v))
 
 
 def forward_kinematics(*arguments):
@@ -302,23 +296,20 @@ def forward_kinematics(*arguments):
     Operations: 17 (add 6, mul 6, trig 4, compare 1)
     """
     entries, batch = _entries("forward_kinematics", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = np.sin(x0)
-        x4 = 0.9272952180016122 + x1
-        x5 = np.cos(x4)
-        x6 = 0.25 * x5
-        x7 = 0.15 + x6
-        x8 = x3 * x7
-        x9 = np.cos(x0)
-        x10 = np.sin(x4)
-        x11 = 0.25 * x10
-        x12 = x9 * x11
-        x13 = x8 + x12
-        x14 = x9 * x7
-        x15 = x3 * x11
-        x16 = x14 - x15
-        return _finish(batch, ((x13, 0.0, x16),), (), (x13, x16, x2))
+        crank_sin = np.sin(A_q)
+        t1 = 0.9272952180016122 + B_q
+        t3 = 0.15 + 0.25 * np.cos(t1)
+        t4 = crank_sin * t3
+        crank_cos = np.cos(A_q)
+        t5 = 0.25 * np.sin(t1)
+        coupler_middle_positions_x = t4 + crank_cos * t5
+        coupler_middle_positions_z = crank_cos * t3 - crank_sin * t5
+        return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),), (),
+            (coupler_middle_positions_x, coupler_middle_positions_z, D_q))
 
 
 def point_motion(*arguments):
@@ -343,51 +334,38 @@ def point_motion(*arguments):
     Operations: 48 (add 21, mul 22, trig 4, compare 1)
     """
     entries, batch = _entries("point_motion", {"q": 3, "v": 3, "a": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
+    ) = entries
     with np.errstate(all="ignore"):
-        x9 = np.sin(x0)
-        x10 = 0.15 * x9
-        x11 = 0.9272952180016122 + x1
-        x12 = np.cos(x11)
-        x13 = x9 * x12
-        x14 = np.cos(x0)
-        x15 = np.sin(x11)
-        x16 = x14 * x15
-        x17 = x13 + x16
-        x18 = 0.25 * x17
-        x19 = x10 + x18
-        x20 = 0.15 * x14
-        x21 = x9 * x15
-        x22 = x14 * x12
-        x23 = x21 - x22
-        x24 = 0.25 * x23
-        x25 = x20 - x24
-        x26 = x4 * x20
-        x27 = x3 + x4
-        x28 = x27 * x25
-        x29 = x26 - x28
-        x30 = -x29
-        x31 = x4 * x10
-        x32 = x27 * x19
-        x33 = x31 - x32
-        x34 = x27 * x33
-        x35 = x7 * x20
-        x36 = x3 * x10
-        x37 = x4 * x36
-        x38 = x35 - x37
-        x39 = x6 + x7
-        x40 = x39 * x25
-        x41 = x38 - x40
-        x42 = x34 - x41
-        x43 = x7 * x10
-        x44 = x3 * x20
-        x45 = x4 * x44
-        x46 = x43 + x45
-        x47 = x39 * x19
-        x48 = x46 - x47
-        x49 = x27 * x29
-        x50 = x48 + x49
-        return _finish(batch, ((x19, 0.0, x25), (x30, 0.0, x33), (x42, 0.0, x50)), (), (x30, x42, x50, x2, x5, x8))
+        crank_sin = np.sin(A_q)
+        coupler_position_x = 0.15 * crank_sin
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t2 = crank_sin * coupler_cos
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
+        coupler_middle_positions_x = coupler_position_x + 0.25 * (t2 + crank_cos * coupler_sin)
+        coupler_position_z = 0.15 * crank_cos
+        coupler_middle_positions_z = coupler_position_z - 0.25 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
+        minus_coupler_twist_linear_x = B_v * coupler_position_z
+        coupler_omega_z = A_v + B_v
+        t9 = minus_coupler_twist_linear_x - coupler_omega_z * coupler_middle_positions_z
+        coupler_middle_velocities_x = -t9
+        coupler_middle_velocities_z = B_v * coupler_position_x - coupler_omega_z * coupler_middle_positions_x
+        t11 = coupler_omega_z * coupler_middle_velocities_z
+        minus_coupler_twist_rate_linear_x = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
+        coupler_twist_rate_angular_y = A_a + B_a
+        t16 = minus_coupler_twist_rate_linear_x - coupler_twist_rate_angular_y * coupler_middle_positions_z
+        coupler_middle_accelerations_x = t11 - t16
+        coupler_twist_rate_linear_z = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
+        t21 = coupler_twist_rate_linear_z - coupler_twist_rate_angular_y * coupler_middle_positions_x
+        coupler_middle_accelerations_z = t21 + coupler_omega_z * t9
+        return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),
+            (coupler_middle_velocities_x, 0.0, coupler_middle_velocities_z),
+            (coupler_middle_accelerations_x, 0.0, coupler_middle_accelerations_z)), (),
+            (coupler_middle_velocities_x, coupler_middle_accelerations_x,
+            coupler_middle_accelerations_z, D_q, D_v, D_a))
 
 
 def joint_screws(*arguments):
@@ -408,27 +386,25 @@ def joint_screws(*arguments):
     Operations: 22 (add 9, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("joint_screws", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = np.cos(x0)
-        x4 = 0.15 * x3
-        x5 = -x4
-        x6 = np.sin(x0)
-        x7 = 0.15 * x6
-        x8 = 0.9272952180016122 + x1
-        x9 = np.sin(x8)
-        x10 = x6 * x9
-        x11 = np.cos(x8)
-        x12 = x3 * x11
-        x13 = x10 - x12
-        x14 = 0.5 * x13
-        x15 = x14 - x4
-        x16 = x6 * x11
-        x17 = x3 * x9
-        x18 = x16 + x17
-        x19 = 0.5 * x18
-        x20 = x7 + x19
-        return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x5, 0.0, x7, 0.0, 1.0, 0.0, x15, 0.0, x20, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x5, x15, x20, x2))
+        crank_cos = np.cos(A_q)
+        coupler_position_z = 0.15 * crank_cos
+        minus_coupler_position_z = -coupler_position_z
+        crank_sin = np.sin(A_q)
+        coupler_position_x = 0.15 * crank_sin
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        t2 = crank_sin * coupler_sin
+        coupler_cos = np.cos(t1)
+        C_screws_vx = 0.5 * (t2 - crank_cos * coupler_cos) - coupler_position_z
+        C_screws_vz = coupler_position_x + 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin)
+        return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            minus_coupler_position_z, 0.0, coupler_position_x, 0.0, 1.0, 0.0, C_screws_vx, 0.0,
+            C_screws_vz, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (minus_coupler_position_z,
+            C_screws_vx, C_screws_vz, D_q))
 
 
 def joint_points(*arguments):
@@ -446,26 +422,22 @@ def joint_points(*arguments):
     Operations: 20 (add 7, mul 8, trig 4, compare 1)
     """
     entries, batch = _entries("joint_points", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = np.sin(x0)
-        x4 = 0.15 * x3
-        x5 = np.cos(x0)
-        x6 = 0.15 * x5
-        x7 = 0.9272952180016122 + x1
-        x8 = np.cos(x7)
-        x9 = x3 * x8
-        x10 = np.sin(x7)
-        x11 = x5 * x10
-        x12 = x9 + x11
-        x13 = 0.5 * x12
-        x14 = x4 + x13
-        x15 = x3 * x10
-        x16 = x5 * x8
-        x17 = x15 - x16
-        x18 = 0.5 * x17
-        x19 = x6 - x18
-        return _finish(batch, ((0.0, 0.0, 0.0, x4, 0.0, x6, x14, 0.0, x19, 0.64, 0.0, 0.0),), (), (x14, x19, x2))
+        crank_sin = np.sin(A_q)
+        coupler_position_x = 0.15 * crank_sin
+        crank_cos = np.cos(A_q)
+        coupler_position_z = 0.15 * crank_cos
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t2 = crank_sin * coupler_cos
+        coupler_sin = np.sin(t1)
+        C_points_x = coupler_position_x + 0.5 * (t2 + crank_cos * coupler_sin)
+        C_points_z = coupler_position_z - 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
+        return _finish(batch, ((0.0, 0.0, 0.0, coupler_position_x, 0.0, coupler_position_z,
+            C_points_x, 0.0, C_points_z, 0.64, 0.0, 0.0),), (), (C_points_x, C_points_z, D_q))
 
 
 def platform_jacobian(*arguments):
@@ -483,9 +455,12 @@ def platform_jacobian(*arguments):
     Operations: 3 (add 2, compare 1)
     """
     entries, batch = _entries("platform_jacobian", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (x0, x1, x2))
+        return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            1.0, 0.0, 0.0, 0.0, 0.64),), (), (A_q, B_q, D_q))
 
 
 def joint_displacements(*arguments):
@@ -500,40 +475,15 @@ def joint_displacements(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 32 (add 12, mul 12, trig 7, compare 1)
+    Operations: 4 (add 3, compare 1)
     """
     entries, batch = _entries("joint_displacements", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.sin(x3)
-        x5 = np.cos(x0)
-        x6 = 0.4899573262537283 - x2
-        x7 = np.cos(x6)
-        x8 = 0.15294117647058825 * x7
-        x9 = np.sin(x6)
-        x10 = 0.9882352941176471 * x9
-        x11 = x8 + x10
-        x12 = x5 * x11
-        x13 = np.sin(x0)
-        x14 = 0.15294117647058825 * x9
-        x15 = 0.9882352941176471 * x7
-        x16 = x14 - x15
-        x17 = x13 * x16
-        x18 = x12 - x17
-        x19 = x4 * x18
-        x20 = np.cos(x3)
-        x21 = x13 * x11
-        x22 = x5 * x16
-        x23 = x21 + x22
-        x24 = x20 * x23
-        x25 = x19 + x24
-        x26 = -x25
-        x27 = x20 * x18
-        x28 = x4 * x23
-        x29 = x27 - x28
-        x30 = np.arctan2(x26, x29)
-        return _finish(batch, ((x0, x1, x30, x2),), (), (x30, x0, x1, x2))
+        C_displacements = -(B_q + (A_q - D_q))
+        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), (), (C_displacements,))
 
 
 def joint_rates(*arguments):
@@ -552,11 +502,12 @@ def joint_rates(*arguments):
     Operations: 6 (add 5, compare 1)
     """
     entries, batch = _entries("joint_rates", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = x3 + x4
-        x7 = x5 - x6
-        return _finish(batch, ((x3, x4, x7, x5),), (), (x7, x0, x1, x2))
+        C_rates = D_v - (A_v + B_v)
+        return _finish(batch, ((A_v, B_v, C_rates, D_v),), (), (C_rates, A_q, B_q, D_q))
 
 
 def drive_rates(*arguments):
@@ -575,9 +526,11 @@ def drive_rates(*arguments):
     Operations: 6 (add 5, compare 1)
     """
     entries, batch = _entries("drive_rates", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((x3,),), (), (x0, x1, x2, x3, x4, x5))
+        return _finish(batch, ((A_v,),), (), (A_q, B_q, D_q, A_v, B_v, D_v))
 
 
 def closure(*arguments):
@@ -594,41 +547,27 @@ def closure(*arguments):
     Operations: 34 (add 13, mul 14, trig 6, compare 1)
     """
     entries, batch = _entries("closure", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = np.sin(x0)
-        x4 = 0.9272952180016122 + x1
-        x5 = np.cos(x4)
-        x6 = x3 * x5
-        x7 = np.cos(x0)
-        x8 = np.sin(x4)
-        x9 = x7 * x8
-        x10 = x6 + x9
-        x11 = 0.15 * x3
-        x12 = 0.5 * x10
-        x13 = x11 + x12
-        x14 = 0.4899573262537283 - x2
-        x15 = np.sin(x14)
-        x16 = 0.51 * x15
-        x17 = 0.64 - x16
-        x18 = x13 - x17
-        x19 = x10 * x18
-        x20 = x3 * x8
-        x21 = x7 * x5
-        x22 = x20 - x21
-        x23 = 0.15 * x7
-        x24 = 0.5 * x22
-        x25 = x23 - x24
-        x26 = np.cos(x14)
-        x27 = 0.51 * x26
-        x28 = x25 - x27
-        x29 = x22 * x28
-        x30 = x19 - x29
-        x31 = x22 * x18
-        x32 = x10 * x28
-        x33 = x31 + x32
-        x34 = -x33
-        return _finish(batch, ((x30, x34, 0.0, 0.0, 0.0),), (), (x30, x34))
+        crank_sin = np.sin(A_q)
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t2 = crank_sin * coupler_cos
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t5 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx
+        t6 = 0.4899573262537283 - D_q
+        t9 = t5 - (0.64 - 0.51 * np.sin(t6))
+        t10 = coupler_rotation_xx * t9
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t16 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - 0.51 * np.cos(t6)
+        C_opening_fx = t10 - minus_coupler_rotation_xy * t16
+        C_opening_fy = -(minus_coupler_rotation_xy * t9 + coupler_rotation_xx * t16)
+        return _finish(batch, ((C_opening_fx, C_opening_fy, 0.0, 0.0, 0.0),), (), (C_opening_fx,
+            C_opening_fy))
 
 
 def closure_jacobian(*arguments):
@@ -644,34 +583,30 @@ def closure_jacobian(*arguments):
     Operations: 29 (add 10, mul 12, trig 6, compare 1)
     """
     entries, batch = _entries("closure_jacobian", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.sin(x3)
-        x5 = 0.15 * x4
-        x6 = np.cos(x3)
-        x7 = 0.15 * x6
-        x8 = 0.5 + x7
-        x9 = np.sin(x0)
-        x10 = x9 * x4
-        x11 = np.cos(x0)
-        x12 = x11 * x6
-        x13 = x10 - x12
-        x14 = 0.4899573262537283 - x2
-        x15 = np.sin(x14)
-        x16 = 0.51 * x15
-        x17 = x13 * x16
-        x18 = x9 * x6
-        x19 = x11 * x4
-        x20 = x18 + x19
-        x21 = np.cos(x14)
-        x22 = 0.51 * x21
-        x23 = x20 * x22
-        x24 = x17 - x23
-        x25 = x13 * x22
-        x26 = x20 * x16
-        x27 = x25 + x26
-        return _finish(batch, ((x5, x8, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, x24, x27, 0.0, 0.0, 0.0),), (), (x5, x8, x24, x27))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        coupler_cos = np.cos(t1)
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_sin = np.sin(A_q)
+        t3 = crank_sin * coupler_sin
+        crank_cos = np.cos(A_q)
+        minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
+        t5 = 0.4899573262537283 - D_q
+        t6 = 0.51 * np.sin(t5)
+        t7 = minus_coupler_rotation_xy * t6
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t10 = 0.51 * np.cos(t5)
+        C_closure_fx_by_D = t7 - coupler_rotation_xx * t10
+        C_closure_fy_by_D = minus_coupler_rotation_xy * t10 + coupler_rotation_xx * t6
+        return _finish(batch, ((crank_lever_moment_z_by_C_fx, crank_lever_moment_z_by_C_fy, 0.0,
+            0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0,
+            0.0),), (), (crank_lever_moment_z_by_C_fx, crank_lever_moment_z_by_C_fy,
+            C_closure_fx_by_D, C_closure_fy_by_D))
 
 
 def closure_bias(*arguments):
@@ -690,43 +625,32 @@ def closure_bias(*arguments):
     Operations: 36 (add 11, mul 18, trig 6, compare 1)
     """
     entries, batch = _entries("closure_bias", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = 0.9272952180016122 + x1
-        x7 = np.cos(x6)
-        x8 = np.cos(x0)
-        x9 = 0.4899573262537283 - x2
-        x10 = np.cos(x9)
-        x11 = x5 * x5
-        x12 = 0.51 * x11
-        x13 = x10 * x12
-        x14 = x8 * x13
-        x15 = np.sin(x0)
-        x16 = np.sin(x9)
-        x17 = x16 * x12
-        x18 = x15 * x17
-        x19 = x14 - x18
-        x20 = x7 * x19
-        x21 = np.sin(x6)
-        x22 = x15 * x13
-        x23 = x8 * x17
-        x24 = x22 + x23
-        x25 = x21 * x24
-        x26 = x20 - x25
-        x27 = x3 * x3
-        x28 = 0.15 * x27
-        x29 = x7 * x28
-        x30 = x3 + x4
-        x31 = x30 * x30
-        x32 = 0.5 * x31
-        x33 = x29 + x32
-        x34 = x26 - x33
-        x35 = x21 * x28
-        x36 = x21 * x19
-        x37 = x7 * x24
-        x38 = x36 + x37
-        x39 = x35 - x38
-        return _finish(batch, ((x34, x39, 0.0, 0.0, 0.0),), (), (x34, x39))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        crank_cos = np.cos(A_q)
+        t2 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t2)
+        t3 = 0.51 * (D_v * D_v)
+        t4 = rocker_cos * t3
+        t5 = crank_cos * t4
+        crank_sin = np.sin(A_q)
+        t6 = np.sin(t2) * t3
+        t8 = t5 - crank_sin * t6
+        t9 = coupler_cos * t8
+        coupler_sin = np.sin(t1)
+        t12 = crank_sin * t4 + crank_cos * t6
+        t14 = t9 - coupler_sin * t12
+        t15 = 0.15 * (A_v * A_v)
+        minus_coupler_acc_still_x = coupler_cos * t15
+        coupler_omega_z = A_v + B_v
+        C_opening_bias_fx = t14 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
+        C_opening_bias_fy = coupler_sin * t15 - (coupler_sin * t8 + coupler_cos * t12)
+        return _finish(batch, ((C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0),), (),
+            (C_opening_bias_fx, C_opening_bias_fy))
 
 
 def velocity(*arguments):
@@ -748,41 +672,30 @@ def velocity(*arguments):
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
     entries, batch = _entries("velocity", {"q": 3, "y_dot": 1}, arguments)
-    x0, x1, x2, x3, = entries
+    (
+        A_q, B_q, D_q, A_y_dot,
+    ) = entries
     with np.errstate(all="ignore"):
-        x4 = 0.9272952180016122 + x1
-        x5 = np.cos(x4)
-        x6 = 0.15 * x5
-        x7 = 0.5 + x6
-        x8 = x7 * x3
-        x9 = np.sin(x0)
-        x10 = np.sin(x4)
-        x11 = x9 * x10
-        x12 = np.cos(x0)
-        x13 = x12 * x5
-        x14 = x11 - x13
-        x15 = 0.4899573262537283 - x2
-        x16 = np.cos(x15)
-        x17 = 0.51 * x16
-        x18 = x14 * x17
-        x19 = x9 * x5
-        x20 = x12 * x10
-        x21 = x19 + x20
-        x22 = np.sin(x15)
-        x23 = 0.51 * x22
-        x24 = x21 * x23
-        x25 = x18 + x24
-        x26 = 0.15 * x10
-        x27 = x26 * x3
-        x28 = x21 * x17
-        x29 = x14 * x23
-        x30 = x28 - x29
-        x31 = x27 / x30
-        x32 = x25 * x31
-        x33 = x8 + x32
-        x34 = 2.0 * x33
-        x35 = -x34
-        return _finish(batch, ((x3, x35, x31),), ((x30, 3.01689e-10),), (x30, x35))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t3 = (0.5 + 0.15 * coupler_cos) * A_y_dot
+        crank_sin = np.sin(A_q)
+        coupler_sin = np.sin(t1)
+        t4 = crank_sin * coupler_sin
+        crank_cos = np.cos(A_q)
+        minus_coupler_rotation_xy = t4 - crank_cos * coupler_cos
+        t6 = 0.4899573262537283 - D_q
+        t7 = 0.51 * np.cos(t6)
+        t8 = minus_coupler_rotation_xy * t7
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t11 = 0.51 * np.sin(t6)
+        C_closure_fy_by_D = t8 + coupler_rotation_xx * t11
+        t13 = 0.15 * coupler_sin * A_y_dot
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t7 - minus_coupler_rotation_xy * t11
+        D_joint_rate = t13 / minus_C_closure_fx_by_D
+        B_joint_rate = -(2.0 * (t3 + C_closure_fy_by_D * D_joint_rate))
+        return _finish(batch, ((A_y_dot, B_joint_rate, D_joint_rate),), ((minus_C_closure_fx_by_D,
+            3.01689e-10),), (minus_C_closure_fx_by_D, B_joint_rate))
 
 
 def null_space(*arguments):
@@ -802,39 +715,30 @@ def null_space(*arguments):
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
     entries, batch = _entries("null_space", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.cos(x3)
-        x5 = 0.15 * x4
-        x6 = 0.5 + x5
-        x7 = np.sin(x0)
-        x8 = np.sin(x3)
-        x9 = x7 * x8
-        x10 = np.cos(x0)
-        x11 = x10 * x4
-        x12 = x9 - x11
-        x13 = 0.4899573262537283 - x2
-        x14 = np.cos(x13)
-        x15 = 0.51 * x14
-        x16 = x12 * x15
-        x17 = x7 * x4
-        x18 = x10 * x8
-        x19 = x17 + x18
-        x20 = np.sin(x13)
-        x21 = 0.51 * x20
-        x22 = x19 * x21
-        x23 = x16 + x22
-        x24 = 0.15 * x8
-        x25 = x19 * x15
-        x26 = x12 * x21
-        x27 = x25 - x26
-        x28 = x24 / x27
-        x29 = x23 * x28
-        x30 = x6 + x29
-        x31 = 2.0 * x30
-        x32 = -x31
-        return _finish(batch, ((1.0, x32, x28),), ((x27, 3.01689e-10),), (x27, x32))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_sin = np.sin(A_q)
+        coupler_sin = np.sin(t1)
+        t3 = crank_sin * coupler_sin
+        crank_cos = np.cos(A_q)
+        minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
+        t5 = 0.4899573262537283 - D_q
+        t6 = 0.51 * np.cos(t5)
+        t7 = minus_coupler_rotation_xy * t6
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t10 = 0.51 * np.sin(t5)
+        C_closure_fy_by_D = t7 + coupler_rotation_xx * t10
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t6 - minus_coupler_rotation_xy * t10
+        D_null_space_by_A = crank_lever_moment_z_by_C_fx / minus_C_closure_fx_by_D
+        B_null_space_by_A = -(2.0 * (crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A))
+        return _finish(batch, ((1.0, B_null_space_by_A, D_null_space_by_A),),
+            ((minus_C_closure_fx_by_D, 3.01689e-10),), (minus_C_closure_fx_by_D, B_null_space_by_A))
 
 
 def acceleration(*arguments):
@@ -858,69 +762,45 @@ def acceleration(*arguments):
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
     entries, batch = _entries("acceleration", {"q": 3, "v": 3, "y_ddot": 1}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_y_ddot,
+    ) = entries
     with np.errstate(all="ignore"):
-        x7 = 0.9272952180016122 + x1
-        x8 = np.sin(x7)
-        x9 = x3 * x3
-        x10 = 0.15 * x9
-        x11 = x8 * x10
-        x12 = np.cos(x0)
-        x13 = 0.4899573262537283 - x2
-        x14 = np.cos(x13)
-        x15 = x5 * x5
-        x16 = 0.51 * x15
-        x17 = x14 * x16
-        x18 = x12 * x17
-        x19 = np.sin(x0)
-        x20 = np.sin(x13)
-        x21 = x20 * x16
-        x22 = x19 * x21
-        x23 = x18 - x22
-        x24 = x8 * x23
-        x25 = np.cos(x7)
-        x26 = x19 * x17
-        x27 = x12 * x21
-        x28 = x26 + x27
-        x29 = x25 * x28
-        x30 = x24 + x29
-        x31 = x11 - x30
-        x32 = 0.15 * x25
-        x33 = 0.5 + x32
-        x34 = x33 * x6
-        x35 = x31 + x34
-        x36 = x19 * x8
-        x37 = x12 * x25
-        x38 = x36 - x37
-        x39 = 0.51 * x14
-        x40 = x38 * x39
-        x41 = x19 * x25
-        x42 = x12 * x8
-        x43 = x41 + x42
-        x44 = 0.51 * x20
-        x45 = x43 * x44
-        x46 = x40 + x45
-        x47 = x25 * x23
-        x48 = x8 * x28
-        x49 = x47 - x48
-        x50 = x25 * x10
-        x51 = x3 + x4
-        x52 = x51 * x51
-        x53 = 0.5 * x52
-        x54 = x50 + x53
-        x55 = x49 - x54
-        x56 = 0.15 * x8
-        x57 = x56 * x6
-        x58 = x55 + x57
-        x59 = x43 * x39
-        x60 = x38 * x44
-        x61 = x59 - x60
-        x62 = x58 / x61
-        x63 = x46 * x62
-        x64 = x35 + x63
-        x65 = 2.0 * x64
-        x66 = -x65
-        return _finish(batch, ((x6, x66, x62),), ((x61, 3.01689e-10),), (x61, x66))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        t2 = 0.15 * (A_v * A_v)
+        coupler_acc_still_y = coupler_sin * t2
+        crank_cos = np.cos(A_q)
+        t3 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t3)
+        t4 = 0.51 * (D_v * D_v)
+        t5 = rocker_cos * t4
+        t6 = crank_cos * t5
+        crank_sin = np.sin(A_q)
+        minus_rocker_sin = np.sin(t3)
+        t7 = minus_rocker_sin * t4
+        t9 = t6 - crank_sin * t7
+        t10 = coupler_sin * t9
+        coupler_cos = np.cos(t1)
+        t13 = crank_sin * t5 + crank_cos * t7
+        C_opening_bias_fy = coupler_acc_still_y - (t10 + coupler_cos * t13)
+        t18 = C_opening_bias_fy + (0.5 + 0.15 * coupler_cos) * A_y_ddot
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t21 = 0.51 * rocker_cos
+        t22 = minus_coupler_rotation_xy * t21
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t25 = 0.51 * minus_rocker_sin
+        C_closure_fy_by_D = t22 + coupler_rotation_xx * t25
+        t29 = coupler_cos * t9 - coupler_sin * t13
+        minus_coupler_acc_still_x = coupler_cos * t2
+        coupler_omega_z = A_v + B_v
+        C_opening_bias_fx = t29 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
+        t33 = C_opening_bias_fx + 0.15 * coupler_sin * A_y_ddot
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t21 - minus_coupler_rotation_xy * t25
+        D_joint_acc = t33 / minus_C_closure_fx_by_D
+        B_joint_acc = -(2.0 * (t18 + C_closure_fy_by_D * D_joint_acc))
+        return _finish(batch, ((A_y_ddot, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
+            3.01689e-10),), (minus_C_closure_fx_by_D, B_joint_acc))
 
 
 def momentum_screws(*arguments):
@@ -945,105 +825,63 @@ def momentum_screws(*arguments):
     Operations: 103 (add 45, mul 51, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_screws", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = np.cos(x0)
-        x7 = 0.075 * x6
-        x8 = x3 * x7
-        x9 = 0.5 * x8
-        x10 = np.sin(x0)
-        x11 = 0.075 * x10
-        x12 = x3 * x11
-        x13 = 0.5 * x12
-        x14 = -x13
-        x15 = x7 * x9
-        x16 = x11 * x13
-        x17 = x15 + x16
-        x18 = 0.0009375 * x3
-        x19 = x17 + x18
-        x20 = 0.15 * x6
-        x21 = x4 * x20
-        x22 = x3 + x4
-        x23 = 0.9272952180016122 + x1
-        x24 = np.cos(x23)
-        x25 = x10 * x24
-        x26 = np.sin(x23)
-        x27 = x6 * x26
-        x28 = x25 + x27
-        x29 = 0.8 * x28
-        x30 = x10 * x26
-        x31 = x6 * x24
-        x32 = x30 - x31
-        x33 = 0.6 * x32
-        x34 = x29 - x33
-        x35 = 0.15 * x34
-        x36 = x20 - x35
-        x37 = 0.6 * x28
-        x38 = 0.8 * x32
-        x39 = x37 + x38
-        x40 = 0.2 * x39
-        x41 = 0.3 * x34
-        x42 = x40 - x41
-        x43 = x36 - x42
-        x44 = x22 * x43
-        x45 = x21 - x44
-        x46 = 1.2 * x45
-        x47 = -x46
-        x48 = 0.15 * x10
-        x49 = x4 * x48
-        x50 = 0.15 * x39
-        x51 = x48 - x50
-        x52 = 0.2 * x34
-        x53 = 0.3 * x39
-        x54 = x52 + x53
-        x55 = x51 + x54
-        x56 = x22 * x55
-        x57 = x49 - x56
-        x58 = 1.2 * x57
-        x59 = x43 * x46
-        x60 = x55 * x58
-        x61 = x59 + x60
-        x62 = 0.025 * x22
-        x63 = x61 - x62
-        x64 = -x63
-        x65 = 0.4899573262537283 - x2
-        x66 = np.sin(x65)
-        x67 = 0.8823529411764706 * x66
-        x68 = np.cos(x65)
-        x69 = 0.47058823529411764 * x68
-        x70 = x67 - x69
-        x71 = 0.64 * x70
-        x72 = 0.52 * x70
-        x73 = 0.47058823529411764 * x66
-        x74 = 0.8823529411764706 * x68
-        x75 = x73 + x74
-        x76 = 0.225 * x75
-        x77 = x72 + x76
-        x78 = x71 - x77
-        x79 = x5 * x78
-        x80 = 1.2 * x79
-        x81 = -x80
-        x82 = 0.64 * x75
-        x83 = 0.64 - x82
-        x84 = 0.52 * x75
-        x85 = 0.225 * x70
-        x86 = x84 - x85
-        x87 = x83 + x86
-        x88 = 0.64 - x87
-        x89 = x5 * x88
-        x90 = 1.2 * x89
-        x91 = 0.02601 * x5
-        x92 = x78 * x80
-        x93 = x87 * x90
-        x94 = x92 - x93
-        x95 = x91 + x94
-        x96 = x9 - x46
-        x97 = x96 - x80
-        x98 = x13 - x58
-        x99 = x90 - x98
-        x100 = x19 - x63
-        x101 = x100 + x95
-        return _finish(batch, ((x9, 0.0, x14, 0.0, x19, 0.0, x47, 0.0, x58, 0.0, x64, 0.0, x81, 0.0, x90, 0.0, x95, 0.0), (x97, 0.0, x99, 0.0, x101, 0.0)), (), (x14, x47, x64, x81, x97, x99, x101))
+        crank_cos = np.cos(A_q)
+        t1 = 0.075 * crank_cos
+        crank_momentum_force_x = 0.5 * (A_v * t1)
+        crank_sin = np.sin(A_q)
+        t3 = 0.075 * crank_sin
+        minus_crank_momentum_force_z = 0.5 * (A_v * t3)
+        crank_momentum_force_z = -minus_crank_momentum_force_z
+        crank_momentum_moment_y = t1 * crank_momentum_force_x + t3 * minus_crank_momentum_force_z + 0.0009375 * A_v
+        coupler_position_z = 0.15 * crank_cos
+        minus_coupler_twist_linear_x = B_v * coupler_position_z
+        coupler_omega_z = A_v + B_v
+        t9 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t9)
+        t10 = crank_sin * coupler_cos
+        coupler_sin = np.sin(t9)
+        coupler_rotation_xx = t10 + crank_cos * coupler_sin
+        t12 = 0.8 * coupler_rotation_xx
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t16 = t12 - 0.6 * minus_coupler_rotation_xy
+        t18 = coupler_position_z - 0.15 * t16
+        t21 = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
+        t25 = t18 - (0.2 * t21 - 0.3 * t16)
+        minus_coupler_momentum_force_x = 1.2 * (minus_coupler_twist_linear_x - coupler_omega_z * t25)
+        coupler_momentum_force_x = -minus_coupler_momentum_force_x
+        coupler_position_x = 0.15 * crank_sin
+        coupler_twist_linear_z = B_v * coupler_position_x
+        t33 = coupler_position_x - 0.15 * t21 + (0.2 * t16 + 0.3 * t21)
+        coupler_momentum_force_z = 1.2 * (coupler_twist_linear_z - coupler_omega_z * t33)
+        minus_coupler_momentum_moment_y = t25 * minus_coupler_momentum_force_x + t33 * coupler_momentum_force_z - 0.025 * coupler_omega_z
+        coupler_momentum_moment_y = -minus_coupler_momentum_moment_y
+        t40 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t40)
+        t41 = 0.8823529411764706 * minus_rocker_sin
+        rocker_cos = np.cos(t40)
+        t43 = t41 - 0.47058823529411764 * rocker_cos
+        t44 = 0.64 * t43
+        t45 = 0.52 * t43
+        t48 = 0.47058823529411764 * minus_rocker_sin + 0.8823529411764706 * rocker_cos
+        t51 = t44 - (t45 + 0.225 * t48)
+        minus_rocker_momentum_force_x = 1.2 * (D_v * t51)
+        rocker_momentum_force_x = -minus_rocker_momentum_force_x
+        t58 = 0.64 - 0.64 * t48 + (0.52 * t48 - 0.225 * t43)
+        rocker_momentum_force_z = 1.2 * (D_v * (0.64 - t58))
+        rocker_momentum_moment_y = 0.02601 * D_v + (t51 * minus_rocker_momentum_force_x - t58 * rocker_momentum_force_z)
+        px_total = crank_momentum_force_x - minus_coupler_momentum_force_x - minus_rocker_momentum_force_x
+        pz_total = rocker_momentum_force_z - (minus_crank_momentum_force_z - coupler_momentum_force_z)
+        Ly_total = crank_momentum_moment_y - minus_coupler_momentum_moment_y + rocker_momentum_moment_y
+        return _finish(batch, ((crank_momentum_force_x, 0.0, crank_momentum_force_z, 0.0,
+            crank_momentum_moment_y, 0.0, coupler_momentum_force_x, 0.0, coupler_momentum_force_z,
+            0.0, coupler_momentum_moment_y, 0.0, rocker_momentum_force_x, 0.0,
+            rocker_momentum_force_z, 0.0, rocker_momentum_moment_y, 0.0), (px_total, 0.0, pz_total,
+            0.0, Ly_total, 0.0)), (), (crank_momentum_force_z, coupler_momentum_force_x,
+            coupler_momentum_moment_y, rocker_momentum_force_x, px_total, pz_total, Ly_total))
 
 
 def momentum_rates(*arguments):
@@ -1067,140 +905,79 @@ def momentum_rates(*arguments):
     Operations: 140 (add 54, mul 79, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_rates", {"q": 3, "v": 3, "a": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
+    ) = entries
     with np.errstate(all="ignore"):
-        x9 = np.cos(x0)
-        x10 = 0.075 * x9
-        x11 = x6 * x10
-        x12 = 0.5 * x11
-        x13 = np.sin(x0)
-        x14 = 0.075 * x13
-        x15 = x3 * x14
-        x16 = 0.5 * x15
-        x17 = x3 * x16
-        x18 = x12 - x17
-        x19 = x3 * x10
-        x20 = 0.5 * x19
-        x21 = x3 * x20
-        x22 = x6 * x14
-        x23 = 0.5 * x22
-        x24 = x21 + x23
-        x25 = -x24
-        x26 = x10 * x12
-        x27 = x14 * x23
-        x28 = x26 + x27
-        x29 = 0.0009375 * x6
-        x30 = x28 + x29
-        x31 = x3 + x4
-        x32 = 0.15 * x13
-        x33 = x4 * x32
-        x34 = 0.9272952180016122 + x1
-        x35 = np.cos(x34)
-        x36 = x13 * x35
-        x37 = np.sin(x34)
-        x38 = x9 * x37
-        x39 = x36 + x38
-        x40 = 0.6 * x39
-        x41 = x13 * x37
-        x42 = x9 * x35
-        x43 = x41 - x42
-        x44 = 0.8 * x43
-        x45 = x40 + x44
-        x46 = 0.15 * x45
-        x47 = x32 - x46
-        x48 = 0.8 * x39
-        x49 = 0.6 * x43
-        x50 = x48 - x49
-        x51 = 0.2 * x50
-        x52 = 0.3 * x45
-        x53 = x51 + x52
-        x54 = x47 + x53
-        x55 = x31 * x54
-        x56 = x33 - x55
-        x57 = 1.2 * x56
-        x58 = x31 * x57
-        x59 = 0.15 * x9
-        x60 = x7 * x59
-        x61 = x3 * x32
-        x62 = x4 * x61
-        x63 = x60 - x62
-        x64 = x6 + x7
-        x65 = 0.15 * x50
-        x66 = x59 - x65
-        x67 = 0.2 * x45
-        x68 = 0.3 * x50
-        x69 = x67 - x68
-        x70 = x66 - x69
-        x71 = x64 * x70
-        x72 = x63 - x71
-        x73 = 1.2 * x72
-        x74 = x58 - x73
-        x75 = x4 * x59
-        x76 = x31 * x70
-        x77 = x75 - x76
-        x78 = 1.2 * x77
-        x79 = x31 * x78
-        x80 = x7 * x32
-        x81 = x3 * x59
-        x82 = x4 * x81
-        x83 = x80 + x82
-        x84 = x64 * x54
-        x85 = x83 - x84
-        x86 = 1.2 * x85
-        x87 = x79 + x86
-        x88 = x33 * x78
-        x89 = x75 * x57
-        x90 = x88 - x89
-        x91 = x70 * x73
-        x92 = x54 * x86
-        x93 = x91 + x92
-        x94 = 0.025 * x64
-        x95 = x93 - x94
-        x96 = x90 + x95
-        x97 = -x96
-        x98 = 0.64 * x5
-        x99 = 0.4899573262537283 - x2
-        x100 = np.sin(x99)
-        x101 = 0.47058823529411764 * x100
-        x102 = np.cos(x99)
-        x103 = 0.8823529411764706 * x102
-        x104 = x101 + x103
-        x105 = 0.64 * x104
-        x106 = 0.64 - x105
-        x107 = 0.52 * x104
-        x108 = 0.8823529411764706 * x100
-        x109 = 0.47058823529411764 * x102
-        x110 = x108 - x109
-        x111 = 0.225 * x110
-        x112 = x107 - x111
-        x113 = x106 + x112
-        x114 = x5 * x113
-        x115 = x98 - x114
-        x116 = 1.2 * x115
-        x117 = x5 * x116
-        x118 = 0.64 * x110
-        x119 = 0.52 * x110
-        x120 = 0.225 * x104
-        x121 = x119 + x120
-        x122 = x118 - x121
-        x123 = x8 * x122
-        x124 = 1.2 * x123
-        x125 = x117 - x124
-        x126 = x5 * x122
-        x127 = 1.2 * x126
-        x128 = x5 * x127
-        x129 = 0.64 - x113
-        x130 = x8 * x129
-        x131 = 1.2 * x130
-        x132 = x128 + x131
-        x133 = 0.02601 * x8
-        x134 = x122 * x124
-        x135 = x113 * x131
-        x136 = x134 - x135
-        x137 = x133 + x136
-        x138 = x98 * x127
-        x139 = x137 - x138
-        return _finish(batch, ((x18, 0.0, x25, 0.0, x30, 0.0, x74, 0.0, x87, 0.0, x97, 0.0, x125, 0.0, x132, 0.0, x139, 0.0),), (), (x18, x25, x30, x74, x87, x97, x125, x132, x139))
+        crank_cos = np.cos(A_q)
+        t1 = 0.075 * crank_cos
+        t3 = 0.5 * (A_a * t1)
+        crank_sin = np.sin(A_q)
+        t4 = 0.075 * crank_sin
+        crank_rate_at_O_force_x = t3 - A_v * (0.5 * (A_v * t4))
+        t8 = A_v * (0.5 * (A_v * t1))
+        t10 = 0.5 * (A_a * t4)
+        crank_rate_at_O_force_z = -(t8 + t10)
+        crank_rate_at_O_moment_y = t1 * t3 + t4 * t10 + 0.0009375 * A_a
+        coupler_omega_z = A_v + B_v
+        coupler_position_x = 0.15 * crank_sin
+        coupler_twist_linear_z = B_v * coupler_position_x
+        t15 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t15)
+        t16 = crank_sin * coupler_cos
+        coupler_sin = np.sin(t15)
+        coupler_rotation_xx = t16 + crank_cos * coupler_sin
+        t18 = 0.6 * coupler_rotation_xx
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t22 = t18 + 0.8 * minus_coupler_rotation_xy
+        t24 = coupler_position_x - 0.15 * t22
+        t27 = 0.8 * coupler_rotation_xx - 0.6 * minus_coupler_rotation_xy
+        t31 = t24 + (0.2 * t27 + 0.3 * t22)
+        coupler_momentum_force_z = 1.2 * (coupler_twist_linear_z - coupler_omega_z * t31)
+        t34 = coupler_omega_z * coupler_momentum_force_z
+        coupler_position_z = 0.15 * crank_cos
+        minus_coupler_twist_rate_linear_x = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
+        coupler_twist_rate_angular_y = A_a + B_a
+        t43 = coupler_position_z - 0.15 * t27 - (0.2 * t22 - 0.3 * t27)
+        t46 = 1.2 * (minus_coupler_twist_rate_linear_x - coupler_twist_rate_angular_y * t43)
+        coupler_rate_at_O_force_x = t34 - t46
+        minus_coupler_twist_linear_x = B_v * coupler_position_z
+        minus_coupler_momentum_force_x = 1.2 * (minus_coupler_twist_linear_x - coupler_omega_z * t43)
+        t49 = coupler_omega_z * minus_coupler_momentum_force_x
+        coupler_twist_rate_linear_z = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
+        t55 = 1.2 * (coupler_twist_rate_linear_z - coupler_twist_rate_angular_y * t31)
+        coupler_rate_at_O_force_z = t49 + t55
+        t56 = coupler_twist_linear_z * minus_coupler_momentum_force_x
+        t58 = t56 - minus_coupler_twist_linear_x * coupler_momentum_force_z
+        minus_coupler_rate_at_O_moment_y = t58 + (t43 * t46 + t31 * t55 - 0.025 * coupler_twist_rate_angular_y)
+        coupler_rate_at_O_moment_y = -minus_coupler_rate_at_O_moment_y
+        rocker_twist_linear_z = 0.64 * D_v
+        t64 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t64)
+        t65 = 0.47058823529411764 * minus_rocker_sin
+        rocker_cos = np.cos(t64)
+        t67 = t65 + 0.8823529411764706 * rocker_cos
+        t69 = 0.64 - 0.64 * t67
+        t70 = 0.52 * t67
+        t73 = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
+        t76 = t69 + (t70 - 0.225 * t73)
+        t79 = D_v * (1.2 * (rocker_twist_linear_z - D_v * t76))
+        t84 = 0.64 * t73 - (0.52 * t73 + 0.225 * t67)
+        t86 = 1.2 * (D_a * t84)
+        rocker_rate_at_O_force_x = t79 - t86
+        minus_rocker_momentum_force_x = 1.2 * (D_v * t84)
+        t88 = D_v * minus_rocker_momentum_force_x
+        t91 = 1.2 * (D_a * (0.64 - t76))
+        rocker_rate_at_O_force_z = t88 + t91
+        t96 = 0.02601 * D_a + (t84 * t86 - t76 * t91)
+        rocker_rate_at_O_moment_y = t96 - rocker_twist_linear_z * minus_rocker_momentum_force_x
+        return _finish(batch, ((crank_rate_at_O_force_x, 0.0, crank_rate_at_O_force_z, 0.0,
+            crank_rate_at_O_moment_y, 0.0, coupler_rate_at_O_force_x, 0.0,
+            coupler_rate_at_O_force_z, 0.0, coupler_rate_at_O_moment_y, 0.0,
+            rocker_rate_at_O_force_x, 0.0, rocker_rate_at_O_force_z, 0.0, rocker_rate_at_O_moment_y,
+            0.0),), (), (crank_rate_at_O_force_x, crank_rate_at_O_force_z, crank_rate_at_O_moment_y,
+            coupler_rate_at_O_force_x, coupler_rate_at_O_force_z, coupler_rate_at_O_moment_y,
+            rocker_rate_at_O_force_x, rocker_rate_at_O_force_z, rocker_rate_at_O_moment_y))
 
 
 def energy(*arguments):
@@ -1219,42 +996,24 @@ def energy(*arguments):
     Operations: 35 (add 11, mul 18, trig 5, compare 1)
     """
     entries, batch = _entries("energy", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = x3 * x3
-        x7 = 0.03075 * x6
-        x8 = x5 * x5
-        x9 = 0.10404 * x8
-        x10 = x7 + x9
-        x11 = 0.9272952180016122 + x1
-        x12 = np.cos(x11)
-        x13 = 0.15 * x3
-        x14 = x12 * x13
-        x15 = x3 + x4
-        x16 = 0.6 * x15
-        x17 = x14 * x16
-        x18 = x10 + x17
-        x19 = x15 * x15
-        x20 = 0.1 * x19
-        x21 = x18 + x20
-        x22 = 0.5 * x21
-        x23 = np.cos(x0)
-        x24 = 0.367875 * x23
-        x25 = 0.4899573262537283 - x2
-        x26 = np.cos(x25)
-        x27 = 3.00186 * x26
-        x28 = x24 + x27
-        x29 = 0.18 * x23
-        x30 = np.sin(x0)
-        x31 = np.sin(x11)
-        x32 = x30 * x31
-        x33 = x23 * x12
-        x34 = x32 - x33
-        x35 = 0.3 * x34
-        x36 = x29 - x35
-        x37 = 9.81 * x36
-        x38 = x28 + x37
-        return _finish(batch, ((x22, x38),), (), (x22, x38))
+        rocker_energy_kinetic_up_to = 0.03075 * (A_v * A_v) + 0.10404 * (D_v * D_v)
+        t2 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t2)
+        coupler_vel_y = coupler_cos * (0.15 * A_v)
+        coupler_omega_z = A_v + B_v
+        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (0.6 * coupler_omega_z)
+        kinetic_energy = 0.5 * (t6 + 0.1 * (coupler_omega_z * coupler_omega_z))
+        crank_cos = np.cos(A_q)
+        t11 = 0.367875 * crank_cos + 3.00186 * np.cos(0.4899573262537283 - D_q)
+        t12 = 0.18 * crank_cos
+        t15 = 0.3 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)
+        potential_energy = t11 + 9.81 * (t12 - t15)
+        return _finish(batch, ((kinetic_energy, potential_energy),), (), (kinetic_energy,
+            potential_energy))
 
 
 def mass_matrix(*arguments):
@@ -1271,20 +1030,16 @@ def mass_matrix(*arguments):
     Operations: 15 (add 9, mul 4, trig 1, compare 1)
     """
     entries, batch = _entries("mass_matrix", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.cos(x3)
-        x5 = 0.1 * x4
-        x6 = x4 * x5
-        x7 = 0.1 - x6
-        x8 = 0.09 * x4
-        x9 = x6 + x8
-        x10 = 0.03075 + x9
-        x11 = x7 + x10
-        x12 = 0.045 * x4
-        x13 = 0.1 + x12
-        return _finish(batch, ((x11, x13, 0.0, x13, 0.1, 0.0, 0.0, 0.0, 0.10404),), (), (x11, x13, x0, x2))
+        coupler_cos = np.cos(0.9272952180016122 + B_q)
+        t3 = coupler_cos * (0.1 * coupler_cos)
+        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
+        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
+            0.1, 0.0, 0.0, 0.0, 0.10404),), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, A_q, D_q))
 
 
 def bias(*arguments):
@@ -1304,34 +1059,22 @@ def bias(*arguments):
     Operations: 28 (add 9, mul 13, trig 5, compare 1)
     """
     entries, batch = _entries("bias", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = 0.9272952180016122 + x1
-        x7 = np.sin(x6)
-        x8 = x3 * x3
-        x9 = 0.15 * x8
-        x10 = np.cos(x0)
-        x11 = 9.81 * x10
-        x12 = x9 - x11
-        x13 = x7 * x12
-        x14 = np.cos(x6)
-        x15 = np.sin(x0)
-        x16 = 9.81 * x15
-        x17 = x14 * x16
-        x18 = x13 - x17
-        x19 = 0.3 * x18
-        x20 = x3 + x4
-        x21 = x20 * x20
-        x22 = 0.3 * x21
-        x23 = x7 * x22
-        x24 = 0.15 * x23
-        x25 = x19 - x24
-        x26 = 2.133675 * x15
-        x27 = x25 - x26
-        x28 = 0.4899573262537283 - x2
-        x29 = np.sin(x28)
-        x30 = 3.00186 * x29
-        return _finish(batch, ((x27, x19, x30),), (), (x27, x30, x5))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        t4 = coupler_sin * (0.15 * (A_v * A_v) - 9.81 * np.cos(A_q))
+        coupler_cos = np.cos(t1)
+        crank_sin = np.sin(A_q)
+        coupler_rate_moment_z = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
+        coupler_omega_z = A_v + B_v
+        t7 = coupler_rate_moment_z - 0.15 * (coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z)))
+        crank_force_moment_z = t7 - 2.133675 * crank_sin
+        rocker_rate_moment_z = 3.00186 * np.sin(0.4899573262537283 - D_q)
+        return _finish(batch, ((crank_force_moment_z, coupler_rate_moment_z,
+            rocker_rate_moment_z),), (), (crank_force_moment_z, rocker_rate_moment_z, D_v))
 
 
 def inverse_dynamics(*arguments):
@@ -1353,75 +1096,41 @@ def inverse_dynamics(*arguments):
     Operations: 71 (add 23, mul 38, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 3, "v": 3, "a": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
+    ) = entries
     with np.errstate(all="ignore"):
-        x9 = 0.9272952180016122 + x1
-        x10 = np.sin(x9)
-        x11 = 0.15 * x10
-        x12 = 0.4899573262537283 - x2
-        x13 = np.sin(x12)
-        x14 = 3.00186 * x13
-        x15 = 0.10404 * x8
-        x16 = x14 + x15
-        x17 = np.cos(x12)
-        x18 = 0.51 * x17
-        x19 = np.sin(x0)
-        x20 = x6 + x7
-        x21 = 0.1 * x20
-        x22 = x3 * x3
-        x23 = 0.15 * x22
-        x24 = np.cos(x0)
-        x25 = 9.81 * x24
-        x26 = x23 - x25
-        x27 = x10 * x26
-        x28 = np.cos(x9)
-        x29 = 0.15 * x6
-        x30 = 9.81 * x19
-        x31 = x29 - x30
-        x32 = x28 * x31
-        x33 = x27 + x32
-        x34 = 0.3 * x33
-        x35 = x21 + x34
-        x36 = 2.0 * x35
-        x37 = x10 * x36
-        x38 = x19 * x37
-        x39 = x28 * x36
-        x40 = x24 * x39
-        x41 = x38 - x40
-        x42 = x18 * x41
-        x43 = 0.51 * x13
-        x44 = x24 * x37
-        x45 = x19 * x39
-        x46 = x44 + x45
-        x47 = x43 * x46
-        x48 = x42 + x47
-        x49 = x16 - x48
-        x50 = x19 * x28
-        x51 = x24 * x10
-        x52 = x50 + x51
-        x53 = x52 * x18
-        x54 = x19 * x10
-        x55 = x24 * x28
-        x56 = x54 - x55
-        x57 = x56 * x43
-        x58 = x53 - x57
-        x59 = x49 / x58
-        x60 = x11 * x59
-        x61 = x3 + x4
-        x62 = x61 * x61
-        x63 = 0.3 * x62
-        x64 = x10 * x63
-        x65 = 0.3 * x20
-        x66 = x28 * x65
-        x67 = x64 - x66
-        x68 = x67 + x39
-        x69 = 0.15 * x68
-        x70 = 2.133675 * x19
-        x71 = 0.03075 * x6
-        x72 = x70 - x71
-        x73 = x69 + x72
-        x74 = x60 - x73
-        return _finish(batch, ((x74,),), ((x58, 5.057800000000001e-10),), (x58, x74, x5))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        t2 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t2)
+        rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        t4 = 0.51 * np.cos(t2)
+        crank_sin = np.sin(A_q)
+        coupler_twist_rate_angular_y = A_a + B_a
+        t5 = 0.1 * coupler_twist_rate_angular_y
+        t6 = 0.15 * (A_v * A_v)
+        crank_cos = np.cos(A_q)
+        t8 = coupler_sin * (t6 - 9.81 * crank_cos)
+        coupler_cos = np.cos(t1)
+        t12 = 0.3 * (t8 + coupler_cos * (0.15 * A_a - 9.81 * crank_sin))
+        C_multiplier_fy = 2.0 * (t5 + t12)
+        t13 = coupler_sin * C_multiplier_fy
+        t14 = crank_sin * t13
+        t15 = coupler_cos * C_multiplier_fy
+        t18 = t4 * (t14 - crank_cos * t15)
+        t19 = 0.51 * minus_rocker_sin
+        rocker_joint_force_moment_z = rocker_rate_moment_z_2 - (t18 + t19 * (crank_cos * t13 + crank_sin * t15))
+        t27 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * t4
+        minus_C_closure_fx_by_D = t27 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * t19
+        t31 = crank_lever_moment_z_by_C_fx * (rocker_joint_force_moment_z / minus_C_closure_fx_by_D)
+        coupler_omega_z = A_v + B_v
+        minus_crank_force_y = coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z))
+        t34 = 0.15 * (minus_crank_force_y - coupler_cos * (0.3 * coupler_twist_rate_angular_y) + t15)
+        A_balance = t31 - (t34 + (2.133675 * crank_sin - 0.03075 * A_a))
+        return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
+            (minus_C_closure_fx_by_D, A_balance, D_v))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1444,117 +1153,64 @@ def inverse_dynamics_independent(*arguments):
     Operations: 112 (add 35, mul 67, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1}, arguments)
-    x0, x1, x2, x3, x4, = entries
+    (
+        A_q, B_q, D_q, A_y_dot, A_y_ddot,
+    ) = entries
     with np.errstate(all="ignore"):
-        x5 = 0.9272952180016122 + x1
-        x6 = np.sin(x5)
-        x7 = 0.15 * x6
-        x8 = np.sin(x0)
-        x9 = np.cos(x5)
-        x10 = x8 * x9
-        x11 = np.cos(x0)
-        x12 = x11 * x6
-        x13 = x10 + x12
-        x14 = 0.4899573262537283 - x2
-        x15 = np.cos(x14)
-        x16 = 0.51 * x15
-        x17 = x13 * x16
-        x18 = x8 * x6
-        x19 = x11 * x9
-        x20 = x18 - x19
-        x21 = np.sin(x14)
-        x22 = 0.51 * x21
-        x23 = x20 * x22
-        x24 = x17 - x23
-        x25 = 1.0 / x24
-        x26 = 3.00186 * x21
-        x27 = x7 * x4
-        x28 = x7 * x3
-        x29 = x28 * x25
-        x30 = x29 * x29
-        x31 = 0.51 * x30
-        x32 = x15 * x31
-        x33 = x11 * x32
-        x34 = x21 * x31
-        x35 = x8 * x34
-        x36 = x33 - x35
-        x37 = x9 * x36
-        x38 = x8 * x32
-        x39 = x11 * x34
-        x40 = x38 + x39
-        x41 = x6 * x40
-        x42 = x37 - x41
-        x43 = x3 * x3
-        x44 = 0.15 * x43
-        x45 = x9 * x44
-        x46 = 0.15 * x9
-        x47 = 0.5 + x46
-        x48 = x47 * x3
-        x49 = x20 * x16
-        x50 = x13 * x22
-        x51 = x49 + x50
-        x52 = x51 * x29
-        x53 = x48 + x52
-        x54 = 2.0 * x53
-        x55 = x3 - x54
-        x56 = x55 * x55
-        x57 = 0.5 * x56
-        x58 = x45 + x57
-        x59 = x42 - x58
-        x60 = x27 + x59
-        x61 = x25 * x60
-        x62 = 0.10404 * x61
-        x63 = x26 + x62
-        x64 = x47 * x4
-        x65 = x6 * x44
-        x66 = x6 * x36
-        x67 = x9 * x40
-        x68 = x66 + x67
-        x69 = x65 - x68
-        x70 = x64 + x69
-        x71 = x51 * x61
-        x72 = x70 + x71
-        x73 = 2.0 * x72
-        x74 = x4 - x73
-        x75 = 0.1 * x74
-        x76 = 9.81 * x11
-        x77 = x76 - x44
-        x78 = x6 * x77
-        x79 = 9.81 * x8
-        x80 = 0.15 * x4
-        x81 = x79 - x80
-        x82 = x9 * x81
-        x83 = x78 + x82
-        x84 = 0.3 * x83
-        x85 = x75 - x84
-        x86 = 2.0 * x85
-        x87 = x6 * x86
-        x88 = x8 * x87
-        x89 = x9 * x86
-        x90 = x11 * x89
-        x91 = x88 - x90
-        x92 = x16 * x91
-        x93 = x11 * x87
-        x94 = x8 * x89
-        x95 = x93 + x94
-        x96 = x22 * x95
-        x97 = x92 + x96
-        x98 = x63 - x97
-        x99 = x25 * x98
-        x100 = x7 * x99
-        x101 = 0.3 * x56
-        x102 = x6 * x101
-        x103 = 0.3 * x74
-        x104 = x9 * x103
-        x105 = x102 - x104
-        x106 = x105 + x89
-        x107 = 0.15 * x106
-        x108 = 2.133675 * x8
-        x109 = 0.03075 * x4
-        x110 = x108 - x109
-        x111 = x107 + x110
-        x112 = x100 - x111
-        return _finish(batch, ((x112,),), ((x24, 5.057800000000001e-10),), (x24, x112))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        crank_sin = np.sin(A_q)
+        coupler_cos = np.cos(t1)
+        t2 = crank_sin * coupler_cos
+        crank_cos = np.cos(A_q)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t4)
+        t5 = 0.51 * rocker_cos
+        t6 = coupler_rotation_xx * t5
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_sin = np.sin(t4)
+        t9 = 0.51 * minus_rocker_sin
+        minus_C_closure_fx_by_D = t6 - minus_coupler_rotation_xy * t9
+        t11 = 1.0 / minus_C_closure_fx_by_D
+        rocker_rate_moment_z = 3.00186 * minus_rocker_sin
+        t12 = crank_lever_moment_z_by_C_fx * A_y_ddot
+        D_joint_rate = crank_lever_moment_z_by_C_fx * A_y_dot * t11
+        t14 = 0.51 * (D_joint_rate * D_joint_rate)
+        t15 = rocker_cos * t14
+        t16 = crank_cos * t15
+        t17 = minus_rocker_sin * t14
+        t19 = t16 - crank_sin * t17
+        t20 = coupler_cos * t19
+        t23 = crank_sin * t15 + crank_cos * t17
+        t25 = t20 - coupler_sin * t23
+        t26 = 0.15 * (A_y_dot * A_y_dot)
+        minus_coupler_acc_still_x = coupler_cos * t26
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        t28 = crank_lever_moment_z_by_C_fy * A_y_dot
+        C_closure_fy_by_D = minus_coupler_rotation_xy * t5 + coupler_rotation_xx * t9
+        coupler_omega_z = A_y_dot - 2.0 * (t28 + C_closure_fy_by_D * D_joint_rate)
+        minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
+        D_joint_acc = t11 * (t12 + (t25 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)))
+        rocker_rate_moment_z_2 = rocker_rate_moment_z + 0.10404 * D_joint_acc
+        t37 = crank_lever_moment_z_by_C_fy * A_y_ddot
+        t41 = t37 + (coupler_sin * t26 - (coupler_sin * t19 + coupler_cos * t23))
+        coupler_alpha_z = A_y_ddot - 2.0 * (t41 + C_closure_fy_by_D * D_joint_acc)
+        t44 = 0.1 * coupler_alpha_z
+        t46 = coupler_sin * (9.81 * crank_cos - t26)
+        t50 = 0.3 * (t46 + coupler_cos * (9.81 * crank_sin - 0.15 * A_y_ddot))
+        C_multiplier_fy = 2.0 * (t44 - t50)
+        t51 = coupler_sin * C_multiplier_fy
+        t52 = crank_sin * t51
+        t53 = coupler_cos * C_multiplier_fy
+        t56 = t5 * (t52 - crank_cos * t53)
+        rocker_joint_force_moment_z = rocker_rate_moment_z_2 - (t56 + t9 * (crank_cos * t51 + crank_sin * t53))
+        t62 = crank_lever_moment_z_by_C_fx * (t11 * rocker_joint_force_moment_z)
+        t64 = coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.3 * coupler_alpha_z) + t53
+        A_balance = t62 - (0.15 * t64 + (2.133675 * crank_sin - 0.03075 * A_y_ddot))
+        return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
+            (minus_C_closure_fx_by_D, A_balance))
 
 
 def joint_reactions(*arguments):
@@ -1585,441 +1241,250 @@ def joint_reactions(*arguments):
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
     """
     entries, batch = _entries("joint_reactions", {"q": 3, "v": 3, "a": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, x7, x8, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
+    ) = entries
     with np.errstate(all="ignore"):
-        x9 = 0.9272952180016122 + x1
-        x10 = np.sin(x9)
-        x11 = 0.15 * x10
-        x12 = 0.4899573262537283 - x2
-        x13 = np.sin(x12)
-        x14 = 3.00186 * x13
-        x15 = 0.10404 * x8
-        x16 = x14 + x15
-        x17 = np.cos(x12)
-        x18 = 0.51 * x17
-        x19 = np.sin(x0)
-        x20 = x6 + x7
-        x21 = 0.1 * x20
-        x22 = x3 * x3
-        x23 = 0.15 * x22
-        x24 = np.cos(x0)
-        x25 = 9.81 * x24
-        x26 = x23 - x25
-        x27 = x10 * x26
-        x28 = np.cos(x9)
-        x29 = 0.15 * x6
-        x30 = 9.81 * x19
-        x31 = x29 - x30
-        x32 = x28 * x31
-        x33 = x27 + x32
-        x34 = 0.3 * x33
-        x35 = x21 + x34
-        x36 = 2.0 * x35
-        x37 = x10 * x36
-        x38 = x19 * x37
-        x39 = x28 * x36
-        x40 = x24 * x39
-        x41 = x38 - x40
-        x42 = x18 * x41
-        x43 = 0.51 * x13
-        x44 = x24 * x37
-        x45 = x19 * x39
-        x46 = x44 + x45
-        x47 = x43 * x46
-        x48 = x42 + x47
-        x49 = x16 - x48
-        x50 = x19 * x28
-        x51 = x24 * x10
-        x52 = x50 + x51
-        x53 = x52 * x18
-        x54 = x19 * x10
-        x55 = x24 * x28
-        x56 = x54 - x55
-        x57 = x56 * x43
-        x58 = x53 - x57
-        x59 = x49 / x58
-        x60 = x11 * x59
-        x61 = x3 + x4
-        x62 = x61 * x61
-        x63 = 0.3 * x62
-        x64 = x10 * x63
-        x65 = 0.3 * x20
-        x66 = x28 * x65
-        x67 = x64 - x66
-        x68 = x67 + x39
-        x69 = 0.15 * x68
-        x70 = 2.133675 * x19
-        x71 = 0.03075 * x6
-        x72 = x70 - x71
-        x73 = x69 + x72
-        x74 = x60 - x73
-        x75 = x28 * x26
-        x76 = x10 * x31
-        x77 = x75 - x76
-        x78 = 1.2 * x77
-        x79 = x63 + x78
-        x80 = x59 - x79
-        x81 = x28 * x80
-        x82 = 1.2 * x33
-        x83 = x65 + x82
-        x84 = x36 - x83
-        x85 = x10 * x84
-        x86 = x81 + x85
-        x87 = 4.905 * x24
-        x88 = 0.0375 * x22
-        x89 = x87 - x88
-        x90 = x86 + x89
-        x91 = x19 * x90
-        x92 = x10 * x80
-        x93 = x28 * x84
-        x94 = x92 - x93
-        x95 = 4.905 * x19
-        x96 = 0.0375 * x6
-        x97 = x95 - x96
-        x98 = x94 - x97
-        x99 = x24 * x98
-        x100 = x91 + x99
-        x101 = x24 * x90
-        x102 = x19 * x98
-        x103 = x101 - x102
-        x104 = x19 * x86
-        x105 = x24 * x94
-        x106 = x104 + x105
-        x107 = x24 * x86
-        x108 = x19 * x94
-        x109 = x107 - x108
-        x110 = 0.15 * x24
-        x111 = x110 * x106
-        x112 = 0.15 * x19
-        x113 = x112 * x109
-        x114 = x111 - x113
-        x115 = x52 * x59
-        x116 = x56 * x36
-        x117 = x115 + x116
-        x118 = x56 * x59
-        x119 = x52 * x36
-        x120 = x118 - x119
-        x121 = -x120
-        x122 = 0.5 * x56
-        x123 = x110 - x122
-        x124 = x123 * x117
-        x125 = 0.5 * x52
-        x126 = x112 + x125
-        x127 = x126 * x120
-        x128 = x124 + x127
-        x129 = x5 * x5
-        x130 = 0.306 * x129
-        x131 = 11.772 * x17
-        x132 = x130 - x131
-        x133 = x13 * x132
-        x134 = 0.306 * x8
-        x135 = 11.772 * x13
-        x136 = x134 + x135
-        x137 = x17 * x136
-        x138 = x133 + x137
-        x139 = x28 * x59
-        x140 = x37 + x139
-        x141 = x19 * x140
-        x142 = x10 * x59
-        x143 = x39 - x142
-        x144 = x24 * x143
-        x145 = x141 - x144
-        x146 = x138 - x145
-        x147 = x17 * x132
-        x148 = x13 * x136
-        x149 = x147 - x148
-        x150 = x24 * x140
-        x151 = x19 * x143
-        x152 = x150 + x151
-        x153 = x149 + x152
-        x154 = -x153
-        x155 = 0.64 * x153
-        x156 = 1.6573358657425363 * x10
-        x157 = x156 * x156
-        x158 = 2.0 + x157
-        x159 = 1.6573358657425363 * x28
-        x160 = x159 * x159
-        x161 = x158 + x160
-        x162 = 1.0 + x161
-        x163 = 1.690482583057387 * x13
-        x164 = x163 * x163
-        x165 = x162 + x164
-        x166 = 1.690482583057387 * x17
-        x167 = x166 * x166
-        x168 = x165 + x167
-        x169 = 1.0 + x168
-        x170 = 0.5 * x10
-        x171 = x24 * x170
-        x172 = 0.5 * x28
-        x173 = 0.15 + x172
-        x174 = x19 * x173
-        x175 = x171 + x174
-        x176 = 3.3146717314850727 * x175
-        x177 = x176 * x176
-        x178 = x169 + x177
-        x179 = x19 * x170
-        x180 = x24 * x173
-        x181 = x179 - x180
-        x182 = 3.3146717314850727 * x181
-        x183 = x182 * x182
-        x184 = x178 + x183
-        x185 = 3.3146717314850727 * x52
-        x186 = x185 * x185
-        x187 = 3.3146717314850727 * x56
-        x188 = x187 * x187
-        x189 = 3.3146717314850727 * x28
-        x190 = x189 * x189
-        x191 = 10.987048687506249 + x190
-        x192 = 3.3146717314850727 * x10
-        x193 = x192 * x192
-        x194 = x191 + x193
-        x195 = x194 + x188
-        x196 = x195 + x186
-        x197 = x188 + x196
-        x198 = x186 + x197
-        x199 = x156 * x189
-        x200 = x159 * x192
-        x201 = x199 - x200
-        x202 = x163 * x187
-        x203 = x201 + x202
-        x204 = x166 * x185
-        x205 = x203 - x204
-        x206 = x176 * x187
-        x207 = x205 - x206
-        x208 = x182 * x185
-        x209 = x207 + x208
-        x210 = 1.0 / x184
-        x211 = x209 * x210
-        x212 = x209 * x211
-        x213 = x198 - x212
-        x214 = 10.987048687506249 + x193
-        x215 = x190 + x214
-        x216 = x186 + x215
-        x217 = x188 + x216
-        x218 = x186 + x217
-        x219 = x188 + x218
-        x220 = x156 * x192
-        x221 = x159 * x189
-        x222 = x220 + x221
-        x223 = x163 * x185
-        x224 = x222 - x223
-        x225 = x166 * x187
-        x226 = x224 - x225
-        x227 = x176 * x185
-        x228 = x226 + x227
-        x229 = x182 * x187
-        x230 = x228 + x229
-        x231 = x230 * x210
-        x232 = x230 * x231
-        x233 = x209 * x231
-        x234 = x233 / x213
-        x235 = x233 * x234
-        x236 = x232 + x235
-        x237 = x219 - x236
-        return _finish(batch, ((x74,), (x100, 0.0, x103, 0.0, 0.0, 0.0, x106, 0.0, x109, 0.0, x114, 0.0, x117, 0.0, x121, 0.0, x128, 0.0, x146, 0.0, x154, 0.0, x155, 0.0)), ((x58, 5.057800000000001e-10), (x184, 1.3789999999999998e-08), (x213, 4.3948000000000004e-08), (x237, 4.3948000000000004e-08)), (x58, x74, x100, x103, x114, x121, x128, x146, x154, x155, x184, x213, x237))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        t2 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t2)
+        rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        rocker_cos = np.cos(t2)
+        t4 = 0.51 * rocker_cos
+        crank_sin = np.sin(A_q)
+        coupler_twist_rate_angular_y = A_a + B_a
+        t5 = 0.1 * coupler_twist_rate_angular_y
+        minus_crank_U_still_xx = A_v * A_v
+        t6 = 0.15 * minus_crank_U_still_xx
+        crank_cos = np.cos(A_q)
+        t7 = t6 - 9.81 * crank_cos
+        t8 = coupler_sin * t7
+        coupler_cos = np.cos(t1)
+        t10 = 0.15 * A_a - 9.81 * crank_sin
+        coupler_acc_y = t8 + coupler_cos * t10
+        C_multiplier_fy = 2.0 * (t5 + 0.3 * coupler_acc_y)
+        t13 = coupler_sin * C_multiplier_fy
+        t14 = crank_sin * t13
+        t15 = coupler_cos * C_multiplier_fy
+        t18 = t4 * (t14 - crank_cos * t15)
+        t19 = 0.51 * minus_rocker_sin
+        rocker_joint_force_moment_z = rocker_rate_moment_z_2 - (t18 + t19 * (crank_cos * t13 + crank_sin * t15))
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t27 = coupler_rotation_xx * t4
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_C_closure_fx_by_D = t27 - minus_coupler_rotation_xy * t19
+        minus_C_multiplier_fx = rocker_joint_force_moment_z / minus_C_closure_fx_by_D
+        t31 = crank_lever_moment_z_by_C_fx * minus_C_multiplier_fx
+        coupler_omega_z = A_v + B_v
+        minus_coupler_rate_force_x = 0.3 * (coupler_omega_z * coupler_omega_z)
+        minus_crank_force_y = coupler_sin * minus_coupler_rate_force_x
+        coupler_rate_force_y = 0.3 * coupler_twist_rate_angular_y
+        t34 = 0.15 * (minus_crank_force_y - coupler_cos * coupler_rate_force_y + t15)
+        A_balance = t31 - (t34 + (2.133675 * crank_sin - 0.03075 * A_a))
+        coupler_sent_force_x = minus_C_multiplier_fx - (minus_coupler_rate_force_x + 1.2 * (coupler_cos * t7 - coupler_sin * t10))
+        t39 = coupler_cos * coupler_sent_force_x
+        minus_coupler_sent_force_y = C_multiplier_fy - (coupler_rate_force_y + 1.2 * coupler_acc_y)
+        coupler_joint_sent_force_x = t39 + coupler_sin * minus_coupler_sent_force_y
+        crank_sent_force_x = coupler_joint_sent_force_x + (4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx)
+        t44 = crank_sin * crank_sent_force_x
+        coupler_joint_sent_force_y = coupler_sin * coupler_sent_force_x - coupler_cos * minus_coupler_sent_force_y
+        crank_sent_force_y = coupler_joint_sent_force_y - (4.905 * crank_sin - 0.0375 * A_a)
+        crank_joint_sent_force_y = t44 + crank_cos * crank_sent_force_y
+        crank_joint_sent_force_x = crank_cos * crank_sent_force_x - crank_sin * crank_sent_force_y
+        B_reaction_force_x = crank_sin * coupler_joint_sent_force_x + crank_cos * coupler_joint_sent_force_y
+        B_reaction_force_z = crank_cos * coupler_joint_sent_force_x - crank_sin * coupler_joint_sent_force_y
+        coupler_position_z = 0.15 * crank_cos
+        t56 = coupler_position_z * B_reaction_force_x
+        coupler_position_x = 0.15 * crank_sin
+        B_reaction_moment_y = t56 - coupler_position_x * B_reaction_force_z
+        C_reaction_force_x = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
+        minus_C_reaction_force_z = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
+        C_reaction_force_z = -minus_C_reaction_force_z
+        t64 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_force_x
+        C_reaction_moment_y = t64 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_force_z
+        minus_rocker_rate_force_x_2 = 0.306 * (D_v * D_v) - 11.772 * rocker_cos
+        t69 = minus_rocker_sin * minus_rocker_rate_force_x_2
+        rocker_rate_force_y_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
+        t72 = t69 + rocker_cos * rocker_rate_force_y_2
+        t74 = t13 + coupler_cos * minus_C_multiplier_fx
+        t75 = crank_sin * t74
+        t77 = t15 - coupler_sin * minus_C_multiplier_fx
+        rocker_joint_sent_force_y = t72 - (t75 - crank_cos * t77)
+        t82 = rocker_cos * minus_rocker_rate_force_x_2 - minus_rocker_sin * rocker_rate_force_y_2
+        minus_rocker_joint_sent_force_x = t82 + (crank_cos * t74 + crank_sin * t77)
+        rocker_joint_sent_force_x = -minus_rocker_joint_sent_force_x
+        D_reaction_moment_y = 0.64 * minus_rocker_joint_sent_force_x
+        t86 = 1.6573358657425363 * coupler_sin
+        t88 = 2.0 + t86 * t86
+        t89 = 1.6573358657425363 * coupler_cos
+        t92 = 1.0 + (t88 + t89 * t89)
+        t93 = 1.690482583057387 * minus_rocker_sin
+        t95 = t92 + t93 * t93
+        t96 = 1.690482583057387 * rocker_cos
+        t99 = 1.0 + (t95 + t96 * t96)
+        crank_lever_moment_x_by_C_fz = 0.5 * coupler_sin
+        t100 = crank_cos * crank_lever_moment_x_by_C_fz
+        minus_crank_lever_moment_y_by_C_fz = 0.15 + 0.5 * coupler_cos
+        t102 = 3.3146717314850727 * (t100 + crank_sin * minus_crank_lever_moment_y_by_C_fz)
+        t104 = t99 + t102 * t102
+        t107 = 3.3146717314850727 * (crank_sin * crank_lever_moment_x_by_C_fz - crank_cos * minus_crank_lever_moment_y_by_C_fz)
+        pivot_0 = t104 + t107 * t107
+        t109 = 3.3146717314850727 * coupler_rotation_xx
+        t110 = t109 * t109
+        t111 = 3.3146717314850727 * minus_coupler_rotation_xy
+        t112 = t111 * t111
+        t113 = 3.3146717314850727 * coupler_cos
+        t114 = t113 * t113
+        t115 = 10.987048687506249 + t114
+        t116 = 3.3146717314850727 * coupler_sin
+        t117 = t116 * t116
+        t122 = t110 + (t112 + (t115 + t117 + t112 + t110))
+        t127 = t86 * t113 - t89 * t116 + t93 * t111
+        t133 = t127 - t96 * t109 - t102 * t111 + t107 * t109
+        t134 = 1.0 / pivot_0
+        pivot_1 = t122 - t133 * (t133 * t134)
+        t142 = t112 + (t110 + (t112 + (t110 + (t114 + (10.987048687506249 + t117)))))
+        t147 = t86 * t116 + t89 * t113 - t93 * t109
+        t153 = t147 - t96 * t111 + t102 * t109 + t107 * t111
+        t154 = t153 * t134
+        t155 = t153 * t154
+        t156 = t133 * t154
+        pivot_2 = t142 - (t155 + t156 * (t156 / pivot_1))
+        return _finish(batch, ((A_balance,), (crank_joint_sent_force_y, 0.0,
+            crank_joint_sent_force_x, 0.0, 0.0, 0.0, B_reaction_force_x, 0.0, B_reaction_force_z,
+            0.0, B_reaction_moment_y, 0.0, C_reaction_force_x, 0.0, C_reaction_force_z, 0.0,
+            C_reaction_moment_y, 0.0, rocker_joint_sent_force_y, 0.0, rocker_joint_sent_force_x,
+            0.0, D_reaction_moment_y, 0.0)), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),
+            (pivot_0, 1.3789999999999998e-08), (pivot_1, 4.3948000000000004e-08), (pivot_2,
+            4.3948000000000004e-08)), (minus_C_closure_fx_by_D, A_balance, crank_joint_sent_force_y,
+            crank_joint_sent_force_x, B_reaction_moment_y, C_reaction_force_z, C_reaction_moment_y,
+            rocker_joint_sent_force_y, rocker_joint_sent_force_x, D_reaction_moment_y, pivot_0,
+            pivot_1, pivot_2))
 
 
 def _forward_dynamics_first(*arguments):
     """The first path of forward_dynamics."""
     entries, batch = _entries("_forward_dynamics_first", {"q": 3, "v": 3, "u": 1}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_u,
+    ) = entries
     with np.errstate(all="ignore"):
-        x7 = np.sin(x0)
-        x8 = 2.133675 * x7
-        x9 = 0.9272952180016122 + x1
-        x10 = np.sin(x9)
-        x11 = x3 * x3
-        x12 = 0.15 * x11
-        x13 = np.cos(x0)
-        x14 = 9.81 * x13
-        x15 = x12 - x14
-        x16 = x10 * x15
-        x17 = np.cos(x9)
-        x18 = 9.81 * x7
-        x19 = x17 * x18
-        x20 = x16 - x19
-        x21 = 0.3 * x20
-        x22 = x10 * x12
-        x23 = 0.4899573262537283 - x2
-        x24 = np.cos(x23)
-        x25 = x5 * x5
-        x26 = 0.51 * x25
-        x27 = x24 * x26
-        x28 = x13 * x27
-        x29 = np.sin(x23)
-        x30 = x29 * x26
-        x31 = x7 * x30
-        x32 = x28 - x31
-        x33 = x10 * x32
-        x34 = x7 * x27
-        x35 = x13 * x30
-        x36 = x34 + x35
-        x37 = x17 * x36
-        x38 = x33 + x37
-        x39 = x22 - x38
-        x40 = x7 * x10
-        x41 = x13 * x17
-        x42 = x40 - x41
-        x43 = 0.51 * x24
-        x44 = x42 * x43
-        x45 = x7 * x17
-        x46 = x13 * x10
-        x47 = x45 + x46
-        x48 = 0.51 * x29
-        x49 = x47 * x48
-        x50 = x44 + x49
-        x51 = x17 * x32
-        x52 = x10 * x36
-        x53 = x51 - x52
-        x54 = x17 * x12
-        x55 = x3 + x4
-        x56 = x55 * x55
-        x57 = 0.5 * x56
-        x58 = x54 + x57
-        x59 = x53 - x58
-        x60 = x47 * x43
-        x61 = x42 * x48
-        x62 = x60 - x61
-        x63 = 1.0 / x62
-        x64 = x59 * x63
-        x65 = x50 * x64
-        x66 = x39 + x65
-        x67 = 0.2 * x66
-        x68 = x21 - x67
-        x69 = 0.3 * x56
-        x70 = x10 * x69
-        x71 = 0.6 * x66
-        x72 = x17 * x71
-        x73 = x70 + x72
-        x74 = 0.15 * x73
-        x75 = x68 - x74
-        x76 = x8 - x75
-        x77 = x6 + x76
-        x78 = 0.15 * x17
-        x79 = 0.5 + x78
-        x80 = 0.15 * x10
-        x81 = x80 * x63
-        x82 = x50 * x81
-        x83 = x79 + x82
-        x84 = 2.0 * x83
-        x85 = x84 * x68
-        x86 = x77 + x85
-        x87 = 3.00186 * x29
-        x88 = 0.10404 * x64
-        x89 = x87 + x88
-        x90 = x81 * x89
-        x91 = x86 - x90
-        x92 = 0.1 * x17
-        x93 = x17 * x92
-        x94 = 0.1 - x93
-        x95 = 0.09 * x17
-        x96 = x93 + x95
-        x97 = 0.03075 + x96
-        x98 = x94 + x97
-        x99 = 0.045 * x17
-        x100 = 0.1 + x99
-        x101 = x84 * x100
-        x102 = x98 - x101
-        x103 = 0.2 * x83
-        x104 = x100 - x103
-        x105 = x84 * x104
-        x106 = x102 - x105
-        x107 = 0.10404 * x81
-        x108 = x81 * x107
-        x109 = x106 + x108
-        x110 = x91 / x109
-        x111 = 2.0 * x66
-        x112 = x84 * x110
-        x113 = x111 + x112
-        x114 = -x113
-        x115 = x81 * x110
-        x116 = x64 + x115
-        return _finish(batch, ((x110, x114, x116),), ((x62, 3.01689e-06), (x109, 3.264600000000001e-07)), (x62, x109, x114, x116))
+        crank_sin = np.sin(A_q)
+        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        t2 = 0.15 * (A_v * A_v)
+        crank_cos = np.cos(A_q)
+        t4 = coupler_sin * (t2 - 9.81 * crank_cos)
+        coupler_cos = np.cos(t1)
+        coupler_rate_moment_z = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
+        coupler_acc_still_y_2 = coupler_sin * t2
+        t6 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t6)
+        t7 = 0.51 * (D_v * D_v)
+        t8 = rocker_cos * t7
+        t9 = crank_cos * t8
+        minus_rocker_sin = np.sin(t6)
+        t10 = minus_rocker_sin * t7
+        t12 = t9 - crank_sin * t10
+        t13 = coupler_sin * t12
+        t16 = crank_sin * t8 + crank_cos * t10
+        C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t21 = 0.51 * rocker_cos
+        t22 = minus_coupler_rotation_xy * t21
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t25 = 0.51 * minus_rocker_sin
+        C_closure_fy_by_D = t22 + coupler_rotation_xx * t25
+        t29 = coupler_cos * t12 - coupler_sin * t16
+        minus_coupler_acc_still_x = coupler_cos * t2
+        coupler_omega_z = A_v + B_v
+        minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
+        C_opening_bias_fx = t29 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t21 - minus_coupler_rotation_xy * t25
+        t34 = 1.0 / minus_C_closure_fx_by_D
+        D_joint_acc_still = C_opening_bias_fx * t34
+        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still
+        coupler_rate_moment_z_2 = coupler_rate_moment_z - 0.2 * t36
+        t39 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t36))
+        minus_A_generalised_force = A_u + (minus_crank_rate_moment_z - (coupler_rate_moment_z_2 - t39))
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        D_null_space_by_A = 0.15 * coupler_sin * t34
+        t43 = crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t43
+        t45 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_moment_z_2
+        A_reduced_force = t45 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
+        t49 = coupler_cos * (0.1 * coupler_cos)
+        A_mass_matrix_by_A = 0.1 - t49 + (0.03075 + (t49 + 0.09 * coupler_cos))
+        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t54 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
+        t58 = t54 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t43)
+        A_reduced_inertia_by_A = t58 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
+        B_joint_acc = -(2.0 * t36 + minus_B_null_space_by_A * A_joint_acc)
+        D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
+        return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
+            3.01689e-06), (A_reduced_inertia_by_A, 3.264600000000001e-07)),
+            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, B_joint_acc, D_joint_acc))
 
 
 def _forward_dynamics_dense(*arguments):
     """The dense path of forward_dynamics."""
     entries, batch = _entries("_forward_dynamics_dense", {"q": 3, "v": 3, "u": 1}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_u,
+    ) = entries
     with np.errstate(all="ignore"):
-        x7 = 0.9272952180016122 + x1
-        x8 = np.cos(x7)
-        x9 = 0.1 * x8
-        x10 = x8 * x9
-        x11 = 0.1 - x10
-        x12 = 0.09 * x8
-        x13 = x10 + x12
-        x14 = 0.03075 + x13
-        x15 = x11 + x14
-        x16 = 0.045 * x8
-        x17 = 0.1 + x16
-        x18 = np.sin(x0)
-        x19 = 2.133675 * x18
-        x20 = np.sin(x7)
-        x21 = x3 * x3
-        x22 = 0.15 * x21
-        x23 = np.cos(x0)
-        x24 = 9.81 * x23
-        x25 = x22 - x24
-        x26 = x20 * x25
-        x27 = 9.81 * x18
-        x28 = x8 * x27
-        x29 = x26 - x28
-        x30 = 0.3 * x29
-        x31 = x3 + x4
-        x32 = x31 * x31
-        x33 = 0.3 * x32
-        x34 = x20 * x33
-        x35 = 0.15 * x34
-        x36 = x30 - x35
-        x37 = x19 - x36
-        x38 = x37 + x6
-        x39 = -x30
-        x40 = 0.4899573262537283 - x2
-        x41 = np.sin(x40)
-        x42 = 3.00186 * x41
-        x43 = -x42
-        x44 = 0.15 * x20
-        x45 = 0.15 * x8
-        x46 = 0.5 + x45
-        x47 = x18 * x20
-        x48 = x23 * x8
-        x49 = x47 - x48
-        x50 = 0.51 * x41
-        x51 = x49 * x50
-        x52 = x18 * x8
-        x53 = x23 * x20
-        x54 = x52 + x53
-        x55 = np.cos(x40)
-        x56 = 0.51 * x55
-        x57 = x54 * x56
-        x58 = x51 - x57
-        x59 = x49 * x56
-        x60 = x54 * x50
-        x61 = x59 + x60
-        x62 = x5 * x5
-        x63 = 0.51 * x62
-        x64 = x55 * x63
-        x65 = x23 * x64
-        x66 = x41 * x63
-        x67 = x18 * x66
-        x68 = x65 - x67
-        x69 = x8 * x68
-        x70 = x18 * x64
-        x71 = x23 * x66
-        x72 = x70 + x71
-        x73 = x20 * x72
-        x74 = x69 - x73
-        x75 = x8 * x22
-        x76 = 0.5 * x32
-        x77 = x75 + x76
-        x78 = x74 - x77
-        x79 = x20 * x22
-        x80 = x20 * x68
-        x81 = x8 * x72
-        x82 = x80 + x81
-        x83 = x79 - x82
-        return _finish(batch, ((x15, x17, 0.0, x17, 0.1, 0.0, 0.0, 0.0, 0.10404), (x38, x39, x43), (x44, x46, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, x58, x61, 0.0, 0.0, 0.0), (x78, x83, 0.0, 0.0, 0.0)), (), (x15, x17, x38, x39, x43, x44, x46, x58, x61, x78, x83))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t3 = coupler_cos * (0.1 * coupler_cos)
+        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
+        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        crank_sin = np.sin(A_q)
+        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        coupler_sin = np.sin(t1)
+        t7 = 0.15 * (A_v * A_v)
+        crank_cos = np.cos(A_q)
+        coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
+        coupler_rate_moment_z = 0.3 * coupler_acc_still_y
+        coupler_omega_z = A_v + B_v
+        minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
+        minus_crank_force_moment_z = minus_crank_rate_moment_z - (coupler_rate_moment_z - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
+        minus_A_generalised_force = minus_crank_force_moment_z + A_u
+        minus_coupler_rate_moment_z = -coupler_rate_moment_z
+        t13 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t13)
+        minus_rocker_rate_moment_z = -(3.00186 * minus_rocker_sin)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t17 = 0.51 * minus_rocker_sin
+        t18 = minus_coupler_rotation_xy * t17
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        rocker_cos = np.cos(t13)
+        t21 = 0.51 * rocker_cos
+        C_closure_fx_by_D = t18 - coupler_rotation_xx * t21
+        C_closure_fy_by_D = minus_coupler_rotation_xy * t21 + coupler_rotation_xx * t17
+        t25 = 0.51 * (D_v * D_v)
+        t26 = rocker_cos * t25
+        t27 = crank_cos * t26
+        t28 = minus_rocker_sin * t25
+        t30 = t27 - crank_sin * t28
+        t31 = coupler_cos * t30
+        t34 = crank_sin * t26 + crank_cos * t28
+        C_opening_bias_fx = t31 - coupler_sin * t34 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
+        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t30 + coupler_cos * t34)
+        return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
+            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_moment_z,
+            minus_rocker_rate_moment_z), (crank_lever_moment_z_by_C_fx,
+            crank_lever_moment_z_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
+            C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
+            0.0)), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
+            minus_coupler_rate_moment_z, minus_rocker_rate_moment_z, crank_lever_moment_z_by_C_fx,
+            crank_lever_moment_z_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
+            C_opening_bias_fy))
 
 
 def forward_dynamics(*arguments):
@@ -2067,706 +1532,410 @@ def forward_dynamics_independent(*arguments):
     Operations: 117 (add 39, mul 65, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1}, arguments)
-    x0, x1, x2, x3, x4, = entries
+    (
+        A_q, B_q, D_q, A_y_dot, A_u,
+    ) = entries
     with np.errstate(all="ignore"):
-        x5 = np.sin(x0)
-        x6 = 2.133675 * x5
-        x7 = 0.9272952180016122 + x1
-        x8 = np.sin(x7)
-        x9 = x3 * x3
-        x10 = 0.15 * x9
-        x11 = x8 * x10
-        x12 = np.cos(x0)
-        x13 = 0.4899573262537283 - x2
-        x14 = np.cos(x13)
-        x15 = 0.15 * x8
-        x16 = x15 * x3
-        x17 = np.cos(x7)
-        x18 = x5 * x17
-        x19 = x12 * x8
-        x20 = x18 + x19
-        x21 = 0.51 * x14
-        x22 = x20 * x21
-        x23 = x5 * x8
-        x24 = x12 * x17
-        x25 = x23 - x24
-        x26 = np.sin(x13)
-        x27 = 0.51 * x26
-        x28 = x25 * x27
-        x29 = x22 - x28
-        x30 = 1.0 / x29
-        x31 = x16 * x30
-        x32 = x31 * x31
-        x33 = 0.51 * x32
-        x34 = x14 * x33
-        x35 = x12 * x34
-        x36 = x26 * x33
-        x37 = x5 * x36
-        x38 = x35 - x37
-        x39 = x8 * x38
-        x40 = x5 * x34
-        x41 = x12 * x36
-        x42 = x40 + x41
-        x43 = x17 * x42
-        x44 = x39 + x43
-        x45 = x11 - x44
-        x46 = x25 * x21
-        x47 = x20 * x27
-        x48 = x46 + x47
-        x49 = x17 * x38
-        x50 = x8 * x42
-        x51 = x49 - x50
-        x52 = x17 * x10
-        x53 = 0.15 * x17
-        x54 = 0.5 + x53
-        x55 = x54 * x3
-        x56 = x48 * x31
-        x57 = x55 + x56
-        x58 = 2.0 * x57
-        x59 = x3 - x58
-        x60 = x59 * x59
-        x61 = 0.5 * x60
-        x62 = x52 + x61
-        x63 = x51 - x62
-        x64 = x30 * x63
-        x65 = x48 * x64
-        x66 = x45 + x65
-        x67 = 0.2 * x66
-        x68 = 9.81 * x5
-        x69 = x17 * x68
-        x70 = 9.81 * x12
-        x71 = x70 - x10
-        x72 = x8 * x71
-        x73 = x69 + x72
-        x74 = 0.3 * x73
-        x75 = x67 + x74
-        x76 = 0.3 * x60
-        x77 = x8 * x76
-        x78 = 0.6 * x66
-        x79 = x17 * x78
-        x80 = x77 + x79
-        x81 = 0.15 * x80
-        x82 = x75 + x81
-        x83 = x6 + x82
-        x84 = x4 + x83
-        x85 = x15 * x30
-        x86 = x48 * x85
-        x87 = x54 + x86
-        x88 = 2.0 * x87
-        x89 = x88 * x75
-        x90 = x84 - x89
-        x91 = 3.00186 * x26
-        x92 = 0.10404 * x64
-        x93 = x91 + x92
-        x94 = x85 * x93
-        x95 = x90 - x94
-        x96 = 0.1 * x17
-        x97 = x17 * x96
-        x98 = 0.1 - x97
-        x99 = 0.09 * x17
-        x100 = x97 + x99
-        x101 = 0.03075 + x100
-        x102 = x98 + x101
-        x103 = 0.045 * x17
-        x104 = 0.1 + x103
-        x105 = x88 * x104
-        x106 = x102 - x105
-        x107 = 0.2 * x87
-        x108 = x104 - x107
-        x109 = x88 * x108
-        x110 = x106 - x109
-        x111 = 0.10404 * x85
-        x112 = x85 * x111
-        x113 = x110 + x112
-        x114 = x95 / x113
-        return _finish(batch, ((x114,),), ((x29, 3.01689e-10), (x113, 3.2646e-11)), (x29, x113, x114))
+        crank_sin = np.sin(A_q)
+        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        t2 = 0.15 * (A_y_dot * A_y_dot)
+        coupler_acc_still_y = coupler_sin * t2
+        crank_cos = np.cos(A_q)
+        t3 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t3)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        t4 = crank_lever_moment_z_by_C_fx * A_y_dot
+        coupler_cos = np.cos(t1)
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t7 = 0.51 * rocker_cos
+        t8 = coupler_rotation_xx * t7
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_sin = np.sin(t3)
+        t11 = 0.51 * minus_rocker_sin
+        minus_C_closure_fx_by_D = t8 - minus_coupler_rotation_xy * t11
+        t13 = 1.0 / minus_C_closure_fx_by_D
+        D_joint_rate = t4 * t13
+        t14 = 0.51 * (D_joint_rate * D_joint_rate)
+        t15 = rocker_cos * t14
+        t16 = crank_cos * t15
+        t17 = minus_rocker_sin * t14
+        t19 = t16 - crank_sin * t17
+        t20 = coupler_sin * t19
+        t23 = crank_sin * t15 + crank_cos * t17
+        C_opening_bias_fy = coupler_acc_still_y - (t20 + coupler_cos * t23)
+        C_closure_fy_by_D = minus_coupler_rotation_xy * t7 + coupler_rotation_xx * t11
+        t30 = coupler_cos * t19 - coupler_sin * t23
+        minus_coupler_acc_still_x = coupler_cos * t2
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        coupler_omega_z = A_y_dot - 2.0 * (crank_lever_moment_z_by_C_fy * A_y_dot + C_closure_fy_by_D * D_joint_rate)
+        minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
+        D_joint_acc_still = t13 * (t30 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx))
+        t38 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still
+        t39 = 0.2 * t38
+        minus_coupler_acc_y = coupler_cos * (9.81 * crank_sin) + coupler_sin * (9.81 * crank_cos - t2)
+        minus_coupler_rate_moment_z_2 = t39 + 0.3 * minus_coupler_acc_y
+        t44 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t38))
+        minus_A_generalised_force = A_u + (minus_crank_rate_moment_z + (minus_coupler_rate_moment_z_2 + t44))
+        D_null_space_by_A = crank_lever_moment_z_by_C_fx * t13
+        t47 = crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t47
+        t49 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_moment_z_2
+        A_reduced_force = t49 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
+        t53 = coupler_cos * (0.1 * coupler_cos)
+        A_mass_matrix_by_A = 0.1 - t53 + (0.03075 + (t53 + 0.09 * coupler_cos))
+        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t58 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
+        t62 = t58 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t47)
+        A_reduced_inertia_by_A = t62 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
+        return _finish(batch, ((A_joint_acc,),), ((minus_C_closure_fx_by_D, 3.01689e-10),
+            (A_reduced_inertia_by_A, 3.2646e-11)), (minus_C_closure_fx_by_D, A_reduced_inertia_by_A,
+            A_joint_acc))
 
 
 def _forward_dynamics_reactions_first(*arguments):
     """The first path of forward_dynamics_reactions."""
     entries, batch = _entries("_forward_dynamics_reactions_first", {"q": 3, "v": 3, "u": 1}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_u,
+    ) = entries
     with np.errstate(all="ignore"):
-        x7 = np.sin(x0)
-        x8 = 2.133675 * x7
-        x9 = 0.9272952180016122 + x1
-        x10 = np.sin(x9)
-        x11 = x3 * x3
-        x12 = 0.15 * x11
-        x13 = np.cos(x0)
-        x14 = 9.81 * x13
-        x15 = x12 - x14
-        x16 = x10 * x15
-        x17 = np.cos(x9)
-        x18 = 9.81 * x7
-        x19 = x17 * x18
-        x20 = x16 - x19
-        x21 = 0.3 * x20
-        x22 = x10 * x12
-        x23 = 0.4899573262537283 - x2
-        x24 = np.cos(x23)
-        x25 = x5 * x5
-        x26 = 0.51 * x25
-        x27 = x24 * x26
-        x28 = x13 * x27
-        x29 = np.sin(x23)
-        x30 = x29 * x26
-        x31 = x7 * x30
-        x32 = x28 - x31
-        x33 = x10 * x32
-        x34 = x7 * x27
-        x35 = x13 * x30
-        x36 = x34 + x35
-        x37 = x17 * x36
-        x38 = x33 + x37
-        x39 = x22 - x38
-        x40 = x7 * x10
-        x41 = x13 * x17
-        x42 = x40 - x41
-        x43 = 0.51 * x24
-        x44 = x42 * x43
-        x45 = x7 * x17
-        x46 = x13 * x10
-        x47 = x45 + x46
-        x48 = 0.51 * x29
-        x49 = x47 * x48
-        x50 = x44 + x49
-        x51 = x17 * x32
-        x52 = x10 * x36
-        x53 = x51 - x52
-        x54 = x17 * x12
-        x55 = x3 + x4
-        x56 = x55 * x55
-        x57 = 0.5 * x56
-        x58 = x54 + x57
-        x59 = x53 - x58
-        x60 = x47 * x43
-        x61 = x42 * x48
-        x62 = x60 - x61
-        x63 = 1.0 / x62
-        x64 = x59 * x63
-        x65 = x50 * x64
-        x66 = x39 + x65
-        x67 = 0.2 * x66
-        x68 = x21 - x67
-        x69 = 0.3 * x56
-        x70 = x10 * x69
-        x71 = 0.6 * x66
-        x72 = x17 * x71
-        x73 = x70 + x72
-        x74 = 0.15 * x73
-        x75 = x68 - x74
-        x76 = x8 - x75
-        x77 = x6 + x76
-        x78 = 0.15 * x17
-        x79 = 0.5 + x78
-        x80 = 0.15 * x10
-        x81 = x80 * x63
-        x82 = x50 * x81
-        x83 = x79 + x82
-        x84 = 2.0 * x83
-        x85 = x84 * x68
-        x86 = x77 + x85
-        x87 = 3.00186 * x29
-        x88 = 0.10404 * x64
-        x89 = x87 + x88
-        x90 = x81 * x89
-        x91 = x86 - x90
-        x92 = 0.1 * x17
-        x93 = x17 * x92
-        x94 = 0.1 - x93
-        x95 = 0.09 * x17
-        x96 = x93 + x95
-        x97 = 0.03075 + x96
-        x98 = x94 + x97
-        x99 = 0.045 * x17
-        x100 = 0.1 + x99
-        x101 = x84 * x100
-        x102 = x98 - x101
-        x103 = 0.2 * x83
-        x104 = x100 - x103
-        x105 = x84 * x104
-        x106 = x102 - x105
-        x107 = 0.10404 * x81
-        x108 = x81 * x107
-        x109 = x106 + x108
-        x110 = x91 / x109
-        x111 = 2.0 * x66
-        x112 = x84 * x110
-        x113 = x111 + x112
-        x114 = -x113
-        x115 = x81 * x110
-        x116 = x64 + x115
-        x117 = 4.905 * x13
-        x118 = 0.0375 * x11
-        x119 = x117 - x118
-        x120 = 0.10404 * x116
-        x121 = x87 + x120
-        x122 = x110 - x113
-        x123 = 0.1 * x122
-        x124 = 0.15 * x110
-        x125 = x18 - x124
-        x126 = x17 * x125
-        x127 = x16 - x126
-        x128 = 0.3 * x127
-        x129 = x123 + x128
-        x130 = 2.0 * x129
-        x131 = x10 * x130
-        x132 = x7 * x131
-        x133 = x17 * x130
-        x134 = x13 * x133
-        x135 = x132 - x134
-        x136 = x43 * x135
-        x137 = x13 * x131
-        x138 = x7 * x133
-        x139 = x137 + x138
-        x140 = x48 * x139
-        x141 = x136 + x140
-        x142 = x121 - x141
-        x143 = x63 * x142
-        x144 = x17 * x15
-        x145 = x10 * x125
-        x146 = x144 + x145
-        x147 = 1.2 * x146
-        x148 = x69 + x147
-        x149 = x143 - x148
-        x150 = x17 * x149
-        x151 = 0.3 * x122
-        x152 = 1.2 * x127
-        x153 = x151 + x152
-        x154 = x130 - x153
-        x155 = x10 * x154
-        x156 = x150 + x155
-        x157 = x119 + x156
-        x158 = x7 * x157
-        x159 = x10 * x149
-        x160 = x17 * x154
-        x161 = x159 - x160
-        x162 = 4.905 * x7
-        x163 = 0.0375 * x110
-        x164 = x162 - x163
-        x165 = x161 - x164
-        x166 = x13 * x165
-        x167 = x158 + x166
-        x168 = x13 * x157
-        x169 = x7 * x165
-        x170 = x168 - x169
-        x171 = x7 * x156
-        x172 = x13 * x161
-        x173 = x171 + x172
-        x174 = x13 * x156
-        x175 = x7 * x161
-        x176 = x174 - x175
-        x177 = 0.15 * x13
-        x178 = x177 * x173
-        x179 = 0.15 * x7
-        x180 = x179 * x176
-        x181 = x178 - x180
-        x182 = x47 * x143
-        x183 = x42 * x130
-        x184 = x182 + x183
-        x185 = x42 * x143
-        x186 = x47 * x130
-        x187 = x185 - x186
-        x188 = -x187
-        x189 = 0.5 * x42
-        x190 = x177 - x189
-        x191 = x190 * x184
-        x192 = 0.5 * x47
-        x193 = x179 + x192
-        x194 = x193 * x187
-        x195 = x191 + x194
-        x196 = 0.306 * x25
-        x197 = 11.772 * x24
-        x198 = x196 - x197
-        x199 = x29 * x198
-        x200 = 11.772 * x29
-        x201 = 0.306 * x116
-        x202 = x200 + x201
-        x203 = x24 * x202
-        x204 = x199 + x203
-        x205 = x17 * x143
-        x206 = x131 + x205
-        x207 = x7 * x206
-        x208 = x10 * x143
-        x209 = x133 - x208
-        x210 = x13 * x209
-        x211 = x207 - x210
-        x212 = x204 - x211
-        x213 = x24 * x198
-        x214 = x29 * x202
-        x215 = x213 - x214
-        x216 = x13 * x206
-        x217 = x7 * x209
-        x218 = x216 + x217
-        x219 = x215 + x218
-        x220 = -x219
-        x221 = 0.64 * x219
-        x222 = 1.6573358657425363 * x10
-        x223 = x222 * x222
-        x224 = 2.0 + x223
-        x225 = 1.6573358657425363 * x17
-        x226 = x225 * x225
-        x227 = x224 + x226
-        x228 = 1.0 + x227
-        x229 = 1.690482583057387 * x29
-        x230 = x229 * x229
-        x231 = x228 + x230
-        x232 = 1.690482583057387 * x24
-        x233 = x232 * x232
-        x234 = x231 + x233
-        x235 = 1.0 + x234
-        x236 = 0.5 * x10
-        x237 = x13 * x236
-        x238 = 0.5 * x17
-        x239 = 0.15 + x238
-        x240 = x7 * x239
-        x241 = x237 + x240
-        x242 = 3.3146717314850727 * x241
-        x243 = x242 * x242
-        x244 = x235 + x243
-        x245 = x7 * x236
-        x246 = x13 * x239
-        x247 = x245 - x246
-        x248 = 3.3146717314850727 * x247
-        x249 = x248 * x248
-        x250 = x244 + x249
-        x251 = 3.3146717314850727 * x47
-        x252 = x251 * x251
-        x253 = 3.3146717314850727 * x42
-        x254 = x253 * x253
-        x255 = 3.3146717314850727 * x17
-        x256 = x255 * x255
-        x257 = 10.987048687506249 + x256
-        x258 = 3.3146717314850727 * x10
-        x259 = x258 * x258
-        x260 = x257 + x259
-        x261 = x260 + x254
-        x262 = x261 + x252
-        x263 = x254 + x262
-        x264 = x252 + x263
-        x265 = x222 * x255
-        x266 = x225 * x258
-        x267 = x265 - x266
-        x268 = x229 * x253
-        x269 = x267 + x268
-        x270 = x232 * x251
-        x271 = x269 - x270
-        x272 = x242 * x253
-        x273 = x271 - x272
-        x274 = x248 * x251
-        x275 = x273 + x274
-        x276 = 1.0 / x250
-        x277 = x275 * x276
-        x278 = x275 * x277
-        x279 = x264 - x278
-        x280 = 10.987048687506249 + x259
-        x281 = x256 + x280
-        x282 = x252 + x281
-        x283 = x254 + x282
-        x284 = x252 + x283
-        x285 = x254 + x284
-        x286 = x222 * x258
-        x287 = x225 * x255
-        x288 = x286 + x287
-        x289 = x229 * x251
-        x290 = x288 - x289
-        x291 = x232 * x253
-        x292 = x290 - x291
-        x293 = x242 * x251
-        x294 = x292 + x293
-        x295 = x248 * x253
-        x296 = x294 + x295
-        x297 = x296 * x276
-        x298 = x296 * x297
-        x299 = x275 * x297
-        x300 = x299 / x279
-        x301 = x299 * x300
-        x302 = x298 + x301
-        x303 = x285 - x302
-        return _finish(batch, ((x110, x114, x116), (x167, 0.0, x170, 0.0, 0.0, 0.0, x173, 0.0, x176, 0.0, x181, 0.0, x184, 0.0, x188, 0.0, x195, 0.0, x212, 0.0, x220, 0.0, x221, 0.0)), ((x62, 5.057800000000001e-06), (x109, 3.264600000000001e-07), (x250, 0.0001379), (x279, 0.00043948), (x303, 0.00043948)), (x62, x109, x114, x167, x170, x181, x188, x195, x212, x220, x221, x250, x279, x303))
+        crank_sin = np.sin(A_q)
+        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        minus_crank_U_still_xx = A_v * A_v
+        t2 = 0.15 * minus_crank_U_still_xx
+        crank_cos = np.cos(A_q)
+        t3 = t2 - 9.81 * crank_cos
+        t4 = coupler_sin * t3
+        coupler_cos = np.cos(t1)
+        minus_crank_acc_y = 9.81 * crank_sin
+        coupler_rate_moment_z = 0.3 * (t4 - coupler_cos * minus_crank_acc_y)
+        coupler_acc_still_y_2 = coupler_sin * t2
+        t6 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t6)
+        minus_rocker_U_still_xx = D_v * D_v
+        t7 = 0.51 * minus_rocker_U_still_xx
+        t8 = rocker_cos * t7
+        t9 = crank_cos * t8
+        minus_rocker_sin = np.sin(t6)
+        t10 = minus_rocker_sin * t7
+        t12 = t9 - crank_sin * t10
+        t13 = coupler_sin * t12
+        t16 = crank_sin * t8 + crank_cos * t10
+        C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t21 = 0.51 * rocker_cos
+        t22 = minus_coupler_rotation_xy * t21
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t25 = 0.51 * minus_rocker_sin
+        C_closure_fy_by_D = t22 + coupler_rotation_xx * t25
+        t29 = coupler_cos * t12 - coupler_sin * t16
+        minus_coupler_acc_still_x = coupler_cos * t2
+        coupler_omega_z = A_v + B_v
+        minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
+        C_opening_bias_fx = t29 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t21 - minus_coupler_rotation_xy * t25
+        t34 = 1.0 / minus_C_closure_fx_by_D
+        D_joint_acc_still = C_opening_bias_fx * t34
+        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still
+        coupler_rate_moment_z_2 = coupler_rate_moment_z - 0.2 * t36
+        minus_coupler_rate_force_x = 0.3 * minus_coupler_U_still_xx
+        t40 = coupler_rate_moment_z_2 - 0.15 * (coupler_sin * minus_coupler_rate_force_x + coupler_cos * (0.6 * t36))
+        minus_A_generalised_force = A_u + (minus_crank_rate_moment_z - t40)
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        D_null_space_by_A = 0.15 * coupler_sin * t34
+        t43 = crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t43
+        t45 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_moment_z_2
+        rocker_rate_moment_z = 3.00186 * minus_rocker_sin
+        A_reduced_force = t45 - D_null_space_by_A * (rocker_rate_moment_z + 0.10404 * D_joint_acc_still)
+        t49 = coupler_cos * (0.1 * coupler_cos)
+        A_mass_matrix_by_A = 0.1 - t49 + (0.03075 + (t49 + 0.09 * coupler_cos))
+        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t54 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
+        t58 = t54 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t43)
+        A_reduced_inertia_by_A = t58 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
+        minus_B_joint_acc = 2.0 * t36 + minus_B_null_space_by_A * A_joint_acc
+        B_joint_acc = -minus_B_joint_acc
+        D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
+        crank_rate_force_x = 4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx
+        rocker_rate_moment_z_3 = rocker_rate_moment_z + 0.10404 * D_joint_acc
+        coupler_alpha_z = A_joint_acc - minus_B_joint_acc
+        t66 = 0.1 * coupler_alpha_z
+        t68 = minus_crank_acc_y - 0.15 * A_joint_acc
+        coupler_acc_y = t4 - coupler_cos * t68
+        C_multiplier_fy = 2.0 * (t66 + 0.3 * coupler_acc_y)
+        t71 = coupler_sin * C_multiplier_fy
+        t72 = crank_sin * t71
+        t73 = coupler_cos * C_multiplier_fy
+        t76 = t21 * (t72 - crank_cos * t73)
+        rocker_joint_force_moment_z = rocker_rate_moment_z_3 - (t76 + t25 * (crank_cos * t71 + crank_sin * t73))
+        minus_C_multiplier_fx = t34 * rocker_joint_force_moment_z
+        coupler_sent_force_x = minus_C_multiplier_fx - (minus_coupler_rate_force_x + 1.2 * (coupler_cos * t3 + coupler_sin * t68))
+        t85 = coupler_cos * coupler_sent_force_x
+        minus_coupler_sent_force_y = C_multiplier_fy - (0.3 * coupler_alpha_z + 1.2 * coupler_acc_y)
+        coupler_joint_sent_force_x = t85 + coupler_sin * minus_coupler_sent_force_y
+        crank_sent_force_x = crank_rate_force_x + coupler_joint_sent_force_x
+        t88 = crank_sin * crank_sent_force_x
+        coupler_joint_sent_force_y = coupler_sin * coupler_sent_force_x - coupler_cos * minus_coupler_sent_force_y
+        crank_sent_force_y = coupler_joint_sent_force_y - (4.905 * crank_sin - 0.0375 * A_joint_acc)
+        crank_joint_sent_force_y = t88 + crank_cos * crank_sent_force_y
+        crank_joint_sent_force_x = crank_cos * crank_sent_force_x - crank_sin * crank_sent_force_y
+        B_reaction_force_x = crank_sin * coupler_joint_sent_force_x + crank_cos * coupler_joint_sent_force_y
+        B_reaction_force_z = crank_cos * coupler_joint_sent_force_x - crank_sin * coupler_joint_sent_force_y
+        coupler_position_z = 0.15 * crank_cos
+        t100 = coupler_position_z * B_reaction_force_x
+        coupler_position_x = 0.15 * crank_sin
+        B_reaction_moment_y = t100 - coupler_position_x * B_reaction_force_z
+        C_reaction_force_x = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
+        minus_C_reaction_force_z = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
+        C_reaction_force_z = -minus_C_reaction_force_z
+        t108 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_force_x
+        C_reaction_moment_y = t108 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_force_z
+        minus_rocker_rate_force_x_2 = 0.306 * minus_rocker_U_still_xx - 11.772 * rocker_cos
+        t113 = minus_rocker_sin * minus_rocker_rate_force_x_2
+        rocker_rate_force_y_2 = 11.772 * minus_rocker_sin + 0.306 * D_joint_acc
+        t116 = t113 + rocker_cos * rocker_rate_force_y_2
+        t118 = t71 + coupler_cos * minus_C_multiplier_fx
+        t119 = crank_sin * t118
+        t121 = t73 - coupler_sin * minus_C_multiplier_fx
+        rocker_joint_sent_force_y = t116 - (t119 - crank_cos * t121)
+        t126 = rocker_cos * minus_rocker_rate_force_x_2 - minus_rocker_sin * rocker_rate_force_y_2
+        minus_rocker_joint_sent_force_x = t126 + (crank_cos * t118 + crank_sin * t121)
+        rocker_joint_sent_force_x = -minus_rocker_joint_sent_force_x
+        D_reaction_moment_y = 0.64 * minus_rocker_joint_sent_force_x
+        t130 = 1.6573358657425363 * coupler_sin
+        t132 = 2.0 + t130 * t130
+        t133 = 1.6573358657425363 * coupler_cos
+        t136 = 1.0 + (t132 + t133 * t133)
+        t137 = 1.690482583057387 * minus_rocker_sin
+        t139 = t136 + t137 * t137
+        t140 = 1.690482583057387 * rocker_cos
+        t143 = 1.0 + (t139 + t140 * t140)
+        crank_lever_moment_x_by_C_fz = 0.5 * coupler_sin
+        t144 = crank_cos * crank_lever_moment_x_by_C_fz
+        minus_crank_lever_moment_y_by_C_fz = 0.15 + 0.5 * coupler_cos
+        t146 = 3.3146717314850727 * (t144 + crank_sin * minus_crank_lever_moment_y_by_C_fz)
+        t148 = t143 + t146 * t146
+        t151 = 3.3146717314850727 * (crank_sin * crank_lever_moment_x_by_C_fz - crank_cos * minus_crank_lever_moment_y_by_C_fz)
+        pivot_0 = t148 + t151 * t151
+        t153 = 3.3146717314850727 * coupler_rotation_xx
+        t154 = t153 * t153
+        t155 = 3.3146717314850727 * minus_coupler_rotation_xy
+        t156 = t155 * t155
+        t157 = 3.3146717314850727 * coupler_cos
+        t158 = t157 * t157
+        t159 = 10.987048687506249 + t158
+        t160 = 3.3146717314850727 * coupler_sin
+        t161 = t160 * t160
+        t166 = t154 + (t156 + (t159 + t161 + t156 + t154))
+        t171 = t130 * t157 - t133 * t160 + t137 * t155
+        t177 = t171 - t140 * t153 - t146 * t155 + t151 * t153
+        t178 = 1.0 / pivot_0
+        pivot_1 = t166 - t177 * (t177 * t178)
+        t186 = t156 + (t154 + (t156 + (t154 + (t158 + (10.987048687506249 + t161)))))
+        t191 = t130 * t160 + t133 * t157 - t137 * t153
+        t197 = t191 - t140 * t155 + t146 * t153 + t151 * t155
+        t198 = t197 * t178
+        t199 = t197 * t198
+        t200 = t177 * t198
+        pivot_2 = t186 - (t199 + t200 * (t200 / pivot_1))
+        return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc), (crank_joint_sent_force_y,
+            0.0, crank_joint_sent_force_x, 0.0, 0.0, 0.0, B_reaction_force_x, 0.0,
+            B_reaction_force_z, 0.0, B_reaction_moment_y, 0.0, C_reaction_force_x, 0.0,
+            C_reaction_force_z, 0.0, C_reaction_moment_y, 0.0, rocker_joint_sent_force_y, 0.0,
+            rocker_joint_sent_force_x, 0.0, D_reaction_moment_y, 0.0)), ((minus_C_closure_fx_by_D,
+            5.057800000000001e-06), (A_reduced_inertia_by_A, 3.264600000000001e-07), (pivot_0,
+            0.0001379), (pivot_1, 0.00043948), (pivot_2, 0.00043948)), (minus_C_closure_fx_by_D,
+            A_reduced_inertia_by_A, B_joint_acc, crank_joint_sent_force_y, crank_joint_sent_force_x,
+            B_reaction_moment_y, C_reaction_force_z, C_reaction_moment_y, rocker_joint_sent_force_y,
+            rocker_joint_sent_force_x, D_reaction_moment_y, pivot_0, pivot_1, pivot_2))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
     """The dense path of forward_dynamics_reactions."""
     entries, batch = _entries("_forward_dynamics_reactions_dense", {"q": 3, "v": 3, "u": 1}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_u,
+    ) = entries
     with np.errstate(all="ignore"):
-        x7 = 0.9272952180016122 + x1
-        x8 = np.cos(x7)
-        x9 = 0.1 * x8
-        x10 = x8 * x9
-        x11 = 0.1 - x10
-        x12 = 0.09 * x8
-        x13 = x10 + x12
-        x14 = 0.03075 + x13
-        x15 = x11 + x14
-        x16 = 0.045 * x8
-        x17 = 0.1 + x16
-        x18 = np.sin(x0)
-        x19 = 2.133675 * x18
-        x20 = np.sin(x7)
-        x21 = x3 * x3
-        x22 = 0.15 * x21
-        x23 = np.cos(x0)
-        x24 = 9.81 * x23
-        x25 = x22 - x24
-        x26 = x20 * x25
-        x27 = 9.81 * x18
-        x28 = x8 * x27
-        x29 = x26 - x28
-        x30 = 0.3 * x29
-        x31 = x3 + x4
-        x32 = x31 * x31
-        x33 = 0.3 * x32
-        x34 = x20 * x33
-        x35 = 0.15 * x34
-        x36 = x30 - x35
-        x37 = x19 - x36
-        x38 = x37 + x6
-        x39 = -x30
-        x40 = 0.4899573262537283 - x2
-        x41 = np.sin(x40)
-        x42 = 3.00186 * x41
-        x43 = -x42
-        x44 = 0.15 * x20
-        x45 = 0.15 * x8
-        x46 = 0.5 + x45
-        x47 = x18 * x20
-        x48 = x23 * x8
-        x49 = x47 - x48
-        x50 = 0.51 * x41
-        x51 = x49 * x50
-        x52 = x18 * x8
-        x53 = x23 * x20
-        x54 = x52 + x53
-        x55 = np.cos(x40)
-        x56 = 0.51 * x55
-        x57 = x54 * x56
-        x58 = x51 - x57
-        x59 = x49 * x56
-        x60 = x54 * x50
-        x61 = x59 + x60
-        x62 = x5 * x5
-        x63 = 0.51 * x62
-        x64 = x55 * x63
-        x65 = x23 * x64
-        x66 = x41 * x63
-        x67 = x18 * x66
-        x68 = x65 - x67
-        x69 = x8 * x68
-        x70 = x18 * x64
-        x71 = x23 * x66
-        x72 = x70 + x71
-        x73 = x20 * x72
-        x74 = x69 - x73
-        x75 = x8 * x22
-        x76 = 0.5 * x32
-        x77 = x75 + x76
-        x78 = x74 - x77
-        x79 = x20 * x22
-        x80 = x20 * x68
-        x81 = x8 * x72
-        x82 = x80 + x81
-        x83 = x79 - x82
-        return _finish(batch, ((x15, x17, 0.0, x17, 0.1, 0.0, 0.0, 0.0, 0.10404), (x38, x39, x43), (x44, x46, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, x58, x61, 0.0, 0.0, 0.0), (x78, x83, 0.0, 0.0, 0.0)), (), (x15, x17, x38, x39, x43, x44, x46, x58, x61, x78, x83))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t3 = coupler_cos * (0.1 * coupler_cos)
+        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
+        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        crank_sin = np.sin(A_q)
+        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        coupler_sin = np.sin(t1)
+        t7 = 0.15 * (A_v * A_v)
+        crank_cos = np.cos(A_q)
+        coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
+        coupler_rate_moment_z = 0.3 * coupler_acc_still_y
+        coupler_omega_z = A_v + B_v
+        minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
+        minus_crank_force_moment_z = minus_crank_rate_moment_z - (coupler_rate_moment_z - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
+        minus_A_generalised_force = minus_crank_force_moment_z + A_u
+        minus_coupler_rate_moment_z = -coupler_rate_moment_z
+        t13 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t13)
+        minus_rocker_rate_moment_z = -(3.00186 * minus_rocker_sin)
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t17 = 0.51 * minus_rocker_sin
+        t18 = minus_coupler_rotation_xy * t17
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        rocker_cos = np.cos(t13)
+        t21 = 0.51 * rocker_cos
+        C_closure_fx_by_D = t18 - coupler_rotation_xx * t21
+        C_closure_fy_by_D = minus_coupler_rotation_xy * t21 + coupler_rotation_xx * t17
+        t25 = 0.51 * (D_v * D_v)
+        t26 = rocker_cos * t25
+        t27 = crank_cos * t26
+        t28 = minus_rocker_sin * t25
+        t30 = t27 - crank_sin * t28
+        t31 = coupler_cos * t30
+        t34 = crank_sin * t26 + crank_cos * t28
+        C_opening_bias_fx = t31 - coupler_sin * t34 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
+        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t30 + coupler_cos * t34)
+        return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
+            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_moment_z,
+            minus_rocker_rate_moment_z), (crank_lever_moment_z_by_C_fx,
+            crank_lever_moment_z_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
+            C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
+            0.0)), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
+            minus_coupler_rate_moment_z, minus_rocker_rate_moment_z, crank_lever_moment_z_by_C_fx,
+            crank_lever_moment_z_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
+            C_opening_bias_fy))
 
 
 def _forward_dynamics_reactions_wrenches(*arguments):
     """The wrenches path of forward_dynamics_reactions."""
     entries, batch = _entries("_forward_dynamics_reactions_wrenches", {"q": 3, "v": 3, "u": 1, "a": 3, "multipliers": 5}, arguments)
-    x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v, A_u, A_a, B_a, D_a, multipliers_0, multipliers_1,
+        multipliers_2, multipliers_3, multipliers_4,
+    ) = entries
     with np.errstate(all="ignore"):
-        x15 = np.sin(x0)
-        x16 = np.cos(x0)
-        x17 = 4.905 * x16
-        x18 = x3 * x3
-        x19 = 0.0375 * x18
-        x20 = x17 - x19
-        x21 = 0.9272952180016122 + x1
-        x22 = np.cos(x21)
-        x23 = x3 + x4
-        x24 = x23 * x23
-        x25 = 0.3 * x24
-        x26 = 0.15 * x18
-        x27 = 9.81 * x16
-        x28 = x26 - x27
-        x29 = x22 * x28
-        x30 = np.sin(x21)
-        x31 = 0.15 * x7
-        x32 = 9.81 * x15
-        x33 = x31 - x32
-        x34 = x30 * x33
-        x35 = x29 - x34
-        x36 = 1.2 * x35
-        x37 = x25 + x36
-        x38 = x37 + x10
-        x39 = x22 * x38
-        x40 = x7 + x8
-        x41 = 0.3 * x40
-        x42 = x30 * x28
-        x43 = x22 * x33
-        x44 = x42 + x43
-        x45 = 1.2 * x44
-        x46 = x41 + x45
-        x47 = x46 - x11
-        x48 = x30 * x47
-        x49 = x39 + x48
-        x50 = x20 - x49
-        x51 = x15 * x50
-        x52 = 4.905 * x15
-        x53 = 0.0375 * x7
-        x54 = x52 - x53
-        x55 = x30 * x38
-        x56 = x22 * x47
-        x57 = x55 - x56
-        x58 = x54 + x57
-        x59 = x16 * x58
-        x60 = x51 - x59
-        x61 = -x12
-        x62 = x16 * x50
-        x63 = x15 * x58
-        x64 = x62 + x63
-        x65 = x22 * x13
-        x66 = 0.5 * x12
-        x67 = x14 - x66
-        x68 = x30 * x67
-        x69 = x65 - x68
-        x70 = x15 * x69
-        x71 = x30 * x13
-        x72 = x22 * x67
-        x73 = x71 + x72
-        x74 = 0.15 * x12
-        x75 = x73 - x74
-        x76 = x16 * x75
-        x77 = x70 + x76
-        x78 = -x77
-        x79 = x16 * x69
-        x80 = x15 * x75
-        x81 = x79 - x80
-        x82 = -x81
-        x83 = x15 * x49
-        x84 = x16 * x57
-        x85 = x83 + x84
-        x86 = -x85
-        x87 = x16 * x49
-        x88 = x15 * x57
-        x89 = x87 - x88
-        x90 = -x89
-        x91 = 0.15 * x16
-        x92 = x91 * x12
-        x93 = x16 * x73
-        x94 = x70 + x93
-        x95 = x92 - x94
-        x96 = 0.15 * x15
-        x97 = x96 * x89
-        x98 = x91 * x85
-        x99 = x97 - x98
-        x100 = x15 * x73
-        x101 = x79 - x100
-        x102 = x96 * x12
-        x103 = x101 + x102
-        x104 = -x103
-        x105 = x15 * x22
-        x106 = x16 * x30
-        x107 = x105 + x106
-        x108 = x107 * x10
-        x109 = x15 * x30
-        x110 = x16 * x22
-        x111 = x109 - x110
-        x112 = x111 * x11
-        x113 = x108 - x112
-        x114 = -x113
-        x115 = x111 * x10
-        x116 = x107 * x11
-        x117 = x115 + x116
-        x118 = 0.5 * x111
-        x119 = x91 - x118
-        x120 = x119 * x12
-        x121 = x107 * x13
-        x122 = x111 * x14
-        x123 = x121 - x122
-        x124 = x120 - x123
-        x125 = x119 * x113
-        x126 = 0.5 * x107
-        x127 = x96 + x126
-        x128 = x127 * x117
-        x129 = x125 + x128
-        x130 = -x129
-        x131 = x111 * x13
-        x132 = x107 * x14
-        x133 = x131 + x132
-        x134 = x127 * x12
-        x135 = x133 - x134
-        x136 = 0.4899573262537283 - x2
-        x137 = np.sin(x136)
-        x138 = x5 * x5
-        x139 = 0.306 * x138
-        x140 = np.cos(x136)
-        x141 = 11.772 * x140
-        x142 = x139 - x141
-        x143 = x137 * x142
-        x144 = 0.306 * x9
-        x145 = 11.772 * x137
-        x146 = x144 + x145
-        x147 = x140 * x146
-        x148 = x143 + x147
-        x149 = x22 * x10
-        x150 = x30 * x11
-        x151 = x149 - x150
-        x152 = x15 * x151
-        x153 = x30 * x10
-        x154 = x22 * x11
-        x155 = x153 + x154
-        x156 = x16 * x155
-        x157 = x152 + x156
-        x158 = x148 + x157
-        x159 = x140 * x142
-        x160 = x137 * x146
-        x161 = x159 - x160
-        x162 = x16 * x151
-        x163 = x15 * x155
-        x164 = x162 - x163
-        x165 = x161 - x164
-        x166 = -x165
-        x167 = x30 * x14
-        x168 = x65 - x167
-        x169 = x15 * x168
-        x170 = x22 * x14
-        x171 = x71 + x170
-        x172 = x16 * x171
-        x173 = x169 + x172
-        x174 = 0.51 * x140
-        x175 = x174 * x12
-        x176 = x173 - x175
-        x177 = 0.64 * x165
-        x178 = x16 * x168
-        x179 = x15 * x171
-        x180 = x178 - x179
-        x181 = 0.51 * x137
-        x182 = x181 * x12
-        x183 = x180 - x182
-        x184 = 0.64 * x12
-        x185 = x183 + x184
-        x186 = 3.3146717314850727 * x81
-        x187 = -x186
-        x188 = 3.3146717314850727 * x77
-        x189 = -x188
-        x190 = -x49
-        x191 = -x57
-        x192 = 3.3146717314850727 * x69
-        x193 = -x192
-        x194 = 3.3146717314850727 * x73
-        x195 = -x194
-        x196 = -x10
-        x197 = -x11
-        x198 = 3.3146717314850727 * x13
-        x199 = -x198
-        x200 = 3.3146717314850727 * x14
-        x201 = -x200
-        x202 = 3.3146717314850727 * x183
-        x203 = 3.3146717314850727 * x176
-        return _finish(batch, ((x60, x61, x64, x78, 0.0, x82, x86, x61, x90, x95, x99, x104, x114, x61, x117, x124, x130, x135, x158, x12, x166, x176, x177, x185), (x64, x60, x61, x187, x189, 0.0, x190, x191, x61, x193, x195, 0.0, x196, x197, x61, x199, x201, 0.0, x166, x158, x12, x202, x203, 0.0)), (), (x60, x61, x64, x78, x82, x86, x90, x95, x99, x104, x114, x124, x130, x135, x158, x166, x177, x185, x187, x189, x190, x191, x193, x195, x196, x197, x199, x201, x202, x203, x6))
+        crank_sin = np.sin(A_q)
+        crank_cos = np.cos(A_q)
+        t1 = 4.905 * crank_cos
+        minus_crank_U_still_xx = A_v * A_v
+        crank_rate_force_x = t1 - 0.0375 * minus_crank_U_still_xx
+        t3 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t3)
+        coupler_omega_z = A_v + B_v
+        minus_coupler_rate_force_x = 0.3 * (coupler_omega_z * coupler_omega_z)
+        t5 = 0.15 * minus_crank_U_still_xx - 9.81 * crank_cos
+        t6 = coupler_cos * t5
+        coupler_sin = np.sin(t3)
+        t8 = 0.15 * A_a - 9.81 * crank_sin
+        minus_coupler_sent_force_x = minus_coupler_rate_force_x + 1.2 * (t6 - coupler_sin * t8) + multipliers_0
+        t11 = coupler_cos * minus_coupler_sent_force_x
+        coupler_rate_force_y = 0.3 * (A_a + B_a)
+        coupler_sent_force_y = coupler_rate_force_y + 1.2 * (coupler_sin * t5 + coupler_cos * t8) - multipliers_1
+        minus_coupler_joint_sent_force_x = t11 + coupler_sin * coupler_sent_force_y
+        crank_sent_force_x = crank_rate_force_x - minus_coupler_joint_sent_force_x
+        t16 = crank_sin * crank_sent_force_x
+        minus_crank_rate_force_y = 4.905 * crank_sin - 0.0375 * A_a
+        minus_coupler_joint_sent_force_y = coupler_sin * minus_coupler_sent_force_x - coupler_cos * coupler_sent_force_y
+        minus_crank_sent_force_y = minus_crank_rate_force_y + minus_coupler_joint_sent_force_y
+        crank_joint_sent_force_y = t16 - crank_cos * minus_crank_sent_force_y
+        C_joint_reaction_force_z = -multipliers_2
+        crank_joint_sent_force_x = crank_cos * crank_sent_force_x + crank_sin * minus_crank_sent_force_y
+        t24 = coupler_cos * multipliers_3
+        minus_coupler_sent_moment_y = multipliers_4 - 0.5 * multipliers_2
+        minus_coupler_joint_sent_moment_x = t24 - coupler_sin * minus_coupler_sent_moment_y
+        t27 = crank_sin * minus_coupler_joint_sent_moment_x
+        t28 = coupler_sin * multipliers_3
+        minus_coupler_joint_sent_moment_y = t28 + coupler_cos * minus_coupler_sent_moment_y
+        minus_crank_sent_moment_y = minus_coupler_joint_sent_moment_y - 0.15 * multipliers_2
+        minus_crank_joint_sent_moment_y = t27 + crank_cos * minus_crank_sent_moment_y
+        crank_joint_sent_moment_y = -minus_crank_joint_sent_moment_y
+        t32 = crank_cos * minus_coupler_joint_sent_moment_x
+        minus_crank_joint_sent_moment_x = t32 - crank_sin * minus_crank_sent_moment_y
+        crank_joint_sent_moment_x = -minus_crank_joint_sent_moment_x
+        t36 = crank_sin * minus_coupler_joint_sent_force_x + crank_cos * minus_coupler_joint_sent_force_y
+        B_reactions_fx = -t36
+        t39 = crank_cos * minus_coupler_joint_sent_force_x - crank_sin * minus_coupler_joint_sent_force_y
+        B_reactions_fz = -t39
+        coupler_position_z = 0.15 * crank_cos
+        B_reactions_mx = coupler_position_z * multipliers_2 - (t27 + crank_cos * minus_coupler_joint_sent_moment_y)
+        coupler_position_x = 0.15 * crank_sin
+        B_reactions_my = coupler_position_x * t39 - coupler_position_z * t36
+        B_reactions_mz = -(t32 - crank_sin * minus_coupler_joint_sent_moment_y + coupler_position_x * multipliers_2)
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t51 = coupler_rotation_xx * multipliers_0
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t55 = t51 - minus_coupler_rotation_xy * multipliers_1
+        C_reactions_fx = -t55
+        C_reactions_fz = minus_coupler_rotation_xy * multipliers_0 + coupler_rotation_xx * multipliers_1
+        t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy
+        t60 = t59 * multipliers_2
+        C_reactions_mx = t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4)
+        t64 = t59 * t55
+        t66 = coupler_position_x + 0.5 * coupler_rotation_xx
+        C_reactions_my = -(t64 + t66 * C_reactions_fz)
+        t71 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
+        C_reactions_mz = t71 - t66 * multipliers_2
+        t73 = 0.4899573262537283 - D_q
+        minus_rocker_sin = np.sin(t73)
+        minus_rocker_rate_force_x = 0.306 * (D_v * D_v)
+        rocker_cos = np.cos(t73)
+        minus_rocker_rate_force_x_2 = minus_rocker_rate_force_x - 11.772 * rocker_cos
+        t75 = minus_rocker_sin * minus_rocker_rate_force_x_2
+        rocker_rate_force_y_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
+        t78 = t75 + rocker_cos * rocker_rate_force_y_2
+        t81 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
+        t82 = crank_sin * t81
+        t85 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1
+        rocker_joint_sent_force_y = t78 + (t82 + crank_cos * t85)
+        t90 = rocker_cos * minus_rocker_rate_force_x_2 - minus_rocker_sin * rocker_rate_force_y_2
+        minus_rocker_joint_sent_force_x = t90 - (crank_cos * t81 - crank_sin * t85)
+        rocker_joint_sent_force_x = -minus_rocker_joint_sent_force_x
+        t95 = t24 - coupler_sin * multipliers_4
+        t96 = crank_sin * t95
+        t98 = t28 + coupler_cos * multipliers_4
+        rocker_joint_sent_moment_y = t96 + crank_cos * t98 - 0.51 * rocker_cos * multipliers_2
+        D_reactions_my = 0.64 * minus_rocker_joint_sent_force_x
+        rocker_joint_sent_moment_x = crank_cos * t95 - crank_sin * t98 - 0.51 * minus_rocker_sin * multipliers_2
+        D_reactions_mz = rocker_joint_sent_moment_x + 0.64 * multipliers_2
+        sized_3 = -(3.3146717314850727 * minus_crank_joint_sent_moment_x)
+        sized_4 = -(3.3146717314850727 * minus_crank_joint_sent_moment_y)
+        coupler_joint_sent_force_x = -minus_coupler_joint_sent_force_x
+        coupler_joint_sent_force_y = -minus_coupler_joint_sent_force_y
+        sized_9 = -(3.3146717314850727 * minus_coupler_joint_sent_moment_x)
+        sized_10 = -(3.3146717314850727 * minus_coupler_joint_sent_moment_y)
+        C_joint_reaction_force_x = -multipliers_0
+        C_joint_reaction_force_y = -multipliers_1
+        sized_15 = -(3.3146717314850727 * multipliers_3)
+        sized_16 = -(3.3146717314850727 * multipliers_4)
+        sized_21 = 3.3146717314850727 * rocker_joint_sent_moment_x
+        sized_22 = 3.3146717314850727 * rocker_joint_sent_moment_y
+        return _finish(batch, ((crank_joint_sent_force_y, C_joint_reaction_force_z,
+            crank_joint_sent_force_x, crank_joint_sent_moment_y, 0.0, crank_joint_sent_moment_x,
+            B_reactions_fx, C_joint_reaction_force_z, B_reactions_fz, B_reactions_mx,
+            B_reactions_my, B_reactions_mz, C_reactions_fx, C_joint_reaction_force_z,
+            C_reactions_fz, C_reactions_mx, C_reactions_my, C_reactions_mz,
+            rocker_joint_sent_force_y, multipliers_2, rocker_joint_sent_force_x,
+            rocker_joint_sent_moment_y, D_reactions_my, D_reactions_mz), (crank_joint_sent_force_x,
+            crank_joint_sent_force_y, C_joint_reaction_force_z, sized_3, sized_4, 0.0,
+            coupler_joint_sent_force_x, coupler_joint_sent_force_y, C_joint_reaction_force_z,
+            sized_9, sized_10, 0.0, C_joint_reaction_force_x, C_joint_reaction_force_y,
+            C_joint_reaction_force_z, sized_15, sized_16, 0.0, rocker_joint_sent_force_x,
+            rocker_joint_sent_force_y, multipliers_2, sized_21, sized_22, 0.0)), (),
+            (crank_joint_sent_force_y, C_joint_reaction_force_z, crank_joint_sent_force_x,
+            crank_joint_sent_moment_y, crank_joint_sent_moment_x, B_reactions_fx, B_reactions_fz,
+            B_reactions_mx, B_reactions_my, B_reactions_mz, C_reactions_fx, C_reactions_mx,
+            C_reactions_my, C_reactions_mz, rocker_joint_sent_force_y, rocker_joint_sent_force_x,
+            D_reactions_my, D_reactions_mz, sized_3, sized_4, coupler_joint_sent_force_x,
+            coupler_joint_sent_force_y, sized_9, sized_10, C_joint_reaction_force_x,
+            C_joint_reaction_force_y, sized_15, sized_16, sized_21, sized_22, A_u))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -2822,79 +1991,49 @@ def close_position(*arguments):
     Operations: 80 (add 30, mul 36, div 2, sqrt 1, trig 6, compare 5)
     """
     entries, batch = _entries("close_position", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.cos(x3)
-        x5 = 0.15 * x4
-        x6 = 0.5 + x5
-        x7 = np.sin(x0)
-        x8 = np.sin(x3)
-        x9 = x7 * x8
-        x10 = np.cos(x0)
-        x11 = x10 * x4
-        x12 = x9 - x11
-        x13 = 0.4899573262537283 - x2
-        x14 = np.cos(x13)
-        x15 = 0.51 * x14
-        x16 = x12 * x15
-        x17 = x7 * x4
-        x18 = x10 * x8
-        x19 = x17 + x18
-        x20 = np.sin(x13)
-        x21 = 0.51 * x20
-        x22 = x19 * x21
-        x23 = x16 + x22
-        x24 = 0.15 * x8
-        x25 = x19 * x15
-        x26 = x12 * x21
-        x27 = x25 - x26
-        x28 = 1.0 / x27
-        x29 = x24 * x28
-        x30 = x23 * x29
-        x31 = x6 + x30
-        x32 = 2.0 * x31
-        x33 = 0.15 * x7
-        x34 = 0.5 * x19
-        x35 = x33 + x34
-        x36 = 0.64 - x21
-        x37 = x35 - x36
-        x38 = x12 * x37
-        x39 = 0.15 * x10
-        x40 = 0.5 * x12
-        x41 = x39 - x40
-        x42 = x41 - x15
-        x43 = x19 * x42
-        x44 = x38 + x43
-        x45 = x19 * x37
-        x46 = x12 * x42
-        x47 = x45 - x46
-        x48 = x47 * x28
-        x49 = x23 * x48
-        x50 = x44 - x49
-        x51 = 2.0 * x50
-        x52 = x32 * x51
-        x53 = x29 * x48
-        x54 = x52 - x53
-        x55 = x32 * x32
-        x56 = 1.0 + x55
-        x57 = x29 * x29
-        x58 = x56 + x57
-        x59 = x54 / x58
-        x60 = x0 + x59
-        x61 = x32 * x59
-        x62 = x51 - x61
-        x63 = x1 + x62
-        x64 = x29 * x59
-        x65 = x48 + x64
-        x66 = x2 + x65
-        x67 = 3.3146717314850727 * x47
-        x68 = x67 * x67
-        x69 = 3.3146717314850727 * x44
-        x70 = x69 * x69
-        x71 = x68 + x70
-        x72 = np.sqrt(x71)
-        return _finish(batch, ((x60, x63, x66), (x72,)), ((x27, 3.01689e-10), (x58, 2.4194e-09)), (x27, x58, x60, x63, x66, x72))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_sin = np.sin(A_q)
+        coupler_sin = np.sin(t1)
+        t3 = crank_sin * coupler_sin
+        crank_cos = np.cos(A_q)
+        minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
+        t5 = 0.4899573262537283 - D_q
+        t6 = 0.51 * np.cos(t5)
+        t7 = minus_coupler_rotation_xy * t6
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t10 = 0.51 * np.sin(t5)
+        C_closure_fy_by_D = t7 + coupler_rotation_xx * t10
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t6 - minus_coupler_rotation_xy * t10
+        t14 = 1.0 / minus_C_closure_fx_by_D
+        D_null_space_by_A = crank_lever_moment_z_by_C_fx * t14
+        minus_B_null_space_by_A = 2.0 * (crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
+        t20 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx - (0.64 - t10)
+        t21 = minus_coupler_rotation_xy * t20
+        t24 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - t6
+        minus_C_opening_fy = t21 + coupler_rotation_xx * t24
+        C_opening_fx = coupler_rotation_xx * t20 - minus_coupler_rotation_xy * t24
+        t28 = C_opening_fx * t14
+        t31 = 2.0 * (minus_C_opening_fy - C_closure_fy_by_D * t28)
+        t34 = minus_B_null_space_by_A * t31 - D_null_space_by_A * t28
+        pivot_0 = 1.0 + minus_B_null_space_by_A * minus_B_null_space_by_A + D_null_space_by_A * D_null_space_by_A
+        t38 = t34 / pivot_0
+        A_q_next = A_q + t38
+        B_q_next = B_q + (t31 - minus_B_null_space_by_A * t38)
+        D_q_next = D_q + (t28 + D_null_space_by_A * t38)
+        t43 = 3.3146717314850727 * C_opening_fx
+        t44 = t43 * t43
+        t45 = 3.3146717314850727 * minus_C_opening_fy
+        residual_residual = np.sqrt(t44 + t45 * t45)
+        return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,)),
+            ((minus_C_closure_fx_by_D, 3.01689e-10), (pivot_0, 2.4194e-09)),
+            (minus_C_closure_fx_by_D, pivot_0, A_q_next, B_q_next, D_q_next, residual_residual))
 
 
 def close_velocity(*arguments):
@@ -2914,50 +2053,36 @@ def close_velocity(*arguments):
     Operations: 49 (add 16, mul 20, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("close_velocity", {"q": 3, "v": 3}, arguments)
-    x0, x1, x2, x3, x4, x5, = entries
+    (
+        A_q, B_q, D_q, A_v, B_v, D_v,
+    ) = entries
     with np.errstate(all="ignore"):
-        x6 = 0.9272952180016122 + x1
-        x7 = np.cos(x6)
-        x8 = 0.15 * x7
-        x9 = 0.5 + x8
-        x10 = np.sin(x0)
-        x11 = np.sin(x6)
-        x12 = x10 * x11
-        x13 = np.cos(x0)
-        x14 = x13 * x7
-        x15 = x12 - x14
-        x16 = 0.4899573262537283 - x2
-        x17 = np.cos(x16)
-        x18 = 0.51 * x17
-        x19 = x15 * x18
-        x20 = x10 * x7
-        x21 = x13 * x11
-        x22 = x20 + x21
-        x23 = np.sin(x16)
-        x24 = 0.51 * x23
-        x25 = x22 * x24
-        x26 = x19 + x25
-        x27 = 0.15 * x11
-        x28 = x22 * x18
-        x29 = x15 * x24
-        x30 = x28 - x29
-        x31 = x27 / x30
-        x32 = x26 * x31
-        x33 = x9 + x32
-        x34 = 2.0 * x33
-        x35 = x4 * x34
-        x36 = x3 - x35
-        x37 = x5 * x31
-        x38 = x36 + x37
-        x39 = x34 * x34
-        x40 = 1.0 + x39
-        x41 = x31 * x31
-        x42 = x40 + x41
-        x43 = x38 / x42
-        x44 = x34 * x43
-        x45 = -x44
-        x46 = x31 * x43
-        return _finish(batch, ((x43, x45, x46),), ((x30, 3.01689e-10), (x42, 2.4194e-09)), (x30, x42, x45, x46))
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_sin = np.sin(A_q)
+        coupler_sin = np.sin(t1)
+        t3 = crank_sin * coupler_sin
+        crank_cos = np.cos(A_q)
+        minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
+        t5 = 0.4899573262537283 - D_q
+        t6 = 0.51 * np.cos(t5)
+        t7 = minus_coupler_rotation_xy * t6
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t10 = 0.51 * np.sin(t5)
+        C_closure_fy_by_D = t7 + coupler_rotation_xx * t10
+        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t6 - minus_coupler_rotation_xy * t10
+        D_null_space_by_A = crank_lever_moment_z_by_C_fx / minus_C_closure_fx_by_D
+        minus_B_null_space_by_A = 2.0 * (crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
+        t19 = A_v - B_v * minus_B_null_space_by_A + D_v * D_null_space_by_A
+        pivot_0 = 1.0 + minus_B_null_space_by_A * minus_B_null_space_by_A + D_null_space_by_A * D_null_space_by_A
+        A_v_next = t19 / pivot_0
+        B_v_next = -(minus_B_null_space_by_A * A_v_next)
+        D_v_next = D_null_space_by_A * A_v_next
+        return _finish(batch, ((A_v_next, B_v_next, D_v_next),), ((minus_C_closure_fx_by_D,
+            3.01689e-10), (pivot_0, 2.4194e-09)), (minus_C_closure_fx_by_D, pivot_0, B_v_next,
+            D_v_next))
 
 
 def inverse_kinematics(*arguments):
@@ -2975,45 +2100,28 @@ def inverse_kinematics(*arguments):
     Operations: 39 (add 13, mul 18, div 1, sqrt 1, trig 4, compare 2)
     """
     entries, batch = _entries("inverse_kinematics", {"pose": 1}, arguments)
-    x0, = entries
+    (
+        D_pose,
+    ) = entries
     with np.errstate(all="ignore"):
-        x1 = 0.4899573262537283 - x0
-        x2 = np.cos(x1)
-        x3 = 0.51 * x2
-        x4 = x3 * x3
-        x5 = np.sin(x1)
-        x6 = 0.51 * x5
-        x7 = 0.64 - x6
-        x8 = x7 * x7
-        x9 = x4 + x8
-        x10 = 1.0 / x9
-        x11 = x9 - 0.2725
-        x12 = 3.3333333333333335 * x11
-        x13 = 0.15 + x12
-        x14 = x7 * x13
-        x15 = 0.5 * x11
-        x16 = x15 * x15
-        x17 = 0.005625 - x16
-        x18 = np.sqrt(x17)
-        x19 = -x18
-        x20 = np.where(0.0 != 0.0, x19, x18)
-        x21 = 6.666666666666667 * x20
-        x22 = x3 * x21
-        x23 = x14 - x22
-        x24 = x10 * x23
-        x25 = x3 * x13
-        x26 = x7 * x21
-        x27 = x25 + x26
-        x28 = x10 * x27
-        x29 = np.arctan2(x24, x28)
-        x30 = 8.0 * x20
-        x31 = 5.333333333333333 * x11
-        x32 = x30 - x31
-        x33 = 4.0 * x11
-        x34 = 10.666666666666666 * x20
-        x35 = x33 + x34
-        x36 = np.arctan2(x32, x35)
-        return _finish(batch, ((x29, x36, x0),), (), (x29, x36, x0))
+        t1 = 0.4899573262537283 - D_pose
+        t2 = 0.51 * np.cos(t1)
+        t3 = t2 * t2
+        t5 = 0.64 - 0.51 * np.sin(t1)
+        t7 = t3 + t5 * t5
+        t8 = 1.0 / t7
+        t9 = t7 - 0.2725
+        minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t9
+        t10 = t5 * minus_crank_lever_moment_y_by_C_fz
+        t11 = 0.5 * t9
+        t14 = np.sqrt(0.005625 - t11 * t11)
+        t16 = np.where(0.0 != 0.0, -t14, t14)
+        crank_lever_moment_x_by_C_fz = 6.666666666666667 * t16
+        crank_sin = t8 * (t10 - t2 * crank_lever_moment_x_by_C_fz)
+        A_q = np.arctan2(crank_sin, t8 * (t2 * minus_crank_lever_moment_y_by_C_fz + t5 * crank_lever_moment_x_by_C_fz))
+        t24 = 8.0 * t16 - 5.333333333333333 * t9
+        B_q = np.arctan2(t24, 4.0 * t9 + 10.666666666666666 * t16)
+        return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose))
 
 
 def inverse_velocity(*arguments):
@@ -3033,61 +2141,43 @@ def inverse_velocity(*arguments):
     Operations: 56 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 4)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 1, "rate": 1}, arguments)
-    x0, x1, = entries
+    (
+        D_pose, D_rate,
+    ) = entries
     with np.errstate(all="ignore"):
-        x2 = 0.4899573262537283 - x0
-        x3 = np.cos(x2)
-        x4 = 0.51 * x3
-        x5 = x4 * x4
-        x6 = np.sin(x2)
-        x7 = 0.51 * x6
-        x8 = 0.64 - x7
-        x9 = x8 * x8
-        x10 = x5 + x9
-        x11 = x10 - 0.2725
-        x12 = 6.666666666666667 * x11
-        x13 = 1.0 / x10
-        x14 = 3.3333333333333335 * x11
-        x15 = 0.15 + x14
-        x16 = x4 * x15
-        x17 = 0.5 * x11
-        x18 = x17 * x17
-        x19 = 0.005625 - x18
-        x20 = np.sqrt(x19)
-        x21 = -x20
-        x22 = np.where(0.0 != 0.0, x21, x20)
-        x23 = 6.666666666666667 * x22
-        x24 = x8 * x23
-        x25 = x16 + x24
-        x26 = x13 * x25
-        x27 = 0.51 * x1
-        x28 = x6 * x27
-        x29 = x26 * x28
-        x30 = x8 * x15
-        x31 = x4 * x23
-        x32 = x30 - x31
-        x33 = x13 * x32
-        x34 = x3 * x27
-        x35 = x33 * x34
-        x36 = x29 + x35
-        x37 = x12 * x36
-        x38 = 13.333333333333334 * x22
-        x39 = x33 * x28
-        x40 = x26 * x34
-        x41 = x39 - x40
-        x42 = x38 * x41
-        x43 = x37 - x42
-        x44 = 2.0 * x22
-        x45 = x43 / x44
-        x46 = x38 * x36
-        x47 = x12 * x41
-        x48 = x46 + x47
-        x49 = x10 + 0.2275
-        x50 = x49 * x45
-        x51 = x48 + x50
-        x52 = 2.0 * x51
-        x53 = -x52
-        return _finish(batch, ((x45, x53, x1),), ((x44, 3.01689e-10),), (x44, x53))
+        t1 = 0.4899573262537283 - D_pose
+        rocker_cos = np.cos(t1)
+        t2 = 0.51 * rocker_cos
+        t3 = t2 * t2
+        minus_rocker_sin = np.sin(t1)
+        t5 = 0.64 - 0.51 * minus_rocker_sin
+        t7 = t3 + t5 * t5
+        t8 = t7 - 0.2725
+        coupler_cos = 6.666666666666667 * t8
+        t9 = 1.0 / t7
+        minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t8
+        t10 = t2 * minus_crank_lever_moment_y_by_C_fz
+        t11 = 0.5 * t8
+        t14 = np.sqrt(0.005625 - t11 * t11)
+        t16 = np.where(0.0 != 0.0, -t14, t14)
+        crank_lever_moment_x_by_C_fz = 6.666666666666667 * t16
+        crank_cos = t9 * (t10 + t5 * crank_lever_moment_x_by_C_fz)
+        t19 = 0.51 * D_rate
+        t20 = minus_rocker_sin * t19
+        t21 = crank_cos * t20
+        crank_sin = t9 * (t5 * minus_crank_lever_moment_y_by_C_fz - t2 * crank_lever_moment_x_by_C_fz)
+        t25 = rocker_cos * t19
+        t27 = t21 + crank_sin * t25
+        t28 = coupler_cos * t27
+        coupler_sin = 13.333333333333334 * t16
+        t31 = crank_sin * t20 - crank_cos * t25
+        minus_C_opening_rate_fx = t28 - coupler_sin * t31
+        crank_lever_moment_z_by_C_fx = 2.0 * t16
+        crank_omega_z = minus_C_opening_rate_fx / crank_lever_moment_z_by_C_fx
+        t36 = coupler_sin * t27 + coupler_cos * t31 + (t7 + 0.2275) * crank_omega_z
+        B_v = -(2.0 * t36)
+        return _finish(batch, ((crank_omega_z, B_v, D_rate),), ((crank_lever_moment_z_by_C_fx,
+            3.01689e-10),), (crank_lever_moment_z_by_C_fx, B_v))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -3098,7 +2188,7 @@ def inverse_dynamics_platform(*arguments):
           D
       rate[1] [rad/s]: rates of the platform's joint, consistent
           D
-      gain[1] [rad/s^2]: accelerations of the platform's joint, consistent
+      acceleration[1] [rad/s^2]: accelerations of the platform's joint, consistent
           D
     Outputs
       u[1] [N m]: drive forces and torques
@@ -3109,233 +2199,130 @@ def inverse_dynamics_platform(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
     Operations: 144 (add 45, mul 87, div 3, sqrt 1, trig 2, compare 6)
     """
-    entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "gain": 1}, arguments)
-    x0, x1, x2, = entries
+    entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "acceleration": 1}, arguments)
+    (
+        D_pose, D_rate, D_acc,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.4899573262537283 - x0
-        x4 = np.cos(x3)
-        x5 = 0.51 * x4
-        x6 = x5 * x5
-        x7 = np.sin(x3)
-        x8 = 0.51 * x7
-        x9 = 0.64 - x8
-        x10 = x9 * x9
-        x11 = x6 + x10
-        x12 = x11 - 0.2725
-        x13 = 0.5 * x12
-        x14 = x13 * x13
-        x15 = 0.005625 - x14
-        x16 = np.sqrt(x15)
-        x17 = -x16
-        x18 = np.where(0.0 != 0.0, x17, x16)
-        x19 = 2.0 * x18
-        x20 = 3.00186 * x7
-        x21 = 0.10404 * x2
-        x22 = x20 + x21
-        x23 = 1.0 / x11
-        x24 = 3.3333333333333335 * x12
-        x25 = 0.15 + x24
-        x26 = x9 * x25
-        x27 = 6.666666666666667 * x18
-        x28 = x5 * x27
-        x29 = x26 - x28
-        x30 = x23 * x29
-        x31 = 13.333333333333334 * x18
-        x32 = 1.0 / x19
-        x33 = 6.666666666666667 * x12
-        x34 = x5 * x25
-        x35 = x9 * x27
-        x36 = x34 + x35
-        x37 = x23 * x36
-        x38 = x1 * x1
-        x39 = 0.51 * x38
-        x40 = x4 * x39
-        x41 = 0.51 * x2
-        x42 = x7 * x41
-        x43 = x40 - x42
-        x44 = x37 * x43
-        x45 = x7 * x39
-        x46 = x4 * x41
-        x47 = x45 + x46
-        x48 = x30 * x47
-        x49 = x44 - x48
-        x50 = x33 * x49
-        x51 = x30 * x43
-        x52 = x37 * x47
-        x53 = x51 + x52
-        x54 = x31 * x53
-        x55 = x50 - x54
-        x56 = 0.51 * x1
-        x57 = x7 * x56
-        x58 = x37 * x57
-        x59 = x4 * x56
-        x60 = x30 * x59
-        x61 = x58 + x60
-        x62 = x33 * x61
-        x63 = x30 * x57
-        x64 = x37 * x59
-        x65 = x63 - x64
-        x66 = x31 * x65
-        x67 = x62 - x66
-        x68 = x67 * x32
-        x69 = x68 * x68
-        x70 = 0.15 * x69
-        x71 = x33 * x70
-        x72 = x31 * x61
-        x73 = x33 * x65
-        x74 = x72 + x73
-        x75 = x11 + 0.2275
-        x76 = x75 * x68
-        x77 = x74 + x76
-        x78 = 2.0 * x77
-        x79 = x68 - x78
-        x80 = x79 * x79
-        x81 = 0.5 * x80
-        x82 = x71 + x81
-        x83 = x55 - x82
-        x84 = x32 * x83
-        x85 = x31 * x70
-        x86 = x31 * x49
-        x87 = x33 * x53
-        x88 = x86 + x87
-        x89 = x85 - x88
-        x90 = x75 * x84
-        x91 = x89 - x90
-        x92 = 2.0 * x91
-        x93 = x84 + x92
-        x94 = 0.1 * x93
-        x95 = 9.81 * x37
-        x96 = x70 - x95
-        x97 = x31 * x96
-        x98 = 9.81 * x30
-        x99 = 0.15 * x84
-        x100 = x98 + x99
-        x101 = x33 * x100
-        x102 = x97 - x101
-        x103 = 0.3 * x102
-        x104 = x94 - x103
-        x105 = 2.0 * x104
-        x106 = x31 * x105
-        x107 = x30 * x106
-        x108 = x33 * x105
-        x109 = x37 * x108
-        x110 = x107 - x109
-        x111 = x5 * x110
-        x112 = x37 * x106
-        x113 = x30 * x108
-        x114 = x112 + x113
-        x115 = x8 * x114
-        x116 = x111 + x115
-        x117 = x22 + x116
-        x118 = x30 * x33
-        x119 = x37 * x31
-        x120 = x118 + x119
-        x121 = x5 * x120
-        x122 = x37 * x33
-        x123 = x30 * x31
-        x124 = x122 - x123
-        x125 = x8 * x124
-        x126 = x121 + x125
-        x127 = x117 / x126
-        x128 = x19 * x127
-        x129 = 0.3 * x80
-        x130 = x31 * x129
-        x131 = 0.3 * x93
-        x132 = x33 * x131
-        x133 = x130 + x132
-        x134 = x133 - x108
-        x135 = 0.15 * x134
-        x136 = 0.03075 * x84
-        x137 = 2.133675 * x30
-        x138 = x136 + x137
-        x139 = x135 + x138
-        x140 = x128 - x139
-        return _finish(batch, ((x140,),), ((x19, 3.01689e-10), (x126, 5.057800000000001e-10)), (x126, x140))
+        t1 = 0.4899573262537283 - D_pose
+        rocker_cos = np.cos(t1)
+        t2 = 0.51 * rocker_cos
+        t3 = t2 * t2
+        minus_rocker_sin = np.sin(t1)
+        t4 = 0.51 * minus_rocker_sin
+        t5 = 0.64 - t4
+        t7 = t3 + t5 * t5
+        t8 = t7 - 0.2725
+        t9 = 0.5 * t8
+        t12 = np.sqrt(0.005625 - t9 * t9)
+        t14 = np.where(0.0 != 0.0, -t12, t12)
+        crank_lever_moment_z_by_C_fx = 2.0 * t14
+        rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_acc
+        t16 = 1.0 / t7
+        minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t8
+        t17 = t5 * minus_crank_lever_moment_y_by_C_fz
+        crank_lever_moment_x_by_C_fz = 6.666666666666667 * t14
+        crank_sin = t16 * (t17 - t2 * crank_lever_moment_x_by_C_fz)
+        coupler_sin = 13.333333333333334 * t14
+        minus_C_part_fx_by_A = 1.0 / crank_lever_moment_z_by_C_fx
+        coupler_cos = 6.666666666666667 * t8
+        crank_cos = t16 * (t2 * minus_crank_lever_moment_y_by_C_fz + t5 * crank_lever_moment_x_by_C_fz)
+        t23 = 0.51 * (D_rate * D_rate)
+        t24 = rocker_cos * t23
+        t25 = 0.51 * D_acc
+        t27 = t24 - minus_rocker_sin * t25
+        t28 = crank_cos * t27
+        t31 = minus_rocker_sin * t23 + rocker_cos * t25
+        t33 = t28 - crank_sin * t31
+        t34 = coupler_cos * t33
+        t37 = crank_sin * t27 + crank_cos * t31
+        t39 = t34 - coupler_sin * t37
+        t40 = 0.51 * D_rate
+        t41 = minus_rocker_sin * t40
+        t42 = crank_cos * t41
+        t43 = rocker_cos * t40
+        t45 = t42 + crank_sin * t43
+        t46 = coupler_cos * t45
+        t49 = crank_sin * t41 - crank_cos * t43
+        crank_omega_z = (t46 - coupler_sin * t49) * minus_C_part_fx_by_A
+        t51 = 0.15 * (crank_omega_z * crank_omega_z)
+        minus_coupler_acc_x = coupler_cos * t51
+        C_opening_rate_fy = coupler_sin * t45 + coupler_cos * t49
+        crank_lever_moment_z_by_C_fy = t7 + 0.2275
+        coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_moment_z_by_C_fy * crank_omega_z)
+        minus_coupler_U_xx = coupler_omega_z * coupler_omega_z
+        minus_crank_alpha_z = minus_C_part_fx_by_A * (t39 - (minus_coupler_acc_x + 0.5 * minus_coupler_U_xx))
+        C_opening_bias_fy = coupler_sin * t51 - (coupler_sin * t33 + coupler_cos * t37)
+        minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_moment_z_by_C_fy * minus_crank_alpha_z)
+        t65 = 0.1 * minus_coupler_alpha_z
+        t67 = coupler_sin * (t51 - 9.81 * crank_cos)
+        t71 = 0.3 * (t67 - coupler_cos * (9.81 * crank_sin + 0.15 * minus_crank_alpha_z))
+        minus_C_multiplier_fy = 2.0 * (t65 - t71)
+        t72 = coupler_sin * minus_C_multiplier_fy
+        t73 = crank_sin * t72
+        t74 = coupler_cos * minus_C_multiplier_fy
+        t77 = t2 * (t73 - crank_cos * t74)
+        rocker_joint_force_moment_z = rocker_rate_moment_z_2 + (t77 + t4 * (crank_cos * t72 + crank_sin * t74))
+        t85 = t2 * (crank_sin * coupler_cos + crank_cos * coupler_sin)
+        minus_C_closure_fx_by_D = t85 + t4 * (crank_cos * coupler_cos - crank_sin * coupler_sin)
+        t89 = crank_lever_moment_z_by_C_fx * (rocker_joint_force_moment_z / minus_C_closure_fx_by_D)
+        t92 = coupler_sin * (0.3 * minus_coupler_U_xx) + coupler_cos * (0.3 * minus_coupler_alpha_z) - t74
+        A_balance = t89 - (0.15 * t92 + (0.03075 * minus_crank_alpha_z + 2.133675 * crank_sin))
+        return _finish(batch, ((A_balance,),), ((crank_lever_moment_z_by_C_fx, 3.01689e-10),
+            (minus_C_closure_fx_by_D, 5.057800000000001e-10)), (minus_C_closure_fx_by_D, A_balance))
 
 
 def _assemble_step(*arguments):
     """One step of the iteration and its measures."""
     entries, batch = _entries("_assemble_step", {"q": 3, "y": 1}, arguments)
-    x0, x1, x2, x3, = entries
+    (
+        A_q, B_q, D_q, A_y,
+    ) = entries
     with np.errstate(all="ignore"):
-        x4 = x0 - x3
-        x5 = np.sin(x0)
-        x6 = 0.9272952180016122 + x1
-        x7 = np.cos(x6)
-        x8 = x5 * x7
-        x9 = np.cos(x0)
-        x10 = np.sin(x6)
-        x11 = x9 * x10
-        x12 = x8 + x11
-        x13 = 0.15 * x5
-        x14 = 0.5 * x12
-        x15 = x13 + x14
-        x16 = 0.4899573262537283 - x2
-        x17 = np.sin(x16)
-        x18 = 0.51 * x17
-        x19 = 0.64 - x18
-        x20 = x15 - x19
-        x21 = x12 * x20
-        x22 = x5 * x10
-        x23 = x9 * x7
-        x24 = x22 - x23
-        x25 = 0.15 * x9
-        x26 = 0.5 * x24
-        x27 = x25 - x26
-        x28 = np.cos(x16)
-        x29 = 0.51 * x28
-        x30 = x27 - x29
-        x31 = x24 * x30
-        x32 = x21 - x31
-        x33 = x12 * x29
-        x34 = x24 * x18
-        x35 = x33 - x34
-        x36 = 1.0 / x35
-        x37 = x32 * x36
-        x38 = 0.15 * x10
-        x39 = x38 * x4
-        x40 = x36 * x39
-        x41 = x37 - x40
-        x42 = x41 * x41
-        x43 = x4 * x4
-        x44 = x24 * x20
-        x45 = x12 * x30
-        x46 = x44 + x45
-        x47 = x24 * x29
-        x48 = x12 * x18
-        x49 = x47 + x48
-        x50 = x49 * x37
-        x51 = x46 - x50
-        x52 = 0.15 * x7
-        x53 = 0.5 + x52
-        x54 = x53 * x4
-        x55 = x49 * x40
-        x56 = x54 + x55
-        x57 = x51 + x56
-        x58 = 2.0 * x57
-        x59 = x58 * x58
-        x60 = x43 + x59
-        x61 = x42 + x60
-        x62 = np.sqrt(x61)
-        x63 = np.where(x62 < 0.5, 1.0, 0.0)
-        x64 = np.where(x63 != 0.0, 1.0, x62)
-        x65 = 0.5 / x64
-        x66 = np.where(x63 != 0.0, 1.0, x65)
-        x67 = x4 * x66
-        x68 = x0 - x67
-        x69 = x58 * x66
-        x70 = x1 + x69
-        x71 = x41 * x66
-        x72 = x2 + x71
-        x73 = 3.3146717314850727 * x32
-        x74 = x73 * x73
-        x75 = 3.3146717314850727 * x46
-        x76 = x75 * x75
-        x77 = x74 + x76
-        x78 = np.sqrt(x77)
-        x79 = 0.5 * x35
-        x80 = -x79
-        return _finish(batch, ((x68, x70, x72), (x78,), (x62,), (x80,)), ((x35, 3.01689e-13),), (x62, x68, x70, x72, x78, x80))
+        t1 = A_q - A_y
+        crank_sin = np.sin(A_q)
+        t2 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t2)
+        t3 = crank_sin * coupler_cos
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t2)
+        coupler_rotation_xx = t3 + crank_cos * coupler_sin
+        t6 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx
+        t7 = 0.4899573262537283 - D_q
+        t8 = 0.51 * np.sin(t7)
+        t10 = t6 - (0.64 - t8)
+        t11 = coupler_rotation_xx * t10
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t15 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy
+        t16 = 0.51 * np.cos(t7)
+        t17 = t15 - t16
+        C_opening_fx = t11 - minus_coupler_rotation_xy * t17
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t16 - minus_coupler_rotation_xy * t8
+        t21 = 1.0 / minus_C_closure_fx_by_D
+        t22 = C_opening_fx * t21
+        t24 = t21 * (0.15 * coupler_sin * t1)
+        t25 = t22 - t24
+        t26 = t25 * t25
+        t27 = t1 * t1
+        minus_C_opening_fy = minus_coupler_rotation_xy * t10 + coupler_rotation_xx * t17
+        C_closure_fy_by_D = minus_coupler_rotation_xy * t16 + coupler_rotation_xx * t8
+        t33 = minus_C_opening_fy - C_closure_fy_by_D * t22
+        t38 = t33 + ((0.5 + 0.15 * coupler_cos) * t1 + C_closure_fy_by_D * t24)
+        t39 = 2.0 * t38
+        step_step = np.sqrt(t26 + (t27 + t39 * t39))
+        t43 = np.where(step_step < 0.5, 1.0, 0.0)
+        t46 = np.where(t43 != 0.0, 1.0, 0.5 / np.where(t43 != 0.0, 1.0, step_step))
+        A_q_next = A_q - t1 * t46
+        B_q_next = B_q + t39 * t46
+        D_q_next = D_q + t25 * t46
+        t50 = 3.3146717314850727 * C_opening_fx
+        t51 = t50 * t50
+        t52 = 3.3146717314850727 * minus_C_opening_fy
+        residual_residual = np.sqrt(t51 + t52 * t52)
+        orientation_orientation = -(0.5 * minus_C_closure_fx_by_D)
+        return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,), (step_step,),
+            (orientation_orientation,)), ((minus_C_closure_fx_by_D, 3.01689e-13),), (step_step,
+            A_q_next, B_q_next, D_q_next, residual_residual, orientation_orientation))
 
 
 def assemble(*arguments):
@@ -3377,12 +2364,12 @@ def limb_margins(*arguments):
     Operations: 6 (add 3, mul 1, trig 1, compare 1)
     """
     entries, batch = _entries("limb_margins", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.sin(x3)
-        x5 = 0.8240286515629687 * x4
-        return _finish(batch, ((x5,),), (), (x5, x0, x2))
+        rocker_margins = 0.8240286515629687 * np.sin(0.9272952180016122 + B_q)
+        return _finish(batch, ((rocker_margins,),), (), (rocker_margins, A_q, D_q))
 
 
 def constraint_margin(*arguments):
@@ -3399,47 +2386,33 @@ def constraint_margin(*arguments):
     Operations: 39 (add 10, mul 22, trig 6, compare 1)
     """
     entries, batch = _entries("constraint_margin", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = 0.9272952180016122 + x1
-        x4 = np.sin(x3)
-        x5 = 0.8240286515629687 * x4
-        x6 = x5 * x5
-        x7 = 0.4972007597227609 * x4
-        x8 = np.sin(x0)
-        x9 = x8 * x4
-        x10 = np.cos(x0)
-        x11 = np.cos(x3)
-        x12 = x10 * x11
-        x13 = x9 - x12
-        x14 = 0.4899573262537283 - x2
-        x15 = np.cos(x14)
-        x16 = 0.51 * x15
-        x17 = x13 * x16
-        x18 = x8 * x11
-        x19 = x10 * x4
-        x20 = x18 + x19
-        x21 = np.sin(x14)
-        x22 = 0.51 * x21
-        x23 = x20 * x22
-        x24 = x17 + x23
-        x25 = 3.3146717314850727 * x24
-        x26 = x7 * x25
-        x27 = x20 * x16
-        x28 = x13 * x22
-        x29 = x27 - x28
-        x30 = 3.3146717314850727 * x29
-        x31 = 0.15 * x11
-        x32 = 0.5 + x31
-        x33 = 3.3146717314850727 * x32
-        x34 = x30 * x33
-        x35 = x26 + x34
-        x36 = x35 * x35
-        x37 = x6 + x36
-        x38 = 5.4935243437531245 * x29
-        x39 = x38 * x38
-        x40 = x37 + x39
-        return _finish(batch, ((x40,),), (), (x40,))
+        t1 = 0.9272952180016122 + B_q
+        coupler_sin = np.sin(t1)
+        t2 = 0.8240286515629687 * coupler_sin
+        t3 = t2 * t2
+        t4 = 0.4972007597227609 * coupler_sin
+        crank_sin = np.sin(A_q)
+        t5 = crank_sin * coupler_sin
+        crank_cos = np.cos(A_q)
+        coupler_cos = np.cos(t1)
+        minus_coupler_rotation_xy = t5 - crank_cos * coupler_cos
+        t7 = 0.4899573262537283 - D_q
+        t8 = 0.51 * np.cos(t7)
+        t9 = minus_coupler_rotation_xy * t8
+        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t12 = 0.51 * np.sin(t7)
+        t15 = t4 * (3.3146717314850727 * (t9 + coupler_rotation_xx * t12))
+        minus_C_closure_fx_by_D = coupler_rotation_xx * t8 - minus_coupler_rotation_xy * t12
+        t21 = 3.3146717314850727 * minus_C_closure_fx_by_D * (3.3146717314850727 * (0.5 + 0.15 * coupler_cos))
+        t22 = t15 + t21
+        t24 = t3 + t22 * t22
+        t25 = 5.4935243437531245 * minus_C_closure_fx_by_D
+        rocker_margins = t24 + t25 * t25
+        return _finish(batch, ((rocker_margins,),), (), (rocker_margins,))
 
 
 def actuation_margins(*arguments):
@@ -3456,26 +2429,19 @@ def actuation_margins(*arguments):
     Operations: 21 (add 5, mul 9, trig 6, compare 1)
     """
     entries, batch = _entries("actuation_margins", {"q": 3}, arguments)
-    x0, x1, x2, = entries
+    (
+        A_q, B_q, D_q,
+    ) = entries
     with np.errstate(all="ignore"):
-        x3 = np.sin(x0)
-        x4 = 0.9272952180016122 + x1
-        x5 = np.cos(x4)
-        x6 = x3 * x5
-        x7 = np.cos(x0)
-        x8 = np.sin(x4)
-        x9 = x7 * x8
-        x10 = x6 + x9
-        x11 = 0.4899573262537283 - x2
-        x12 = np.cos(x11)
-        x13 = 0.51 * x12
-        x14 = x10 * x13
-        x15 = x3 * x8
-        x16 = x7 * x5
-        x17 = x15 - x16
-        x18 = np.sin(x11)
-        x19 = 0.51 * x18
-        x20 = x17 * x19
-        x21 = x14 - x20
-        x22 = 5.4935243437531245 * x21
-        return _finish(batch, ((x22,),), (), (x22,))
+        crank_sin = np.sin(A_q)
+        t1 = 0.9272952180016122 + B_q
+        coupler_cos = np.cos(t1)
+        t2 = crank_sin * coupler_cos
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.4899573262537283 - D_q
+        t6 = coupler_rotation_xx * (0.51 * np.cos(t4))
+        t10 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (0.51 * np.sin(t4))
+        all_drives_margins = 5.4935243437531245 * (t6 - t10)
+        return _finish(batch, ((all_drives_margins,),), (), (all_drives_margins,))

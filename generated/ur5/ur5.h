@@ -6,1252 +6,458 @@
  * Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint,
  *   wrist_1_joint, wrist_2_joint, wrist_3_joint
  *
- * Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL. Do
- * not compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
- * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the
- * largest. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa
- * has entry k of state i at [k * stride + i], stride >= count. Both take eight states at once on
- * vector units; results may differ from those of single calls by rounding (not where the compiler
- * contracts nothing and the sines are the same). With -fopenmp, 1024 states and more are shared among
- * threads. The stack holds blocks of eight states: define UR5_STATE_BY_STATE to do without.
- * Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster;
- * results are those of limb after limb, but for what the compiler contracts. Define UR5_LIMB_BY_LIMB
- * to do without.
+ * Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL. Nothing is
+ * allocated and no state is kept: functions may run in several threads at once. On failure all outputs are NaN. Do not
+ * compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
+ *
+ * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest.
+ * <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k of state i at
+ * [k * stride + i], stride >= count. Both take eight states at once on vector units; results may differ from those of
+ * single calls by rounding (not where the compiler contracts nothing and the sines are the same). With -fopenmp, 1024
+ * states and more are shared among threads. The stack holds blocks of eight states, 4992 bytes and temporaries at
+ * most: define UR5_STATE_BY_STATE to do without.
+ *
+ * Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster; results are those
+ * of limb after limb, but for what the compiler contracts. Define UR5_LIMB_BY_LIMB to do without.
  */
 #ifndef UR5_H
 #define UR5_H
 
 #include <stddef.h>
 
-#if !defined(UR5_RESTRICT)
-#if !defined(__cplusplus)
-#define UR5_RESTRICT restrict
-#elif defined(__GNUC__) || defined(_MSC_VER)
-#define UR5_RESTRICT __restrict
-#else
-#define UR5_RESTRICT
-#endif
-#endif
+/*
+ * units: SI; angles in rad, not wrapped.
+ * axes: Vectors are in absolute axes unless it is said otherwise; screws are taken at the origin O: a twist is (omega
+ *   ; v_O), a wrench (f ; m_O), a momentum screw (p ; L_O).
+ * matrices: Column by column.
+ * drives: u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider acts
+ *   along its axis, on the line through the joint's point, on the child; its reaction on the parent.
+ * reactions: Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.
+ */
 
-#define UR5_RANK_LOST -2
-#define UR5_RANK_REVEALING -1
-#define UR5_SUCCESS 0
-#define UR5_NEAR_SINGULAR 1
-#define UR5_NOT_FINITE 2
-#define UR5_NOT_CONVERGED 3
-#define UR5_OTHER_BRANCH 4
+/* What functions return; the text of a status says it in words. */
+#define UR5_RANK_LOST -2 /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
+#define UR5_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
+#define UR5_SUCCESS 0 /* success */
+#define UR5_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN */
+#define UR5_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN */
+#define UR5_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess; all outputs are NaN */
+#define UR5_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess; all outputs are NaN */
+
+/* Entries of arrays that several functions have. */
+/* q[6] [rad]: configuration of the tree */
+enum ur5_q { UR5_Q_SHOULDER_PAN_JOINT, UR5_Q_SHOULDER_LIFT_JOINT, UR5_Q_ELBOW_JOINT, UR5_Q_WRIST_1_JOINT,
+    UR5_Q_WRIST_2_JOINT, UR5_Q_WRIST_3_JOINT };
+/* v[6] [rad/s]: rates of the tree */
+enum ur5_v { UR5_V_SHOULDER_PAN_JOINT, UR5_V_SHOULDER_LIFT_JOINT, UR5_V_ELBOW_JOINT, UR5_V_WRIST_1_JOINT,
+    UR5_V_WRIST_2_JOINT, UR5_V_WRIST_3_JOINT };
+/* a[6] [rad/s^2]: accelerations of the tree (rates of v) */
+enum ur5_a { UR5_A_SHOULDER_PAN_JOINT, UR5_A_SHOULDER_LIFT_JOINT, UR5_A_ELBOW_JOINT, UR5_A_WRIST_1_JOINT,
+    UR5_A_WRIST_2_JOINT, UR5_A_WRIST_3_JOINT };
+/* positions[3] [m]: absolute positions of the named points */
+enum ur5_positions { UR5_POSITIONS_FLANGE_X, UR5_POSITIONS_FLANGE_Y, UR5_POSITIONS_FLANGE_Z };
+/* rates[6] [rad/s]: rates of the driven freedoms; power = u . rates */
+enum ur5_rates { UR5_RATES_SHOULDER_PAN_JOINT, UR5_RATES_SHOULDER_LIFT_JOINT, UR5_RATES_ELBOW_JOINT,
+    UR5_RATES_WRIST_1_JOINT, UR5_RATES_WRIST_2_JOINT, UR5_RATES_WRIST_3_JOINT };
+/* y_dot[6] [rad/s]: their rates */
+enum ur5_y_dot { UR5_Y_DOT_SHOULDER_PAN_JOINT, UR5_Y_DOT_SHOULDER_LIFT_JOINT, UR5_Y_DOT_ELBOW_JOINT,
+    UR5_Y_DOT_WRIST_1_JOINT, UR5_Y_DOT_WRIST_2_JOINT, UR5_Y_DOT_WRIST_3_JOINT };
+/* y_ddot[6] [rad/s^2]: their second rates */
+enum ur5_y_ddot { UR5_Y_DDOT_SHOULDER_PAN_JOINT, UR5_Y_DDOT_SHOULDER_LIFT_JOINT, UR5_Y_DDOT_ELBOW_JOINT,
+    UR5_Y_DDOT_WRIST_1_JOINT, UR5_Y_DDOT_WRIST_2_JOINT, UR5_Y_DDOT_WRIST_3_JOINT };
+/* u[6] [N m]: drive forces and torques */
+enum ur5_u { UR5_U_SHOULDER_PAN_JOINT, UR5_U_SHOULDER_LIFT_JOINT, UR5_U_ELBOW_JOINT, UR5_U_WRIST_1_JOINT,
+    UR5_U_WRIST_2_JOINT, UR5_U_WRIST_3_JOINT };
+/* reactions[36] [N 18, N m 18]: wrench (f ; m_O) from parent on child without the drive's share */
+enum ur5_reactions { UR5_REACTIONS_SHOULDER_PAN_JOINT_FX, UR5_REACTIONS_SHOULDER_PAN_JOINT_FY,
+    UR5_REACTIONS_SHOULDER_PAN_JOINT_FZ, UR5_REACTIONS_SHOULDER_PAN_JOINT_MX, UR5_REACTIONS_SHOULDER_PAN_JOINT_MY,
+    UR5_REACTIONS_SHOULDER_PAN_JOINT_MZ, UR5_REACTIONS_SHOULDER_LIFT_JOINT_FX, UR5_REACTIONS_SHOULDER_LIFT_JOINT_FY,
+    UR5_REACTIONS_SHOULDER_LIFT_JOINT_FZ, UR5_REACTIONS_SHOULDER_LIFT_JOINT_MX,
+    UR5_REACTIONS_SHOULDER_LIFT_JOINT_MY, UR5_REACTIONS_SHOULDER_LIFT_JOINT_MZ, UR5_REACTIONS_ELBOW_JOINT_FX,
+    UR5_REACTIONS_ELBOW_JOINT_FY, UR5_REACTIONS_ELBOW_JOINT_FZ, UR5_REACTIONS_ELBOW_JOINT_MX,
+    UR5_REACTIONS_ELBOW_JOINT_MY, UR5_REACTIONS_ELBOW_JOINT_MZ, UR5_REACTIONS_WRIST_1_JOINT_FX,
+    UR5_REACTIONS_WRIST_1_JOINT_FY, UR5_REACTIONS_WRIST_1_JOINT_FZ, UR5_REACTIONS_WRIST_1_JOINT_MX,
+    UR5_REACTIONS_WRIST_1_JOINT_MY, UR5_REACTIONS_WRIST_1_JOINT_MZ, UR5_REACTIONS_WRIST_2_JOINT_FX,
+    UR5_REACTIONS_WRIST_2_JOINT_FY, UR5_REACTIONS_WRIST_2_JOINT_FZ, UR5_REACTIONS_WRIST_2_JOINT_MX,
+    UR5_REACTIONS_WRIST_2_JOINT_MY, UR5_REACTIONS_WRIST_2_JOINT_MZ, UR5_REACTIONS_WRIST_3_JOINT_FX,
+    UR5_REACTIONS_WRIST_3_JOINT_FY, UR5_REACTIONS_WRIST_3_JOINT_FZ, UR5_REACTIONS_WRIST_3_JOINT_MX,
+    UR5_REACTIONS_WRIST_3_JOINT_MY, UR5_REACTIONS_WRIST_3_JOINT_MZ };
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* What a status means. */
 const char *ur5_status_text(int status);
 
 /*
- * ur5_body_poses: Displacement of every body from the reference configuration: x = R x_reference + t,
- * absolute axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   poses[72] (12x6, column by column): per body: rotation (column-major) and translation
- *       0 shoulder_link.Rxx [1]; 1 shoulder_link.Ryx [1]; 2 shoulder_link.Rzx [1];
- *       3 shoulder_link.Rxy [1]; 4 shoulder_link.Ryy [1]; 5 shoulder_link.Rzy [1];
- *       6 shoulder_link.Rxz [1]; 7 shoulder_link.Ryz [1]; 8 shoulder_link.Rzz [1];
- *       9 shoulder_link.x [m]; 10 shoulder_link.y [m]; 11 shoulder_link.z [m];
- *       12 upper_arm_link.Rxx [1]; 13 upper_arm_link.Ryx [1]; 14 upper_arm_link.Rzx [1];
- *       15 upper_arm_link.Rxy [1]; 16 upper_arm_link.Ryy [1]; 17 upper_arm_link.Rzy [1];
- *       18 upper_arm_link.Rxz [1]; 19 upper_arm_link.Ryz [1]; 20 upper_arm_link.Rzz [1];
- *       21 upper_arm_link.x [m]; 22 upper_arm_link.y [m]; 23 upper_arm_link.z [m];
- *       24 forearm_link.Rxx [1]; 25 forearm_link.Ryx [1]; 26 forearm_link.Rzx [1];
- *       27 forearm_link.Rxy [1]; 28 forearm_link.Ryy [1]; 29 forearm_link.Rzy [1];
- *       30 forearm_link.Rxz [1]; 31 forearm_link.Ryz [1]; 32 forearm_link.Rzz [1];
- *       33 forearm_link.x [m]; 34 forearm_link.y [m]; 35 forearm_link.z [m]; 36 wrist_1_link.Rxx [1];
- *       37 wrist_1_link.Ryx [1]; 38 wrist_1_link.Rzx [1]; 39 wrist_1_link.Rxy [1];
- *       40 wrist_1_link.Ryy [1]; 41 wrist_1_link.Rzy [1]; 42 wrist_1_link.Rxz [1];
- *       43 wrist_1_link.Ryz [1]; 44 wrist_1_link.Rzz [1]; 45 wrist_1_link.x [m];
- *       46 wrist_1_link.y [m]; 47 wrist_1_link.z [m]; 48 wrist_2_link.Rxx [1];
- *       49 wrist_2_link.Ryx [1]; 50 wrist_2_link.Rzx [1]; 51 wrist_2_link.Rxy [1];
- *       52 wrist_2_link.Ryy [1]; 53 wrist_2_link.Rzy [1]; 54 wrist_2_link.Rxz [1];
- *       55 wrist_2_link.Ryz [1]; 56 wrist_2_link.Rzz [1]; 57 wrist_2_link.x [m];
- *       58 wrist_2_link.y [m]; 59 wrist_2_link.z [m]; 60 wrist_3_link.Rxx [1];
- *       61 wrist_3_link.Ryx [1]; 62 wrist_3_link.Rzx [1]; 63 wrist_3_link.Rxy [1];
- *       64 wrist_3_link.Ryy [1]; 65 wrist_3_link.Rzy [1]; 66 wrist_3_link.Rxz [1];
- *       67 wrist_3_link.Ryz [1]; 68 wrist_3_link.Rzz [1]; 69 wrist_3_link.x [m];
- *       70 wrist_3_link.y [m]; 71 wrist_3_link.z [m]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 201 (add 100, mul 88, trig 12, compare 1)
+ * ur5_body_poses: Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes.
+ *   out poses[72] (12x6, column by column): per body: rotation (column-major) and translation
+ *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: Rxx [1], Ryx
+ *     [1], Rzx [1], Rxy [1], Ryy [1], Rzy [1], Rxz [1], Ryz [1], Rzz [1], x [m], y [m], z [m]
+ *   Returns 0, 2; operations: 201 (add 100, mul 88, trig 12, compare 1)
  */
-#define UR5_BODY_POSES_Q_SIZE 6
-#define UR5_BODY_POSES_POSES_SIZE 72
-int ur5_body_poses(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT poses);
-int ur5_body_poses_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT poses,
-    int *UR5_RESTRICT status);
-int ur5_body_poses_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT poses,
-    int *UR5_RESTRICT status);
+enum { UR5_BODY_POSES_Q_SIZE = 6, UR5_BODY_POSES_POSES_SIZE = 72 };
+int ur5_body_poses(const double *q, double *poses);
+int ur5_body_poses_batch(size_t count, const double *q, double *poses, int *status);
+int ur5_body_poses_batch_soa(size_t count, size_t stride, const double *q, double *poses, int *status);
 
 /*
  * ur5_body_twists: Twists at O in absolute axes, eq. (6).
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   twists[36] (6x6, column by column): twist (omega ; v_O) of every body
- *       0 shoulder_link.wx [rad/s]; 1 shoulder_link.wy [rad/s]; 2 shoulder_link.wz [rad/s];
- *       3 shoulder_link.vx [m/s]; 4 shoulder_link.vy [m/s]; 5 shoulder_link.vz [m/s];
- *       6 upper_arm_link.wx [rad/s]; 7 upper_arm_link.wy [rad/s]; 8 upper_arm_link.wz [rad/s];
- *       9 upper_arm_link.vx [m/s]; 10 upper_arm_link.vy [m/s]; 11 upper_arm_link.vz [m/s];
- *       12 forearm_link.wx [rad/s]; 13 forearm_link.wy [rad/s]; 14 forearm_link.wz [rad/s];
- *       15 forearm_link.vx [m/s]; 16 forearm_link.vy [m/s]; 17 forearm_link.vz [m/s];
- *       18 wrist_1_link.wx [rad/s]; 19 wrist_1_link.wy [rad/s]; 20 wrist_1_link.wz [rad/s];
- *       21 wrist_1_link.vx [m/s]; 22 wrist_1_link.vy [m/s]; 23 wrist_1_link.vz [m/s];
- *       24 wrist_2_link.wx [rad/s]; 25 wrist_2_link.wy [rad/s]; 26 wrist_2_link.wz [rad/s];
- *       27 wrist_2_link.vx [m/s]; 28 wrist_2_link.vy [m/s]; 29 wrist_2_link.vz [m/s];
- *       30 wrist_3_link.wx [rad/s]; 31 wrist_3_link.wy [rad/s]; 32 wrist_3_link.wz [rad/s];
- *       33 wrist_3_link.vx [m/s]; 34 wrist_3_link.vy [m/s]; 35 wrist_3_link.vz [m/s]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 170 (add 67, mul 92, trig 10, compare 1)
+ *   out twists[36] (6x6, column by column): twist (omega ; v_O) of every body
+ *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: wx [rad/s],
+ *     wy [rad/s], wz [rad/s], vx [m/s], vy [m/s], vz [m/s]
+ *   Returns 0, 2; operations: 170 (add 67, mul 92, trig 10, compare 1)
  */
-#define UR5_BODY_TWISTS_Q_SIZE 6
-#define UR5_BODY_TWISTS_V_SIZE 6
-#define UR5_BODY_TWISTS_TWISTS_SIZE 36
-int ur5_body_twists(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT twists);
-int ur5_body_twists_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT twists,
-    int *UR5_RESTRICT status);
-int ur5_body_twists_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT twists,
-    int *UR5_RESTRICT status);
+enum { UR5_BODY_TWISTS_Q_SIZE = 6, UR5_BODY_TWISTS_V_SIZE = 6, UR5_BODY_TWISTS_TWISTS_SIZE = 36 };
+int ur5_body_twists(const double *q, const double *v, double *twists);
+int ur5_body_twists_batch(size_t count, const double *q, const double *v, double *twists, int *status);
+int ur5_body_twists_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *twists,
+    int *status);
 
 /*
  * ur5_body_twist_rates: Componentwise time derivatives of the twists at O, by the screw bracket.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   twist_rates[36] (6x6, column by column): rate of every body's twist
- *       0 shoulder_link.wx [rad/s^2]; 1 shoulder_link.wy [rad/s^2]; 2 shoulder_link.wz [rad/s^2];
- *       3 shoulder_link.vx [m/s^2]; 4 shoulder_link.vy [m/s^2]; 5 shoulder_link.vz [m/s^2];
- *       6 upper_arm_link.wx [rad/s^2]; 7 upper_arm_link.wy [rad/s^2]; 8 upper_arm_link.wz [rad/s^2];
- *       9 upper_arm_link.vx [m/s^2]; 10 upper_arm_link.vy [m/s^2]; 11 upper_arm_link.vz [m/s^2];
- *       12 forearm_link.wx [rad/s^2]; 13 forearm_link.wy [rad/s^2]; 14 forearm_link.wz [rad/s^2];
- *       15 forearm_link.vx [m/s^2]; 16 forearm_link.vy [m/s^2]; 17 forearm_link.vz [m/s^2];
- *       18 wrist_1_link.wx [rad/s^2]; 19 wrist_1_link.wy [rad/s^2]; 20 wrist_1_link.wz [rad/s^2];
- *       21 wrist_1_link.vx [m/s^2]; 22 wrist_1_link.vy [m/s^2]; 23 wrist_1_link.vz [m/s^2];
- *       24 wrist_2_link.wx [rad/s^2]; 25 wrist_2_link.wy [rad/s^2]; 26 wrist_2_link.wz [rad/s^2];
- *       27 wrist_2_link.vx [m/s^2]; 28 wrist_2_link.vy [m/s^2]; 29 wrist_2_link.vz [m/s^2];
- *       30 wrist_3_link.wx [rad/s^2]; 31 wrist_3_link.wy [rad/s^2]; 32 wrist_3_link.wz [rad/s^2];
- *       33 wrist_3_link.vx [m/s^2]; 34 wrist_3_link.vy [m/s^2]; 35 wrist_3_link.vz [m/s^2]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 361 (add 148, mul 202, trig 10, compare 1)
+ *   out twist_rates[36] (6x6, column by column): rate of every body's twist
+ *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: wx [rad/s^2],
+ *     wy [rad/s^2], wz [rad/s^2], vx [m/s^2], vy [m/s^2], vz [m/s^2]
+ *   Returns 0, 2; operations: 361 (add 148, mul 202, trig 10, compare 1)
  */
-#define UR5_BODY_TWIST_RATES_Q_SIZE 6
-#define UR5_BODY_TWIST_RATES_V_SIZE 6
-#define UR5_BODY_TWIST_RATES_A_SIZE 6
-#define UR5_BODY_TWIST_RATES_TWIST_RATES_SIZE 36
-int ur5_body_twist_rates(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT twist_rates);
-int ur5_body_twist_rates_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT twist_rates,
-    int *UR5_RESTRICT status);
-int ur5_body_twist_rates_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT twist_rates,
-    int *UR5_RESTRICT status);
+enum { UR5_BODY_TWIST_RATES_Q_SIZE = 6, UR5_BODY_TWIST_RATES_V_SIZE = 6, UR5_BODY_TWIST_RATES_A_SIZE = 6,
+    UR5_BODY_TWIST_RATES_TWIST_RATES_SIZE = 36 };
+int ur5_body_twist_rates(const double *q, const double *v, const double *a, double *twist_rates);
+int ur5_body_twist_rates_batch(size_t count, const double *q, const double *v, const double *a, double
+    *twist_rates, int *status);
+int ur5_body_twist_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
+    *a, double *twist_rates, int *status);
 
 /*
  * ur5_forward_kinematics: Positions of the named points in absolute axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   positions[3] (3x1, column by column) [m]: absolute positions of the named points
- *       0 flange.x; 1 flange.y; 2 flange.z
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 45 (add 16, mul 18, trig 10, compare 1)
+ *   out positions[3] (3x1, column by column) [m]: absolute positions of the named points
+ *   Returns 0, 2; operations: 45 (add 16, mul 18, trig 10, compare 1)
  */
-#define UR5_FORWARD_KINEMATICS_Q_SIZE 6
-#define UR5_FORWARD_KINEMATICS_POSITIONS_SIZE 3
-int ur5_forward_kinematics(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT positions);
-int ur5_forward_kinematics_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT positions,
-    int *UR5_RESTRICT status);
-int ur5_forward_kinematics_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT positions,
-    int *UR5_RESTRICT status);
+enum { UR5_FORWARD_KINEMATICS_Q_SIZE = 6, UR5_FORWARD_KINEMATICS_POSITIONS_SIZE = 3 };
+int ur5_forward_kinematics(const double *q, double *positions);
+int ur5_forward_kinematics_batch(size_t count, const double *q, double *positions, int *status);
+int ur5_forward_kinematics_batch_soa(size_t count, size_t stride, const double *q, double *positions, int
+    *status);
 
 /*
  * ur5_point_motion: Positions, velocities and accelerations of the named points in absolute axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   positions[3] (3x1, column by column) [m]: absolute positions of the named points
- *       0 flange.x; 1 flange.y; 2 flange.z
- *   velocities[3] (3x1, column by column) [m/s]: their velocities
- *       0 flange.x; 1 flange.y; 2 flange.z
- *   accelerations[3] (3x1, column by column) [m/s^2]: their accelerations
- *       0 flange.x; 1 flange.y; 2 flange.z
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 329 (add 130, mul 186, trig 12, compare 1)
+ *   out positions[3] (3x1, column by column) [m]: absolute positions of the named points
+ *   out velocities[3] (3x1, column by column) [m/s]: their velocities
+ *     0 flange.x; 1 flange.y; 2 flange.z
+ *   out accelerations[3] (3x1, column by column) [m/s^2]: their accelerations
+ *     0 flange.x; 1 flange.y; 2 flange.z
+ *   Returns 0, 2; operations: 329 (add 130, mul 186, trig 12, compare 1)
  */
-#define UR5_POINT_MOTION_Q_SIZE 6
-#define UR5_POINT_MOTION_V_SIZE 6
-#define UR5_POINT_MOTION_A_SIZE 6
-#define UR5_POINT_MOTION_POSITIONS_SIZE 3
-#define UR5_POINT_MOTION_VELOCITIES_SIZE 3
-#define UR5_POINT_MOTION_ACCELERATIONS_SIZE 3
-int ur5_point_motion(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT positions,
-    double *UR5_RESTRICT velocities,
-    double *UR5_RESTRICT accelerations);
-int ur5_point_motion_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT positions,
-    double *UR5_RESTRICT velocities,
-    double *UR5_RESTRICT accelerations,
-    int *UR5_RESTRICT status);
-int ur5_point_motion_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT positions,
-    double *UR5_RESTRICT velocities,
-    double *UR5_RESTRICT accelerations,
-    int *UR5_RESTRICT status);
+enum { UR5_POINT_MOTION_Q_SIZE = 6, UR5_POINT_MOTION_V_SIZE = 6, UR5_POINT_MOTION_A_SIZE = 6,
+    UR5_POINT_MOTION_POSITIONS_SIZE = 3, UR5_POINT_MOTION_VELOCITIES_SIZE = 3, UR5_POINT_MOTION_ACCELERATIONS_SIZE =
+    3 };
+int ur5_point_motion(const double *q, const double *v, const double *a, double *positions, double *velocities,
+    double *accelerations);
+int ur5_point_motion_batch(size_t count, const double *q, const double *v, const double *a, double *positions,
+    double *velocities, double *accelerations, int *status);
+int ur5_point_motion_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *a,
+    double *positions, double *velocities, double *accelerations, int *status);
 
 /*
- * ur5_joint_screws: Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the
- * parent's axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   screws[36] (6x6, column by column): unit screw (e ; r x e) of every joint freedom
- *       0 shoulder_pan_joint.wx [1]; 1 shoulder_pan_joint.wy [1]; 2 shoulder_pan_joint.wz [1];
- *       3 shoulder_pan_joint.vx [m]; 4 shoulder_pan_joint.vy [m]; 5 shoulder_pan_joint.vz [m];
- *       6 shoulder_lift_joint.wx [1]; 7 shoulder_lift_joint.wy [1]; 8 shoulder_lift_joint.wz [1];
- *       9 shoulder_lift_joint.vx [m]; 10 shoulder_lift_joint.vy [m]; 11 shoulder_lift_joint.vz [m];
- *       12 elbow_joint.wx [1]; 13 elbow_joint.wy [1]; 14 elbow_joint.wz [1]; 15 elbow_joint.vx [m];
- *       16 elbow_joint.vy [m]; 17 elbow_joint.vz [m]; 18 wrist_1_joint.wx [1];
- *       19 wrist_1_joint.wy [1]; 20 wrist_1_joint.wz [1]; 21 wrist_1_joint.vx [m];
- *       22 wrist_1_joint.vy [m]; 23 wrist_1_joint.vz [m]; 24 wrist_2_joint.wx [1];
- *       25 wrist_2_joint.wy [1]; 26 wrist_2_joint.wz [1]; 27 wrist_2_joint.vx [m];
- *       28 wrist_2_joint.vy [m]; 29 wrist_2_joint.vz [m]; 30 wrist_3_joint.wx [1];
- *       31 wrist_3_joint.wy [1]; 32 wrist_3_joint.wz [1]; 33 wrist_3_joint.vx [m];
- *       34 wrist_3_joint.vy [m]; 35 wrist_3_joint.vz [m]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 132 (add 55, mul 66, trig 10, compare 1)
+ * ur5_joint_screws: Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes.
+ *   out screws[36] (6x6, column by column): unit screw (e ; r x e) of every joint freedom
+ *     for each of shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, wrist_3_joint:
+ *     wx [1], wy [1], wz [1], vx [m], vy [m], vz [m]
+ *   Returns 0, 2; operations: 132 (add 55, mul 66, trig 10, compare 1)
  */
-#define UR5_JOINT_SCREWS_Q_SIZE 6
-#define UR5_JOINT_SCREWS_SCREWS_SIZE 36
-int ur5_joint_screws(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT screws);
-int ur5_joint_screws_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT screws,
-    int *UR5_RESTRICT status);
-int ur5_joint_screws_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT screws,
-    int *UR5_RESTRICT status);
+enum { UR5_JOINT_SCREWS_Q_SIZE = 6, UR5_JOINT_SCREWS_SCREWS_SIZE = 36 };
+int ur5_joint_screws(const double *q, double *screws);
+int ur5_joint_screws_batch(size_t count, const double *q, double *screws, int *status);
+int ur5_joint_screws_batch_soa(size_t count, size_t stride, const double *q, double *screws, int *status);
 
 /*
- * ur5_joint_points: Positions of the joints' points, carried by the child body: where the joint
- * reactions act.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   points[18] (3x6, column by column) [m]: absolute position of every joint's point
- *       0 shoulder_pan_joint.x; 1 shoulder_pan_joint.y; 2 shoulder_pan_joint.z;
- *       3 shoulder_lift_joint.x; 4 shoulder_lift_joint.y; 5 shoulder_lift_joint.z; 6 elbow_joint.x;
- *       7 elbow_joint.y; 8 elbow_joint.z; 9 wrist_1_joint.x; 10 wrist_1_joint.y; 11 wrist_1_joint.z;
- *       12 wrist_2_joint.x; 13 wrist_2_joint.y; 14 wrist_2_joint.z; 15 wrist_3_joint.x;
- *       16 wrist_3_joint.y; 17 wrist_3_joint.z
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 76 (add 34, mul 33, trig 8, compare 1)
+ * ur5_joint_points: Positions of the joints' points, carried by the child body: where the joint reactions act.
+ *   out points[18] (3x6, column by column) [m]: absolute position of every joint's point
+ *     for each of shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, wrist_3_joint:
+ *     x, y, z
+ *   Returns 0, 2; operations: 76 (add 34, mul 33, trig 8, compare 1)
  */
-#define UR5_JOINT_POINTS_Q_SIZE 6
-#define UR5_JOINT_POINTS_POINTS_SIZE 18
-int ur5_joint_points(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT points);
-int ur5_joint_points_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT points,
-    int *UR5_RESTRICT status);
-int ur5_joint_points_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT points,
-    int *UR5_RESTRICT status);
+enum { UR5_JOINT_POINTS_Q_SIZE = 6, UR5_JOINT_POINTS_POINTS_SIZE = 18 };
+int ur5_joint_points(const double *q, double *points);
+int ur5_joint_points_batch(size_t count, const double *q, double *points, int *status);
+int ur5_joint_points_batch_soa(size_t count, size_t stride, const double *q, double *points, int *status);
 
 /*
  * ur5_platform_jacobian: Screw Jacobian of wrist_3_link: twist at O = jacobian v.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   jacobian[36] (6x6, column by column) [1]: twist of wrist_3_link at O per rate of the tree
- *       0 shoulder_pan_joint.wx; 1 shoulder_pan_joint.wy; 2 shoulder_pan_joint.wz;
- *       3 shoulder_pan_joint.vx; 4 shoulder_pan_joint.vy; 5 shoulder_pan_joint.vz;
- *       6 shoulder_lift_joint.wx; 7 shoulder_lift_joint.wy; 8 shoulder_lift_joint.wz;
- *       9 shoulder_lift_joint.vx; 10 shoulder_lift_joint.vy; 11 shoulder_lift_joint.vz;
- *       12 elbow_joint.wx; 13 elbow_joint.wy; 14 elbow_joint.wz; 15 elbow_joint.vx; 16 elbow_joint.vy;
- *       17 elbow_joint.vz; 18 wrist_1_joint.wx; 19 wrist_1_joint.wy; 20 wrist_1_joint.wz;
- *       21 wrist_1_joint.vx; 22 wrist_1_joint.vy; 23 wrist_1_joint.vz; 24 wrist_2_joint.wx;
- *       25 wrist_2_joint.wy; 26 wrist_2_joint.wz; 27 wrist_2_joint.vx; 28 wrist_2_joint.vy;
- *       29 wrist_2_joint.vz; 30 wrist_3_joint.wx; 31 wrist_3_joint.wy; 32 wrist_3_joint.wz;
- *       33 wrist_3_joint.vx; 34 wrist_3_joint.vy; 35 wrist_3_joint.vz
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 132 (add 55, mul 66, trig 10, compare 1)
+ *   out jacobian[36] (6x6, column by column) [1]: twist of wrist_3_link at O per rate of the tree
+ *     for each of shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, wrist_3_joint:
+ *     wx, wy, wz, vx, vy, vz
+ *   Returns 0, 2; operations: 132 (add 55, mul 66, trig 10, compare 1)
  */
-#define UR5_PLATFORM_JACOBIAN_Q_SIZE 6
-#define UR5_PLATFORM_JACOBIAN_JACOBIAN_SIZE 36
-int ur5_platform_jacobian(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT jacobian);
-int ur5_platform_jacobian_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT jacobian,
-    int *UR5_RESTRICT status);
-int ur5_platform_jacobian_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT jacobian,
-    int *UR5_RESTRICT status);
+enum { UR5_PLATFORM_JACOBIAN_Q_SIZE = 6, UR5_PLATFORM_JACOBIAN_JACOBIAN_SIZE = 36 };
+int ur5_platform_jacobian(const double *q, double *jacobian);
+int ur5_platform_jacobian_batch(size_t count, const double *q, double *jacobian, int *status);
+int ur5_platform_jacobian_batch_soa(size_t count, size_t stride, const double *q, double *jacobian, int
+    *status);
 
 /*
- * ur5_joint_displacements: Displacements of all joints, cut ones included; spherical joints as
- * rotation vector in the parent's axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   displacements[6] [rad]: all joints
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 6 (add 5, compare 1)
+ * ur5_joint_displacements: Displacements of all joints, cut ones included; spherical joints as rotation vector in the
+ * parent's axes.
+ *   out displacements[6] [rad]: all joints
+ *     0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint; 5 wrist_3_joint
+ *   Returns 0, 2; operations: 6 (add 5, compare 1)
  */
-#define UR5_JOINT_DISPLACEMENTS_Q_SIZE 6
-#define UR5_JOINT_DISPLACEMENTS_DISPLACEMENTS_SIZE 6
-int ur5_joint_displacements(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT displacements);
-int ur5_joint_displacements_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT displacements,
-    int *UR5_RESTRICT status);
-int ur5_joint_displacements_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT displacements,
-    int *UR5_RESTRICT status);
+enum { UR5_JOINT_DISPLACEMENTS_Q_SIZE = 6, UR5_JOINT_DISPLACEMENTS_DISPLACEMENTS_SIZE = 6 };
+int ur5_joint_displacements(const double *q, double *displacements);
+int ur5_joint_displacements_batch(size_t count, const double *q, double *displacements, int *status);
+int ur5_joint_displacements_batch_soa(size_t count, size_t stride, const double *q, double *displacements, int
+    *status);
 
 /*
  * ur5_joint_rates: Rates of all joints, cut ones included; spherical joints along the parent's axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   rates[6] [rad/s]: all joints
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 12 (add 11, compare 1)
+ *   out rates[6] [rad/s]: all joints
+ *   Returns 0, 2; operations: 12 (add 11, compare 1)
  */
-#define UR5_JOINT_RATES_Q_SIZE 6
-#define UR5_JOINT_RATES_V_SIZE 6
-#define UR5_JOINT_RATES_RATES_SIZE 6
-int ur5_joint_rates(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT rates);
-int ur5_joint_rates_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT rates,
-    int *UR5_RESTRICT status);
-int ur5_joint_rates_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT rates,
-    int *UR5_RESTRICT status);
+enum { UR5_JOINT_RATES_Q_SIZE = 6, UR5_JOINT_RATES_V_SIZE = 6, UR5_JOINT_RATES_RATES_SIZE = 6 };
+int ur5_joint_rates(const double *q, const double *v, double *rates);
+int ur5_joint_rates_batch(size_t count, const double *q, const double *v, double *rates, int *status);
+int ur5_joint_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *rates,
+    int *status);
 
 /*
  * ur5_drive_rates: Rates of the driven freedoms, in the order of u.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   rates[6] [rad/s]: rates of the driven freedoms; power = u . rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 12 (add 11, compare 1)
+ *   out rates[6] [rad/s]: rates of the driven freedoms; power = u . rates
+ *   Returns 0, 2; operations: 12 (add 11, compare 1)
  */
-#define UR5_DRIVE_RATES_Q_SIZE 6
-#define UR5_DRIVE_RATES_V_SIZE 6
-#define UR5_DRIVE_RATES_RATES_SIZE 6
-int ur5_drive_rates(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT rates);
-int ur5_drive_rates_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT rates,
-    int *UR5_RESTRICT status);
-int ur5_drive_rates_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT rates,
-    int *UR5_RESTRICT status);
+enum { UR5_DRIVE_RATES_Q_SIZE = 6, UR5_DRIVE_RATES_V_SIZE = 6, UR5_DRIVE_RATES_RATES_SIZE = 6 };
+int ur5_drive_rates(const double *q, const double *v, double *rates);
+int ur5_drive_rates_batch(size_t count, const double *q, const double *v, double *rates, int *status);
+int ur5_drive_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *rates,
+    int *status);
 
 /*
  * ur5_velocity: Rates of the tree from the rates of the independent coordinates.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   y_dot[6] [rad/s]: their rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 12 (add 11, compare 1)
- * Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint,
- *   wrist_1_joint, wrist_2_joint, wrist_3_joint
+ *   out v[6] [rad/s]: rates of the tree
+ *   Returns 0, 2; operations: 12 (add 11, compare 1)
+ *   Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint,
+ *     wrist_2_joint, wrist_3_joint
  */
-#define UR5_VELOCITY_Q_SIZE 6
-#define UR5_VELOCITY_Y_DOT_SIZE 6
-#define UR5_VELOCITY_V_SIZE 6
-int ur5_velocity(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    double *UR5_RESTRICT v);
-int ur5_velocity_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    double *UR5_RESTRICT v,
-    int *UR5_RESTRICT status);
-int ur5_velocity_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    double *UR5_RESTRICT v,
-    int *UR5_RESTRICT status);
+enum { UR5_VELOCITY_Q_SIZE = 6, UR5_VELOCITY_Y_DOT_SIZE = 6, UR5_VELOCITY_V_SIZE = 6 };
+int ur5_velocity(const double *q, const double *y_dot, double *v);
+int ur5_velocity_batch(size_t count, const double *q, const double *y_dot, double *v, int *status);
+int ur5_velocity_batch_soa(size_t count, size_t stride, const double *q, const double *y_dot, double *v, int
+    *status);
 
 /*
  * ur5_null_space: Null space of the closure: v = null_space y_dot.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   null_space[36] (6x6, column by column) [1]: columns: v for a unit rate of each y
- *       0 shoulder_pan_joint|shoulder_pan_joint; 1 shoulder_lift_joint|shoulder_pan_joint;
- *       2 elbow_joint|shoulder_pan_joint; 3 wrist_1_joint|shoulder_pan_joint;
- *       4 wrist_2_joint|shoulder_pan_joint; 5 wrist_3_joint|shoulder_pan_joint;
- *       6 shoulder_pan_joint|shoulder_lift_joint; 7 shoulder_lift_joint|shoulder_lift_joint;
- *       8 elbow_joint|shoulder_lift_joint; 9 wrist_1_joint|shoulder_lift_joint;
- *       10 wrist_2_joint|shoulder_lift_joint; 11 wrist_3_joint|shoulder_lift_joint;
- *       12 shoulder_pan_joint|elbow_joint; 13 shoulder_lift_joint|elbow_joint;
- *       14 elbow_joint|elbow_joint; 15 wrist_1_joint|elbow_joint; 16 wrist_2_joint|elbow_joint;
- *       17 wrist_3_joint|elbow_joint; 18 shoulder_pan_joint|wrist_1_joint;
- *       19 shoulder_lift_joint|wrist_1_joint; 20 elbow_joint|wrist_1_joint;
- *       21 wrist_1_joint|wrist_1_joint; 22 wrist_2_joint|wrist_1_joint;
- *       23 wrist_3_joint|wrist_1_joint; 24 shoulder_pan_joint|wrist_2_joint;
- *       25 shoulder_lift_joint|wrist_2_joint; 26 elbow_joint|wrist_2_joint;
- *       27 wrist_1_joint|wrist_2_joint; 28 wrist_2_joint|wrist_2_joint;
- *       29 wrist_3_joint|wrist_2_joint; 30 shoulder_pan_joint|wrist_3_joint;
- *       31 shoulder_lift_joint|wrist_3_joint; 32 elbow_joint|wrist_3_joint;
- *       33 wrist_1_joint|wrist_3_joint; 34 wrist_2_joint|wrist_3_joint; 35 wrist_3_joint|wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 6 (add 5, compare 1)
- * Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint,
- *   wrist_1_joint, wrist_2_joint, wrist_3_joint
+ *   out null_space[36] (6x6, column by column) [1]: columns: v for a unit rate of each y
+ *     0 shoulder_pan_joint|shoulder_pan_joint; 1 shoulder_lift_joint|shoulder_pan_joint;
+ *     2 elbow_joint|shoulder_pan_joint; 3 wrist_1_joint|shoulder_pan_joint; 4 wrist_2_joint|shoulder_pan_joint;
+ *     5 wrist_3_joint|shoulder_pan_joint; 6 shoulder_pan_joint|shoulder_lift_joint;
+ *     7 shoulder_lift_joint|shoulder_lift_joint; 8 elbow_joint|shoulder_lift_joint;
+ *     9 wrist_1_joint|shoulder_lift_joint; 10 wrist_2_joint|shoulder_lift_joint; 11 wrist_3_joint|shoulder_lift_joint;
+ *     12 shoulder_pan_joint|elbow_joint; 13 shoulder_lift_joint|elbow_joint; 14 elbow_joint|elbow_joint;
+ *     15 wrist_1_joint|elbow_joint; 16 wrist_2_joint|elbow_joint; 17 wrist_3_joint|elbow_joint;
+ *     18 shoulder_pan_joint|wrist_1_joint; 19 shoulder_lift_joint|wrist_1_joint; 20 elbow_joint|wrist_1_joint;
+ *     21 wrist_1_joint|wrist_1_joint; 22 wrist_2_joint|wrist_1_joint; 23 wrist_3_joint|wrist_1_joint;
+ *     24 shoulder_pan_joint|wrist_2_joint; 25 shoulder_lift_joint|wrist_2_joint; 26 elbow_joint|wrist_2_joint;
+ *     27 wrist_1_joint|wrist_2_joint; 28 wrist_2_joint|wrist_2_joint; 29 wrist_3_joint|wrist_2_joint;
+ *     30 shoulder_pan_joint|wrist_3_joint; 31 shoulder_lift_joint|wrist_3_joint; 32 elbow_joint|wrist_3_joint;
+ *     33 wrist_1_joint|wrist_3_joint; 34 wrist_2_joint|wrist_3_joint; 35 wrist_3_joint|wrist_3_joint
+ *   Returns 0, 2; operations: 6 (add 5, compare 1)
+ *   Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint,
+ *     wrist_2_joint, wrist_3_joint
  */
-#define UR5_NULL_SPACE_Q_SIZE 6
-#define UR5_NULL_SPACE_NULL_SPACE_SIZE 36
-int ur5_null_space(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT null_space);
-int ur5_null_space_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT null_space,
-    int *UR5_RESTRICT status);
-int ur5_null_space_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT null_space,
-    int *UR5_RESTRICT status);
+enum { UR5_NULL_SPACE_Q_SIZE = 6, UR5_NULL_SPACE_NULL_SPACE_SIZE = 36 };
+int ur5_null_space(const double *q, double *null_space);
+int ur5_null_space_batch(size_t count, const double *q, double *null_space, int *status);
+int ur5_null_space_batch_soa(size_t count, size_t stride, const double *q, double *null_space, int *status);
 
 /*
  * ur5_acceleration: Accelerations of the tree from the second rates of the independent coordinates.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   y_ddot[6] [rad/s^2]: their second rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 18 (add 17, compare 1)
- * Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint,
- *   wrist_1_joint, wrist_2_joint, wrist_3_joint
+ *   out a[6] [rad/s^2]: accelerations of the tree (rates of v)
+ *   Returns 0, 2; operations: 18 (add 17, compare 1)
+ *   Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint,
+ *     wrist_2_joint, wrist_3_joint
  */
-#define UR5_ACCELERATION_Q_SIZE 6
-#define UR5_ACCELERATION_V_SIZE 6
-#define UR5_ACCELERATION_Y_DDOT_SIZE 6
-#define UR5_ACCELERATION_A_SIZE 6
-int ur5_acceleration(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT y_ddot,
-    double *UR5_RESTRICT a);
-int ur5_acceleration_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT y_ddot,
-    double *UR5_RESTRICT a,
-    int *UR5_RESTRICT status);
-int ur5_acceleration_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT y_ddot,
-    double *UR5_RESTRICT a,
-    int *UR5_RESTRICT status);
+enum { UR5_ACCELERATION_Q_SIZE = 6, UR5_ACCELERATION_V_SIZE = 6, UR5_ACCELERATION_Y_DDOT_SIZE = 6,
+    UR5_ACCELERATION_A_SIZE = 6 };
+int ur5_acceleration(const double *q, const double *v, const double *y_ddot, double *a);
+int ur5_acceleration_batch(size_t count, const double *q, const double *v, const double *y_ddot, double *a,
+    int *status);
+int ur5_acceleration_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
+    *y_ddot, double *a, int *status);
 
 /*
  * ur5_momentum_screws: Momentum screws of all bodies at O, eq. (31).
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   momenta[36] (6x6, column by column): momentum screw (p ; L_O) per body
- *       0 shoulder_link.px [kg m/s]; 1 shoulder_link.py [kg m/s]; 2 shoulder_link.pz [kg m/s];
- *       3 shoulder_link.Lx [kg m^2/s]; 4 shoulder_link.Ly [kg m^2/s]; 5 shoulder_link.Lz [kg m^2/s];
- *       6 upper_arm_link.px [kg m/s]; 7 upper_arm_link.py [kg m/s]; 8 upper_arm_link.pz [kg m/s];
- *       9 upper_arm_link.Lx [kg m^2/s]; 10 upper_arm_link.Ly [kg m^2/s];
- *       11 upper_arm_link.Lz [kg m^2/s]; 12 forearm_link.px [kg m/s]; 13 forearm_link.py [kg m/s];
- *       14 forearm_link.pz [kg m/s]; 15 forearm_link.Lx [kg m^2/s]; 16 forearm_link.Ly [kg m^2/s];
- *       17 forearm_link.Lz [kg m^2/s]; 18 wrist_1_link.px [kg m/s]; 19 wrist_1_link.py [kg m/s];
- *       20 wrist_1_link.pz [kg m/s]; 21 wrist_1_link.Lx [kg m^2/s]; 22 wrist_1_link.Ly [kg m^2/s];
- *       23 wrist_1_link.Lz [kg m^2/s]; 24 wrist_2_link.px [kg m/s]; 25 wrist_2_link.py [kg m/s];
- *       26 wrist_2_link.pz [kg m/s]; 27 wrist_2_link.Lx [kg m^2/s]; 28 wrist_2_link.Ly [kg m^2/s];
- *       29 wrist_2_link.Lz [kg m^2/s]; 30 wrist_3_link.px [kg m/s]; 31 wrist_3_link.py [kg m/s];
- *       32 wrist_3_link.pz [kg m/s]; 33 wrist_3_link.Lx [kg m^2/s]; 34 wrist_3_link.Ly [kg m^2/s];
- *       35 wrist_3_link.Lz [kg m^2/s]
- *   total[6]: sum over all bodies
- *       0 px [kg m/s]; 1 py [kg m/s]; 2 pz [kg m/s]; 3 Lx [kg m^2/s]; 4 Ly [kg m^2/s]; 5 Lz [kg m^2/s]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 816 (add 352, mul 451, trig 12, compare 1)
+ *   out momenta[36] (6x6, column by column): momentum screw (p ; L_O) per body
+ *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: px [kg m/s],
+ *     py [kg m/s], pz [kg m/s], Lx [kg m^2/s], Ly [kg m^2/s], Lz [kg m^2/s]
+ *   out total[6]: sum over all bodies
+ *     0 px [kg m/s]; 1 py [kg m/s]; 2 pz [kg m/s]; 3 Lx [kg m^2/s]; 4 Ly [kg m^2/s]; 5 Lz [kg m^2/s]
+ *   Returns 0, 2; operations: 816 (add 352, mul 451, trig 12, compare 1)
  */
-#define UR5_MOMENTUM_SCREWS_Q_SIZE 6
-#define UR5_MOMENTUM_SCREWS_V_SIZE 6
-#define UR5_MOMENTUM_SCREWS_MOMENTA_SIZE 36
-#define UR5_MOMENTUM_SCREWS_TOTAL_SIZE 6
-int ur5_momentum_screws(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT momenta,
-    double *UR5_RESTRICT total_);
-int ur5_momentum_screws_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT momenta,
-    double *UR5_RESTRICT total_,
-    int *UR5_RESTRICT status);
-int ur5_momentum_screws_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT momenta,
-    double *UR5_RESTRICT total_,
-    int *UR5_RESTRICT status);
+enum { UR5_MOMENTUM_SCREWS_Q_SIZE = 6, UR5_MOMENTUM_SCREWS_V_SIZE = 6, UR5_MOMENTUM_SCREWS_MOMENTA_SIZE = 36,
+    UR5_MOMENTUM_SCREWS_TOTAL_SIZE = 6 };
+int ur5_momentum_screws(const double *q, const double *v, double *momenta, double *total_);
+int ur5_momentum_screws_batch(size_t count, const double *q, const double *v, double *momenta, double *total_,
+    int *status);
+int ur5_momentum_screws_batch_soa(size_t count, size_t stride, const double *q, const double *v, double
+    *momenta, double *total_, int *status);
 
 /*
  * ur5_momentum_rates: Rates of the momentum screws: sums of all force screws, eq. (35).
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   momentum_rates[36] (6x6, column by column): rate of every momentum screw
- *       0 shoulder_link.fx [N]; 1 shoulder_link.fy [N]; 2 shoulder_link.fz [N];
- *       3 shoulder_link.mx [N m]; 4 shoulder_link.my [N m]; 5 shoulder_link.mz [N m];
- *       6 upper_arm_link.fx [N]; 7 upper_arm_link.fy [N]; 8 upper_arm_link.fz [N];
- *       9 upper_arm_link.mx [N m]; 10 upper_arm_link.my [N m]; 11 upper_arm_link.mz [N m];
- *       12 forearm_link.fx [N]; 13 forearm_link.fy [N]; 14 forearm_link.fz [N];
- *       15 forearm_link.mx [N m]; 16 forearm_link.my [N m]; 17 forearm_link.mz [N m];
- *       18 wrist_1_link.fx [N]; 19 wrist_1_link.fy [N]; 20 wrist_1_link.fz [N];
- *       21 wrist_1_link.mx [N m]; 22 wrist_1_link.my [N m]; 23 wrist_1_link.mz [N m];
- *       24 wrist_2_link.fx [N]; 25 wrist_2_link.fy [N]; 26 wrist_2_link.fz [N];
- *       27 wrist_2_link.mx [N m]; 28 wrist_2_link.my [N m]; 29 wrist_2_link.mz [N m];
- *       30 wrist_3_link.fx [N]; 31 wrist_3_link.fy [N]; 32 wrist_3_link.fz [N];
- *       33 wrist_3_link.mx [N m]; 34 wrist_3_link.my [N m]; 35 wrist_3_link.mz [N m]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1396 (add 598, mul 785, trig 12, compare 1)
+ *   out momentum_rates[36] (6x6, column by column): rate of every momentum screw
+ *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: fx [N], fy
+ *     [N], fz [N], mx [N m], my [N m], mz [N m]
+ *   Returns 0, 2; operations: 1396 (add 598, mul 785, trig 12, compare 1)
  */
-#define UR5_MOMENTUM_RATES_Q_SIZE 6
-#define UR5_MOMENTUM_RATES_V_SIZE 6
-#define UR5_MOMENTUM_RATES_A_SIZE 6
-#define UR5_MOMENTUM_RATES_MOMENTUM_RATES_SIZE 36
-int ur5_momentum_rates(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT momentum_rates);
-int ur5_momentum_rates_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT momentum_rates,
-    int *UR5_RESTRICT status);
-int ur5_momentum_rates_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT momentum_rates,
-    int *UR5_RESTRICT status);
+enum { UR5_MOMENTUM_RATES_Q_SIZE = 6, UR5_MOMENTUM_RATES_V_SIZE = 6, UR5_MOMENTUM_RATES_A_SIZE = 6,
+    UR5_MOMENTUM_RATES_MOMENTUM_RATES_SIZE = 36 };
+int ur5_momentum_rates(const double *q, const double *v, const double *a, double *momentum_rates);
+int ur5_momentum_rates_batch(size_t count, const double *q, const double *v, const double *a, double
+    *momentum_rates, int *status);
+int ur5_momentum_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
+    *a, double *momentum_rates, int *status);
 
 /*
  * ur5_energy: Kinetic energy and potential energy of the effects (gravity: zero at O).
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   energy[2] [J]: kinetic and potential energy
- *       0 kinetic; 1 potential
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 228 (add 84, mul 133, trig 10, compare 1)
+ *   out energy[2] [J]: kinetic and potential energy
+ *     0 kinetic; 1 potential
+ *   Returns 0, 2; operations: 228 (add 84, mul 133, trig 10, compare 1)
  */
-#define UR5_ENERGY_Q_SIZE 6
-#define UR5_ENERGY_V_SIZE 6
-#define UR5_ENERGY_ENERGY_SIZE 2
-int ur5_energy(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT energy);
-int ur5_energy_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT energy,
-    int *UR5_RESTRICT status);
-int ur5_energy_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT energy,
-    int *UR5_RESTRICT status);
+enum { UR5_ENERGY_Q_SIZE = 6, UR5_ENERGY_V_SIZE = 6, UR5_ENERGY_ENERGY_SIZE = 2 };
+int ur5_energy(const double *q, const double *v, double *energy);
+int ur5_energy_batch(size_t count, const double *q, const double *v, double *energy, int *status);
+int ur5_energy_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *energy, int
+    *status);
 
 /*
  * ur5_mass_matrix: Mass matrix of the tree (cut joints open).
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   mass_matrix[36] (6x6, column by column) [kg m^2]: symmetric; kinetic energy = v.M.v / 2
- *       0 shoulder_pan_joint|shoulder_pan_joint; 1 shoulder_lift_joint|shoulder_pan_joint;
- *       2 elbow_joint|shoulder_pan_joint; 3 wrist_1_joint|shoulder_pan_joint;
- *       4 wrist_2_joint|shoulder_pan_joint; 5 wrist_3_joint|shoulder_pan_joint;
- *       6 shoulder_pan_joint|shoulder_lift_joint; 7 shoulder_lift_joint|shoulder_lift_joint;
- *       8 elbow_joint|shoulder_lift_joint; 9 wrist_1_joint|shoulder_lift_joint;
- *       10 wrist_2_joint|shoulder_lift_joint; 11 wrist_3_joint|shoulder_lift_joint;
- *       12 shoulder_pan_joint|elbow_joint; 13 shoulder_lift_joint|elbow_joint;
- *       14 elbow_joint|elbow_joint; 15 wrist_1_joint|elbow_joint; 16 wrist_2_joint|elbow_joint;
- *       17 wrist_3_joint|elbow_joint; 18 shoulder_pan_joint|wrist_1_joint;
- *       19 shoulder_lift_joint|wrist_1_joint; 20 elbow_joint|wrist_1_joint;
- *       21 wrist_1_joint|wrist_1_joint; 22 wrist_2_joint|wrist_1_joint;
- *       23 wrist_3_joint|wrist_1_joint; 24 shoulder_pan_joint|wrist_2_joint;
- *       25 shoulder_lift_joint|wrist_2_joint; 26 elbow_joint|wrist_2_joint;
- *       27 wrist_1_joint|wrist_2_joint; 28 wrist_2_joint|wrist_2_joint;
- *       29 wrist_3_joint|wrist_2_joint; 30 shoulder_pan_joint|wrist_3_joint;
- *       31 shoulder_lift_joint|wrist_3_joint; 32 elbow_joint|wrist_3_joint;
- *       33 wrist_1_joint|wrist_3_joint; 34 wrist_2_joint|wrist_3_joint; 35 wrist_3_joint|wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 179 (add 85, mul 85, trig 8, compare 1)
+ *   out mass_matrix[36] (6x6, column by column) [kg m^2]: symmetric; kinetic energy = v.M.v / 2
+ *     0 shoulder_pan_joint|shoulder_pan_joint; 1 shoulder_lift_joint|shoulder_pan_joint;
+ *     2 elbow_joint|shoulder_pan_joint; 3 wrist_1_joint|shoulder_pan_joint; 4 wrist_2_joint|shoulder_pan_joint;
+ *     5 wrist_3_joint|shoulder_pan_joint; 6 shoulder_pan_joint|shoulder_lift_joint;
+ *     7 shoulder_lift_joint|shoulder_lift_joint; 8 elbow_joint|shoulder_lift_joint;
+ *     9 wrist_1_joint|shoulder_lift_joint; 10 wrist_2_joint|shoulder_lift_joint; 11 wrist_3_joint|shoulder_lift_joint;
+ *     12 shoulder_pan_joint|elbow_joint; 13 shoulder_lift_joint|elbow_joint; 14 elbow_joint|elbow_joint;
+ *     15 wrist_1_joint|elbow_joint; 16 wrist_2_joint|elbow_joint; 17 wrist_3_joint|elbow_joint;
+ *     18 shoulder_pan_joint|wrist_1_joint; 19 shoulder_lift_joint|wrist_1_joint; 20 elbow_joint|wrist_1_joint;
+ *     21 wrist_1_joint|wrist_1_joint; 22 wrist_2_joint|wrist_1_joint; 23 wrist_3_joint|wrist_1_joint;
+ *     24 shoulder_pan_joint|wrist_2_joint; 25 shoulder_lift_joint|wrist_2_joint; 26 elbow_joint|wrist_2_joint;
+ *     27 wrist_1_joint|wrist_2_joint; 28 wrist_2_joint|wrist_2_joint; 29 wrist_3_joint|wrist_2_joint;
+ *     30 shoulder_pan_joint|wrist_3_joint; 31 shoulder_lift_joint|wrist_3_joint; 32 elbow_joint|wrist_3_joint;
+ *     33 wrist_1_joint|wrist_3_joint; 34 wrist_2_joint|wrist_3_joint; 35 wrist_3_joint|wrist_3_joint
+ *   Returns 0, 2; operations: 179 (add 85, mul 85, trig 8, compare 1)
  */
-#define UR5_MASS_MATRIX_Q_SIZE 6
-#define UR5_MASS_MATRIX_MASS_MATRIX_SIZE 36
-int ur5_mass_matrix(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT mass_matrix);
-int ur5_mass_matrix_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT mass_matrix,
-    int *UR5_RESTRICT status);
-int ur5_mass_matrix_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT mass_matrix,
-    int *UR5_RESTRICT status);
+enum { UR5_MASS_MATRIX_Q_SIZE = 6, UR5_MASS_MATRIX_MASS_MATRIX_SIZE = 36 };
+int ur5_mass_matrix(const double *q, double *mass_matrix);
+int ur5_mass_matrix_batch(size_t count, const double *q, double *mass_matrix, int *status);
+int ur5_mass_matrix_batch_soa(size_t count, size_t stride, const double *q, double *mass_matrix, int *status);
 
 /*
- * ur5_bias: Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms +
- * J^T multipliers.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   bias[6] [N m]: generalised forces at a = 0
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 290 (add 118, mul 161, trig 10, compare 1)
+ * ur5_bias: Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T
+ * multipliers.
+ *   out bias[6] [N m]: generalised forces at a = 0
+ *     0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint; 5 wrist_3_joint
+ *   Returns 0, 2; operations: 290 (add 118, mul 161, trig 10, compare 1)
  */
-#define UR5_BIAS_Q_SIZE 6
-#define UR5_BIAS_V_SIZE 6
-#define UR5_BIAS_BIAS_SIZE 6
-int ur5_bias(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT bias);
-int ur5_bias_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT bias,
-    int *UR5_RESTRICT status);
-int ur5_bias_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    double *UR5_RESTRICT bias,
-    int *UR5_RESTRICT status);
+enum { UR5_BIAS_Q_SIZE = 6, UR5_BIAS_V_SIZE = 6, UR5_BIAS_BIAS_SIZE = 6 };
+int ur5_bias(const double *q, const double *v, double *bias);
+int ur5_bias_batch(size_t count, const double *q, const double *v, double *bias, int *status);
+int ur5_bias_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *bias, int
+    *status);
 
 /*
- * ur5_inverse_dynamics: Drives from a consistent state of the tree, by the rates of the momentum
- * screws.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   u[6] [N m]: drive forces and torques
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 314 (add 132, mul 171, trig 10, compare 1)
+ * ur5_inverse_dynamics: Drives from a consistent state of the tree, by the rates of the momentum screws.
+ *   out u[6] [N m]: drive forces and torques
+ *   Returns 0, 2; operations: 314 (add 132, mul 171, trig 10, compare 1)
  */
-#define UR5_INVERSE_DYNAMICS_Q_SIZE 6
-#define UR5_INVERSE_DYNAMICS_V_SIZE 6
-#define UR5_INVERSE_DYNAMICS_A_SIZE 6
-#define UR5_INVERSE_DYNAMICS_U_SIZE 6
-int ur5_inverse_dynamics(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT u);
-int ur5_inverse_dynamics_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT u,
-    int *UR5_RESTRICT status);
-int ur5_inverse_dynamics_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT u,
-    int *UR5_RESTRICT status);
+enum { UR5_INVERSE_DYNAMICS_Q_SIZE = 6, UR5_INVERSE_DYNAMICS_V_SIZE = 6, UR5_INVERSE_DYNAMICS_A_SIZE = 6,
+    UR5_INVERSE_DYNAMICS_U_SIZE = 6 };
+int ur5_inverse_dynamics(const double *q, const double *v, const double *a, double *u);
+int ur5_inverse_dynamics_batch(size_t count, const double *q, const double *v, const double *a, double *u, int
+    *status);
+int ur5_inverse_dynamics_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
+    *a, double *u, int *status);
 
 /*
- * ur5_inverse_dynamics_independent: Drives from the configuration and the rates and second rates of
- * the independent coordinates.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   y_dot[6] [rad/s]: their rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   y_ddot[6] [rad/s^2]: their second rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   u[6] [N m]: drive forces and torques
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 314 (add 132, mul 171, trig 10, compare 1)
+ * ur5_inverse_dynamics_independent: Drives from the configuration and the rates and second rates of the independent
+ * coordinates.
+ *   out u[6] [N m]: drive forces and torques
+ *   Returns 0, 2; operations: 314 (add 132, mul 171, trig 10, compare 1)
  */
-#define UR5_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE 6
-#define UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 6
-#define UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DDOT_SIZE 6
-#define UR5_INVERSE_DYNAMICS_INDEPENDENT_U_SIZE 6
-int ur5_inverse_dynamics_independent(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    const double *UR5_RESTRICT y_ddot,
-    double *UR5_RESTRICT u);
-int ur5_inverse_dynamics_independent_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    const double *UR5_RESTRICT y_ddot,
-    double *UR5_RESTRICT u,
-    int *UR5_RESTRICT status);
-int ur5_inverse_dynamics_independent_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    const double *UR5_RESTRICT y_ddot,
-    double *UR5_RESTRICT u,
-    int *UR5_RESTRICT status);
+enum { UR5_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE = 6, UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE = 6,
+    UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DDOT_SIZE = 6, UR5_INVERSE_DYNAMICS_INDEPENDENT_U_SIZE = 6 };
+int ur5_inverse_dynamics_independent(const double *q, const double *y_dot, const double *y_ddot, double *u);
+int ur5_inverse_dynamics_independent_batch(size_t count, const double *q, const double *y_dot, const double
+    *y_ddot, double *u, int *status);
+int ur5_inverse_dynamics_independent_batch_soa(size_t count, size_t stride, const double *q, const double
+    *y_dot, const double *y_ddot, double *u, int *status);
 
 /*
  * ur5_joint_reactions: Drives and all joint reactions at once, at O in absolute axes.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   u[6] [N m]: drive forces and torques
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   reactions[36] (6x6, column by column): wrench (f ; m_O) from parent on child without the drive's
- *     share
- *       0 shoulder_pan_joint.fx [N]; 1 shoulder_pan_joint.fy [N]; 2 shoulder_pan_joint.fz [N];
- *       3 shoulder_pan_joint.mx [N m]; 4 shoulder_pan_joint.my [N m]; 5 shoulder_pan_joint.mz [N m];
- *       6 shoulder_lift_joint.fx [N]; 7 shoulder_lift_joint.fy [N]; 8 shoulder_lift_joint.fz [N];
- *       9 shoulder_lift_joint.mx [N m]; 10 shoulder_lift_joint.my [N m];
- *       11 shoulder_lift_joint.mz [N m]; 12 elbow_joint.fx [N]; 13 elbow_joint.fy [N];
- *       14 elbow_joint.fz [N]; 15 elbow_joint.mx [N m]; 16 elbow_joint.my [N m];
- *       17 elbow_joint.mz [N m]; 18 wrist_1_joint.fx [N]; 19 wrist_1_joint.fy [N];
- *       20 wrist_1_joint.fz [N]; 21 wrist_1_joint.mx [N m]; 22 wrist_1_joint.my [N m];
- *       23 wrist_1_joint.mz [N m]; 24 wrist_2_joint.fx [N]; 25 wrist_2_joint.fy [N];
- *       26 wrist_2_joint.fz [N]; 27 wrist_2_joint.mx [N m]; 28 wrist_2_joint.my [N m];
- *       29 wrist_2_joint.mz [N m]; 30 wrist_3_joint.fx [N]; 31 wrist_3_joint.fy [N];
- *       32 wrist_3_joint.fz [N]; 33 wrist_3_joint.mx [N m]; 34 wrist_3_joint.my [N m];
- *       35 wrist_3_joint.mz [N m]
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 901 (add 402, mul 486, trig 12, compare 1)
+ *   out u[6] [N m]: drive forces and torques
+ *   out reactions[36] (6x6, column by column): wrench (f ; m_O) from parent on child without the drive's share
+ *   Returns 0, 2; operations: 901 (add 402, mul 486, trig 12, compare 1)
  */
-#define UR5_JOINT_REACTIONS_Q_SIZE 6
-#define UR5_JOINT_REACTIONS_V_SIZE 6
-#define UR5_JOINT_REACTIONS_A_SIZE 6
-#define UR5_JOINT_REACTIONS_U_SIZE 6
-#define UR5_JOINT_REACTIONS_REACTIONS_SIZE 36
-int ur5_joint_reactions(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT u,
-    double *UR5_RESTRICT reactions);
-int ur5_joint_reactions_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT u,
-    double *UR5_RESTRICT reactions,
-    int *UR5_RESTRICT status);
-int ur5_joint_reactions_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT a,
-    double *UR5_RESTRICT u,
-    double *UR5_RESTRICT reactions,
-    int *UR5_RESTRICT status);
+enum { UR5_JOINT_REACTIONS_Q_SIZE = 6, UR5_JOINT_REACTIONS_V_SIZE = 6, UR5_JOINT_REACTIONS_A_SIZE = 6,
+    UR5_JOINT_REACTIONS_U_SIZE = 6, UR5_JOINT_REACTIONS_REACTIONS_SIZE = 36 };
+int ur5_joint_reactions(const double *q, const double *v, const double *a, double *u, double *reactions);
+int ur5_joint_reactions_batch(size_t count, const double *q, const double *v, const double *a, double *u,
+    double *reactions, int *status);
+int ur5_joint_reactions_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
+    *a, double *u, double *reactions, int *status);
 
 /*
  * ur5_forward_dynamics: Accelerations of the tree from a consistent state and the drives.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   u[6] [N m]: drive forces and torques
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 587 (add 254, mul 310, div 4, trig 10, compare 9)
+ *   out a[6] [rad/s^2]: accelerations of the tree (rates of v)
+ *   Returns 0, 1, 2; operations: 587 (add 254, mul 310, div 4, trig 10, compare 9)
  */
-#define UR5_FORWARD_DYNAMICS_Q_SIZE 6
-#define UR5_FORWARD_DYNAMICS_V_SIZE 6
-#define UR5_FORWARD_DYNAMICS_U_SIZE 6
-#define UR5_FORWARD_DYNAMICS_A_SIZE 6
-int ur5_forward_dynamics(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT a);
-int ur5_forward_dynamics_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT a,
-    int *UR5_RESTRICT status);
-int ur5_forward_dynamics_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT a,
-    int *UR5_RESTRICT status);
+enum { UR5_FORWARD_DYNAMICS_Q_SIZE = 6, UR5_FORWARD_DYNAMICS_V_SIZE = 6, UR5_FORWARD_DYNAMICS_U_SIZE = 6,
+    UR5_FORWARD_DYNAMICS_A_SIZE = 6 };
+int ur5_forward_dynamics(const double *q, const double *v, const double *u, double *a);
+int ur5_forward_dynamics_batch(size_t count, const double *q, const double *v, const double *u, double *a, int
+    *status);
+int ur5_forward_dynamics_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
+    *u, double *a, int *status);
 
 /*
- * ur5_forward_dynamics_independent: Second rates of the independent coordinates from the
- * configuration, their rates and the drives.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   y_dot[6] [rad/s]: their rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   u[6] [N m]: drive forces and torques
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   y_ddot[6] [rad/s^2]: their second rates
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Returns
- *   0 success
- *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 581 (add 249, mul 309, div 4, trig 10, compare 9)
+ * ur5_forward_dynamics_independent: Second rates of the independent coordinates from the configuration, their rates
+ * and the drives.
+ *   out y_ddot[6] [rad/s^2]: their second rates
+ *   Returns 0, 1, 2; operations: 581 (add 249, mul 309, div 4, trig 10, compare 9)
  */
-#define UR5_FORWARD_DYNAMICS_INDEPENDENT_Q_SIZE 6
-#define UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DOT_SIZE 6
-#define UR5_FORWARD_DYNAMICS_INDEPENDENT_U_SIZE 6
-#define UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DDOT_SIZE 6
-int ur5_forward_dynamics_independent(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT y_ddot);
-int ur5_forward_dynamics_independent_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT y_ddot,
-    int *UR5_RESTRICT status);
-int ur5_forward_dynamics_independent_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT y_dot,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT y_ddot,
-    int *UR5_RESTRICT status);
+enum { UR5_FORWARD_DYNAMICS_INDEPENDENT_Q_SIZE = 6, UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DOT_SIZE = 6,
+    UR5_FORWARD_DYNAMICS_INDEPENDENT_U_SIZE = 6, UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DDOT_SIZE = 6 };
+int ur5_forward_dynamics_independent(const double *q, const double *y_dot, const double *u, double *y_ddot);
+int ur5_forward_dynamics_independent_batch(size_t count, const double *q, const double *y_dot, const double
+    *u, double *y_ddot, int *status);
+int ur5_forward_dynamics_independent_batch_soa(size_t count, size_t stride, const double *q, const double
+    *y_dot, const double *u, double *y_ddot, int *status);
 
 /*
- * ur5_forward_dynamics_reactions: Accelerations of the tree and all joint reactions, at O in absolute
- * axes, from a consistent state and drives.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   v[6] [rad/s]: rates of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   u[6] [N m]: drive forces and torques
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- *   reactions[36] (6x6, column by column): wrench (f ; m_O) from parent on child without the drive's
- *     share
- *       0 shoulder_pan_joint.fx [N]; 1 shoulder_pan_joint.fy [N]; 2 shoulder_pan_joint.fz [N];
- *       3 shoulder_pan_joint.mx [N m]; 4 shoulder_pan_joint.my [N m]; 5 shoulder_pan_joint.mz [N m];
- *       6 shoulder_lift_joint.fx [N]; 7 shoulder_lift_joint.fy [N]; 8 shoulder_lift_joint.fz [N];
- *       9 shoulder_lift_joint.mx [N m]; 10 shoulder_lift_joint.my [N m];
- *       11 shoulder_lift_joint.mz [N m]; 12 elbow_joint.fx [N]; 13 elbow_joint.fy [N];
- *       14 elbow_joint.fz [N]; 15 elbow_joint.mx [N m]; 16 elbow_joint.my [N m];
- *       17 elbow_joint.mz [N m]; 18 wrist_1_joint.fx [N]; 19 wrist_1_joint.fy [N];
- *       20 wrist_1_joint.fz [N]; 21 wrist_1_joint.mx [N m]; 22 wrist_1_joint.my [N m];
- *       23 wrist_1_joint.mz [N m]; 24 wrist_2_joint.fx [N]; 25 wrist_2_joint.fy [N];
- *       26 wrist_2_joint.fz [N]; 27 wrist_2_joint.mx [N m]; 28 wrist_2_joint.my [N m];
- *       29 wrist_2_joint.mz [N m]; 30 wrist_3_joint.fx [N]; 31 wrist_3_joint.fy [N];
- *       32 wrist_3_joint.fz [N]; 33 wrist_3_joint.mx [N m]; 34 wrist_3_joint.my [N m];
- *       35 wrist_3_joint.mz [N m]
- * Returns
- *   0 success
- *   1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 1255 (add 576, mul 654, div 4, trig 12, compare 9)
+ * ur5_forward_dynamics_reactions: Accelerations of the tree and all joint reactions, at O in absolute axes, from a
+ * consistent state and drives.
+ *   out a[6] [rad/s^2]: accelerations of the tree (rates of v)
+ *   out reactions[36] (6x6, column by column): wrench (f ; m_O) from parent on child without the drive's share
+ *   Returns 0, 1, 2; operations: 1255 (add 576, mul 654, div 4, trig 12, compare 9)
  */
-#define UR5_FORWARD_DYNAMICS_REACTIONS_Q_SIZE 6
-#define UR5_FORWARD_DYNAMICS_REACTIONS_V_SIZE 6
-#define UR5_FORWARD_DYNAMICS_REACTIONS_U_SIZE 6
-#define UR5_FORWARD_DYNAMICS_REACTIONS_A_SIZE 6
-#define UR5_FORWARD_DYNAMICS_REACTIONS_REACTIONS_SIZE 36
-int ur5_forward_dynamics_reactions(
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT a,
-    double *UR5_RESTRICT reactions);
-int ur5_forward_dynamics_reactions_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT a,
-    double *UR5_RESTRICT reactions,
-    int *UR5_RESTRICT status);
-int ur5_forward_dynamics_reactions_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    const double *UR5_RESTRICT v,
-    const double *UR5_RESTRICT u,
-    double *UR5_RESTRICT a,
-    double *UR5_RESTRICT reactions,
-    int *UR5_RESTRICT status);
+enum { UR5_FORWARD_DYNAMICS_REACTIONS_Q_SIZE = 6, UR5_FORWARD_DYNAMICS_REACTIONS_V_SIZE = 6,
+    UR5_FORWARD_DYNAMICS_REACTIONS_U_SIZE = 6, UR5_FORWARD_DYNAMICS_REACTIONS_A_SIZE = 6,
+    UR5_FORWARD_DYNAMICS_REACTIONS_REACTIONS_SIZE = 36 };
+int ur5_forward_dynamics_reactions(const double *q, const double *v, const double *u, double *a, double
+    *reactions);
+int ur5_forward_dynamics_reactions_batch(size_t count, const double *q, const double *v, const double *u,
+    double *a, double *reactions, int *status);
+int ur5_forward_dynamics_reactions_batch_soa(size_t count, size_t stride, const double *q, const double *v,
+    const double *u, double *a, double *reactions, int *status);
 
 /*
  * ur5_limb_margins: Limb (serial) singularities: 0 where the joint screws of a limb become dependent.
- * Inputs
- *   q[6] [rad]: configuration of the tree
- *       0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint;
- *       5 wrist_3_joint
- * Outputs
- *   margins[1] [1]: signed volume: arm
- *       arm
- * Returns
- *   0 success
- *   2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
- * Operations: 64 (add 19, mul 37, trig 7, compare 1)
+ *   out margins[1] [1]: signed volume: arm (arm)
+ *   Returns 0, 2; operations: 64 (add 19, mul 37, trig 7, compare 1)
  */
-#define UR5_LIMB_MARGINS_Q_SIZE 6
-#define UR5_LIMB_MARGINS_MARGINS_SIZE 1
-int ur5_limb_margins(
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT margins);
-int ur5_limb_margins_batch(
-    size_t count,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT margins,
-    int *UR5_RESTRICT status);
-int ur5_limb_margins_batch_soa(
-    size_t count,
-    size_t stride,
-    const double *UR5_RESTRICT q,
-    double *UR5_RESTRICT margins,
-    int *UR5_RESTRICT status);
+enum { UR5_LIMB_MARGINS_Q_SIZE = 6, UR5_LIMB_MARGINS_MARGINS_SIZE = 1 };
+int ur5_limb_margins(const double *q, double *margins);
+int ur5_limb_margins_batch(size_t count, const double *q, double *margins, int *status);
+int ur5_limb_margins_batch_soa(size_t count, size_t stride, const double *q, double *margins, int *status);
 
 #ifdef __cplusplus
 }
