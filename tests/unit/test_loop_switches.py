@@ -14,7 +14,8 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.dynamics import coriolis, free_motion
 from symscrew.effects import ViscousFriction
-from symscrew.functions import MASSLESS_NOTE, base_parameters, closing, derivative, identifiable
+from symscrew.functions import base_parameters, closing, derivative, identifiable
+from symscrew.functions.forward import SINGULAR_NOTE
 from symscrew.functions.identifiable import RankError
 from symscrew.functions.ports import function, q_port
 from symscrew.kinematics.system import System
@@ -91,10 +92,10 @@ def test_of_long_branches_the_recursion_is_taken_and_the_notes_say_so(monkeypatc
 
 
 def test_forward_dynamics_needs_an_inertia_that_is_not_rounding(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert "forward_dynamics" in four_bar().programs and MASSLESS_NOTE not in four_bar().notes
+    assert "forward_dynamics" in four_bar().programs and SINGULAR_NOTE not in four_bar().notes
     monkeypatch.setattr(free_motion, "MASSLESS", 2.0)
     found = derive(catalogue.load("four_bar"))
-    assert "forward_dynamics" not in found.programs and MASSLESS_NOTE in found.notes
+    assert "forward_dynamics" not in found.programs and SINGULAR_NOTE in found.notes
 
 
 # -- operation modes -------------------------------------------------------------------------------------------------

@@ -56,25 +56,31 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "evidence": list(finite.evidence),
         "proved": finite.proved,
         "judgement": finite.judgement,
-        "near": None
-        if found.near is None
-        else {
-            "distance": found.near.distance,
-            "dof": found.near.meant.dof,
-            "dof_finite": found.near.meant.finite.dof,
-            "judgement": found.near.meant.finite.judgement,
-            "branches": None if found.near.meant.finite.branches is None else list(found.near.meant.finite.branches),
-            "overconstraints": found.near.meant.overconstraints,
-            "platform": found.near.meant.platform.type,
-            "changes": dict(found.near.changes),
-            "type_instead": {
-                name: {"point": list(point), "axes": [list(axis) for axis in axes]}
-                for name, (point, axes) in found.near.places().items()
-            },
-        },
+        "near": _near(found),
         "nearly_singular": found.nearly_singular or None,
         "nearly_special": list(found.nearly_special),
         "withdrawn": sorted(found.withdrawn),
+    }
+
+
+def _near(found: Mobility) -> dict[str, Any] | None:
+    """The special geometry next to the one typed: its distance [m], its mobility, and what to type for it."""
+    if found.near is None:
+        return None
+    meant = found.near.meant
+    return {
+        "distance": found.near.distance,
+        "dof": meant.dof,
+        "dof_finite": meant.finite.dof,
+        "judgement": meant.finite.judgement,
+        "branches": None if meant.finite.branches is None else list(meant.finite.branches),
+        "overconstraints": meant.overconstraints,
+        "platform": meant.platform.type,
+        "changes": dict(found.near.changes),
+        "type_instead": {
+            name: {"point": list(point), "axes": [list(axis) for axis in axes]}
+            for name, (point, axes) in found.near.places().items()
+        },
     }
 
 
