@@ -225,7 +225,7 @@ def test_javascript_has_every_function_and_instruction() -> None:
         straight = program.step if isinstance(program, Iteration) else program
         live, _ = live_instructions(straight)
         lines = [line for line in body.splitlines() if line.startswith("    const ") and " guard " not in line]
-        assert len(re.findall(r"(?<= )[-+*/<?](?= )|Math\.|(?<=[(= ])-(?=[A-Za-z(])", "".join(lines))) == len(live)
+        assert len(re.findall(r"(?<= )[-+*/?](?= )|Math\.|(?<=[(= ])-(?=[A-Za-z(])", "".join(lines))) == len(live)
 
 
 def test_a_word_of_javascript_is_no_constant() -> None:
