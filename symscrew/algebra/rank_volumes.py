@@ -301,7 +301,7 @@ def _apart(unit: np.ndarray, other: np.ndarray) -> bool:
 
 
 def sampled(tape: Tape, grid: Grid) -> np.ndarray:
-    """Values (samples, rows, columns)."""
+    """Values of a grid of nodes at the sample states of the tape, shape (samples, rows, columns)."""
     values = [[np.atleast_1d(tape.sample(e)) for e in row] for row in grid]
     count = max((len(v) for row in values for v in row), default=1)
     return np.array([[[v[k % len(v)] for v in row] for row in values] for k in range(count)])

@@ -94,6 +94,9 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
 
     A float counts as its shortest decimal: 0.1 is 1/10. True, False, NaN and infinities are refused.
 
+    Raises:
+        DescriptionError: it is none, or a name in the text is not among `names`; begins with `where`.
+
     >>> exact(0.1)
     1/10
     """

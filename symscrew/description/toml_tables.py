@@ -35,6 +35,9 @@ def check_sections(
         sections: the sections that there may be.
         keys: section -> its keys, where they are fixed.
         lists: the sections that are lists of tables, `[[section]]`.
+
+    Raises:
+        DescriptionError: names the section or key, and those that are nearest.
     """
     for section, content in tables.items():
         if section not in sections:

@@ -22,7 +22,7 @@ STATES, SEED = 256, 32  # random states that errors are measured at: the header 
 
 
 def rounded(array: object) -> np.ndarray:
-    """Numbers of type `float`, as float64."""
+    """The numbers of type `float` next to those of an array of any shape, as float64 in the same shape."""
     with np.errstate(all="ignore"):
         return np.asarray(array, dtype=np.float32).astype(float)
 

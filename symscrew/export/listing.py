@@ -61,6 +61,9 @@ def balanced_sum(terms: Sequence[str]) -> str:
 def decimal(value: float) -> str:
     """The shortest decimal that reads back as `value`, with a point, negative ones in parentheses.
 
+    Raises:
+        ValueError: `value` is NaN or infinite.
+
     >>> decimal(1.0), decimal(-2.5e-05), decimal(1e-05)
     ('1.0', '(-2.5e-05)', '1.0e-05')
     """

@@ -132,7 +132,11 @@ def read_manifest(directory: Path) -> dict[str, Any]:
 
 
 def read_json(path: Path) -> Any:
-    """The content of a JSON file of at most 64 MB."""
+    """The content of a JSON file of at most 64 MB.
+
+    Raises:
+        OutputError: it cannot be read, is larger, or is no JSON; names the file.
+    """
     try:
         if path.stat().st_size > LARGEST:
             raise OutputError(f"{path}: expected at most {LARGEST} bytes, got {path.stat().st_size}")

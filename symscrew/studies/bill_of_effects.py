@@ -144,7 +144,11 @@ def bill(
 
 
 def scene_bill(scene: Scene, *, timed: bool = True, progress: Progress | None = None) -> Bill:
-    """The bill of a scene, along the motion that simulating it gives."""
+    """The bill of a scene, along the motion that simulating it gives.
+
+    Raises:
+        DescriptionError: the scene names no effects.
+    """
     from symscrew.simulation import simulate
 
     progress = progress or Progress(quiet=True)

@@ -188,7 +188,10 @@ def whole_run(
     setting: str,
     facts: Mapping[str, Any],
 ) -> Setup:
-    """One call of `symscrew simulate`, in processor time; `error_of` takes the coordinates at all outputs."""
+    """One call of `symscrew simulate`, in processor time; `error_of` takes q at all outputs, shape (outputs, nq).
+
+    Calls raise ArithmeticError with the status of a run that does not reach its end.
+    """
     found: list[Array] = []
 
     def run() -> float:

@@ -123,7 +123,11 @@ def read_axis(text: str) -> Axis:
 
 
 def read_number(text: str, where: str) -> float:
-    """A finite number with a unit; mm, m, deg, rad or none."""
+    """A finite number with a unit (mm, m, deg, rad or none), in m or rad.
+
+    Raises:
+        DescriptionError: it is none, not finite, or of another unit; begins with `where`.
+    """
     match = _NUMBER.fullmatch(text.strip())
     if match is None or match.group(2) not in UNITS:
         raise DescriptionError(f"{where}: expected a number with m, mm, rad, deg or no unit, got {shorten(text)}")
@@ -134,7 +138,11 @@ def read_number(text: str, where: str) -> float:
 
 
 def read_limit(text: str) -> tuple[str, float, float]:
-    """A limit as it is typed: RESULT=least:largest, one of them may be left out."""
+    """A limit as it is typed: RESULT=least:largest, one of them may be left out.
+
+    Raises:
+        DescriptionError: it is typed otherwise.
+    """
     name, equals, rest = text.partition("=")
     low, colon, high = rest.partition(":")
     if not equals or not colon or not (low or high):
