@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.samples import some_quickly
 
 from hard.mechanisms import chain
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Integrator, Scene, Table
 from symscrew.simulation.motion import Run, simulate
 
-BACKENDS = ["numpy", *(["c"] if find_compiler() else [])]
+BACKENDS = [*(["c"] if find_compiler() else []), "numpy"]
 
 
 def pushed(force: str, duration: float, *, tables: dict[str, Table] | None = None, **how: object) -> Run:
@@ -25,7 +26,7 @@ def pushed(force: str, duration: float, *, tables: dict[str, Table] | None = Non
     return simulate(scene, backend=backend)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
 @pytest.mark.parametrize("width", [1e-1, 1e-3, 1e-5])
 def test_a_pulse_in_a_long_time(width: float, backend: str) -> None:
     """A Gaussian anywhere in 100 s gives sqrt(pi) width; stepped over it gave 0."""
@@ -34,7 +35,7 @@ def test_a_pulse_in_a_long_time(width: float, backend: str) -> None:
         assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * width, rel=1e-8)
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
 @pytest.mark.parametrize("how", [{"tolerance": 1e-3}, {"tolerance": 1e-10}, {"method": "rk4", "step": 0.5}])
 def test_a_push_in_a_table(how: dict, backend: str) -> None:
     """1000 N for 1 ms at 50 s: 1 m/s behind it, whatever the steps."""
@@ -43,7 +44,7 @@ def test_a_push_in_a_table(how: dict, backend: str) -> None:
     assert run.v[-1, 0] == pytest.approx(1.0, rel=1e-6)
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
 @pytest.mark.parametrize(
     "force, speed",
     [

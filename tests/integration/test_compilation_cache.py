@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from support.batches import inputs, only
 from support.model_states import model
+from support.samples import some_quickly
 
 from symscrew.cli.parser import main
 from symscrew.model import Model
@@ -136,7 +137,7 @@ BAD = {
 }
 
 
-@pytest.mark.parametrize("kind", BAD)
+@pytest.mark.parametrize("kind", some_quickly(BAD, every=3))
 def test_compilers_that_go_wrong_end_in_one_error(folder: Path, kind: str) -> None:
     script, said = BAD[kind]
     compiler(folder, script)
@@ -174,7 +175,7 @@ def found() -> Model:
     return only(model("four_bar"), "inverse_dynamics")
 
 
-@pytest.mark.parametrize("kind", BAD)
+@pytest.mark.parametrize("kind", some_quickly(BAD, every=3))
 def test_functions_run_in_casadi_where_the_compiler_goes_wrong(folder: Path, found: Model, kind: str) -> None:
     arrays = inputs(found, "inverse_dynamics", 5)
     expected = load(found, backend="casadi").inverse_dynamics(*arrays)

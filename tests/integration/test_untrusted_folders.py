@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from support.batches import inputs, only
 from support.model_states import model
+from support.samples import some_quickly
 
 from symscrew.errors import DescriptionError
 from symscrew.export import OutputError
@@ -175,7 +176,7 @@ MISFITS = (
 
 @needs_compiler
 @pytest.mark.parametrize("change", MISFITS, ids=lambda change: change.__name__)
-@pytest.mark.parametrize("trusted", [False, True])
+@pytest.mark.parametrize("trusted", some_quickly([False, True], every=2))
 def test_a_manifest_that_does_not_fit_the_c(folder: Path, change: Callable[[Content], None], trusted: bool) -> None:
     content = json.loads((folder / "manifest.json").read_text())
     change(content)
@@ -218,7 +219,7 @@ PLACES = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("trusted", [False, True])
+@pytest.mark.parametrize("trusted", some_quickly([False, True], every=2))
 @pytest.mark.parametrize("place", PLACES, ids=".".join)
 def test_junk_in_a_manifest_is_one_error(folder: Path, place: tuple[str, ...], trusted: bool) -> None:
     whole = json.loads((folder / "manifest.json").read_text())
