@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from symscrew.simulation import Run
 
 EXAMPLES = (
-    "symscrew simulate examples/scenes/falling_platform.toml --out run.npz --plot run.png",
+    "symscrew simulate examples/scenes/hanging_platform.toml --out run.npz --plot run.png",
     "symscrew simulate scene.toml --emit-c loop",
 )
 
