@@ -25,9 +25,6 @@ STILL = 1e-9
 # A joint that answers its own force by less than this part of the largest acceleration cannot be held by friction (a
 # dead point of the loops): it slips through. Smaller: forces grow without bound close to dead points.
 HELD = 1e-5
-# A rebound slower than this part of the largest rate ends the bouncing: the contact stays closed. At 0 the impacts of
-# a ball accumulate without end; larger, rebounds are lost.
-SOFT = 1e-6
 # Part of the largest singular value of contacts' accelerations by forces under which contacts that act on the same
 # freedom share their force (least squares) instead of being solved one by one.
 SHARED = 1e-12

@@ -17,11 +17,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.simulation.contacts import SHARED, SOFT, STILL, ContactState, Modes, forces, released
+from symscrew.simulation.contacts import SHARED, STILL, ContactState, Modes, forces, released
 
 # A stop is met where its gap is below this, without units: what the search for the instant leaves. Larger: stops that
 # are only near take part in an impact; smaller: of two that are met at once one is met later, by itself.
 TOUCHING = 1e-9
+# A rebound slower than this part of the largest rate ends the bouncing: the contact stays closed. At 0 the impacts of
+# a ball accumulate without end; larger, rebounds are lost.
+SOFT = 1e-6
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from symscrew.effects.gravity import Gravity
 from symscrew.effects.position_servo import PositionServo
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
-from symscrew.simulation import contacts
+from symscrew.simulation import mode_changes
 from symscrew.simulation.motion import Run, simulate
 
 FINE = Integrator(tolerance=1e-10)
@@ -137,7 +137,7 @@ def test_oscillator_with_dry_friction() -> None:
 def test_ball_on_a_stop(restitution: float) -> None:
     """Impacts at t0 (1 + 2 e + 2 e^2 ...), an infinity of them in finite time, then at rest on the stop.
 
-    With `contacts.SOFT` at zero, which ends the bouncing, there is no end of impacts: see the test below.
+    With `mode_changes.SOFT` at zero, which ends the bouncing, there is no end of impacts: see the test below.
     """
     stop = EndStop("z", lower=0, mode="impact", restitution=restitution)
     ball = chain(
@@ -161,8 +161,8 @@ def test_ball_on_a_stop(restitution: float) -> None:
 
 @pytest.mark.slow
 def test_without_an_end_of_the_bouncing(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The guard taken out: `contacts.SOFT` = 0. More than the sixty impacts of a run that ends them."""
-    monkeypatch.setattr(contacts, "SOFT", 0.0)
+    """The guard taken out: `mode_changes.SOFT` = 0. More than the sixty impacts of a run that ends them."""
+    monkeypatch.setattr(mode_changes, "SOFT", 0.0)
     stop = EndStop("z", lower=0, mode="impact", restitution=0.5)
     ball = chain(
         "ball",
