@@ -154,6 +154,7 @@ def checking(program: Program, slots: tuple[int, ...]) -> Program:
     return other
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("name, backend", BACKENDS)
 def test_bad_entries_never_give_success(name: str, backend: str, value: float) -> None:

@@ -115,6 +115,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> dict:
     return json.loads(done.stdout)
 
 
+@pytest.mark.slow
 def test_its_force_is_that_of_the_formula(found: dict) -> None:
     rate = np.array(found["rate"][1])[:, 0]
     braked, plain = (np.array(forces)[:, 0] for forces in found["forces"])

@@ -149,6 +149,7 @@ def test_generate_then_check(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert code == 1 and "FAILED" in out
 
 
+@pytest.mark.slow
 def test_functions_that_are_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Only these are written, and a check knows them, the independent coordinates that were chosen and derivatives."""
     made = tmp_path / "made"

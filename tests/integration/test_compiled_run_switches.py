@@ -36,6 +36,7 @@ def test_tolerances_are_not_below_rounding(monkeypatch: pytest.MonkeyPatch) -> N
     assert run_of("heavy_top", scene).counters["steps"] < steps / 2
 
 
+@pytest.mark.slow
 def test_a_run_that_stops_near_a_singularity_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     _, plant, _ = compiled("n_four_bar")
     monkeypatch.setitem(run_source.PIVOTS, "ZONE", 0.0)

@@ -87,6 +87,7 @@ def test_values_and_names_are_those_of_the_model(four_bar):
                 assert np.array(a).T.ravel() == pytest.approx(b[k], rel=1e-12, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_a_failed_state_is_a_failed_evaluation(four_bar):
     function = ca.external("four_bar_casadi_assemble", str(four_bar))
     with pytest.raises(RuntimeError, match="Evaluation failed"):

@@ -48,6 +48,7 @@ def everything_long(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(c_repeats, "SAVED", 8)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize("name", ["chain", *(slow(name) for name in ("loops", "limbs"))])
 def test_loops_give_the_bits_of_instructions_one_by_one(

@@ -25,6 +25,7 @@ def test_compiled_code_agrees() -> None:
         assert np.allclose(found, expected, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_generate_and_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     source, out = tmp_path / "parallelogram.toml", tmp_path / "out"
     source.write_text(PARALLELOGRAM, encoding="utf-8")

@@ -43,6 +43,7 @@ def run(tmp_path: Path, text: str, *options: str) -> tuple[int, Path]:
     return parser.main(["optimise", str(problem), "--out", str(out), *options]), out
 
 
+@pytest.mark.slow
 def test_everything_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     picture = tmp_path / "motion.png"
     code, out = run(tmp_path, FIVE_BAR, "--plot", str(picture), "--rate", "200")

@@ -64,6 +64,7 @@ def test_python_examples_of_the_readme(directory, title):
     assert printed(output) == pytest.approx(expected(directory), rel=1e-11, abs=1e-11)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "title", "package"), [
     ("four_bar", "FMU", "fmpy"), ("four_bar", "MJCF", "mujoco"), ("pendulum", "URDF", "pinocchio"),
 ])  # fmt: skip

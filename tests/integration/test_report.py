@@ -72,6 +72,7 @@ def test_page_asks_for_nothing_and_is_sound(seed: Path) -> None:
     assert len(text) < 1_500_000 and "$" not in re.sub(r"<svg.*?</svg>|<style>.*?</style>", "", text, flags=re.S)
 
 
+@pytest.mark.slow
 def test_numbers_are_those_of_the_model(seed: Path) -> None:
     text = seed.read_text()
     model = derived("three_ups_upu_s")

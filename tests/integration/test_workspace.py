@@ -100,6 +100,7 @@ def _singular_tilt(azimuth: float) -> float:
     return math.inf
 
 
+@pytest.mark.slow
 def test_strokes_are_distances_of_the_leg_ends() -> None:
     """Displacement of a slider = distance A C now, less that in the reference (0.6 m), plus 0.3 m there."""
     results = whole(SEED)
@@ -205,6 +206,7 @@ def test_local_pool_gives_the_same(tmp_path: Path) -> None:
     assert all(np.array_equal(v, expected[n], equal_nan=True) for n, v in kept.whole().items())
 
 
+@pytest.mark.slow
 def test_store_refuses_another_sweep_and_drops_broken_pieces(tmp_path: Path) -> None:
     label = prepare_sweep(plan_of("four_bar")).labels[0]
     plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 12), chunk=5)

@@ -36,6 +36,7 @@ from symscrew.reference.maximal_coordinates import BodyState, cross
 # -- gravity, loads, the base -----------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", [(0, 0, "-9.81"), ("3.5", "-1/7", 2.25)])
 def test_gravity_in_any_direction(field: tuple) -> None:
     numbers = [

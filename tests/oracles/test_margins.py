@@ -344,6 +344,7 @@ def hexapod_of_free_legs() -> Model:
     return kinematic_model(reference_mechanisms.build(reference_mechanisms.ENTRIES["stewart_6sps"]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spinning", [False, True])
 def test_hexapod_is_the_determinant_of_its_leg_lines(spinning: bool) -> None:
     """Pluecker coordinates of the six legs: forces along them at the platform's points; spins do not matter."""

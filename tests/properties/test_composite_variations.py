@@ -60,6 +60,7 @@ def test_changes_of_forces(name: str, effects: tuple[Effect, ...]) -> None:
             assert np.abs(tape.sample(got) - tape.sample(row[k])).max() < 1e-11 * scale, keys[k]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", slow("spatial_tree")])
 def test_takes_fewer_operations_and_gives_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Inverse and forward dynamics of trees, by the equations of motion and by differentiating the programs."""

@@ -51,6 +51,7 @@ def elbows(found: Model, q: np.ndarray) -> np.ndarray:
     return centre[:, 0] * tip[:, 1] - centre[:, 1] * tip[:, 0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*QUICK, *(slow(name) for name in FURTHER)])
 def test_platform_functions_equal_those_of_the_tree(name: str) -> None:
     found = model(name)
