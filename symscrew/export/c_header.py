@@ -13,9 +13,9 @@ from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.c_single import error_lines, single_errors
 from symscrew.export.c_wide import LANES
 from symscrew.export.conventions import conventions
-from symscrew.export.listing import MAX_LABELS, banner, packed, plain, statuses, unit_of, wrapped
+from symscrew.export.listing import MAX_LABELS, banner, operations_text, packed, plain, statuses, unit_of, wrapped
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Port, Program, RankRevealing
+from symscrew.program import STATUS, Iteration, Port, Program
 
 STATUS_MACROS = {
     -2: "RANK_LOST",
@@ -160,14 +160,8 @@ def _paragraph(symbol: str, program: Program | Iteration, named: dict[tuple[obje
                 lines += _labels(port)
             elif len(port.labels) == 1 and port.size == 1:
                 lines[-1] += f" ({plain(port.labels[0])})"
-    count, codes = program.operations, ", ".join(map(str, statuses(program)))
-    parts = ", ".join(f"{key} {n}" for key, n in count.items() if n and key != "total")
-    what = "operations"
-    if isinstance(program, RankRevealing):
-        what = "operations where no pivot is small"
-    if isinstance(program, Iteration):
-        what = f"operations of one Newton step (at most {program.max_steps} per substep)"
-    lines += wrapped(f"Returns {codes}; {what}: {count['total']} ({parts})", first="  ", later="    ", width=WIDTH)
+    codes = ", ".join(map(str, statuses(program)))
+    lines += wrapped(f"Returns {codes}; {operations_text(program)}", first="  ", later="    ", width=WIDTH)
     for note in program.notes:
         lines += wrapped(f"Note: {note}", first="  ", later="    ", width=WIDTH)
     return lines

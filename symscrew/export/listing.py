@@ -191,6 +191,18 @@ def statuses(program: Program | Iteration) -> dict[int, str]:
     return {code: STATUS[code] for code in (*second, *((0, 1, 2) if program.guards else (0, 2)))}
 
 
+def operations_text(program: Program | Iteration) -> str:
+    """What a function executes, in words: `operations: 12 (add 5, mul 6, compare 1)`."""
+    count = program.operations
+    parts = ", ".join(f"{key} {n}" for key, n in count.items() if n and key != "total")
+    when = ""
+    if isinstance(program, RankRevealing):
+        when = " where no pivot is small"
+    if isinstance(program, Iteration):
+        when = f" of one Newton step (at most {program.max_steps} per substep)"
+    return f"operations{when}: {count['total']} ({parts})"
+
+
 def function_lines(symbol: str, program: Program | Iteration) -> list[str]:
     """All that a user must know to call a function."""
     lines = wrapped(f"{symbol}: {program.description}")
@@ -201,14 +213,7 @@ def function_lines(symbol: str, program: Program | Iteration) -> list[str]:
     lines += ["Returns"]
     for code, text in statuses(program).items():
         lines += wrapped(f"{code} {text}", first="  ", later="    ")
-    count = program.operations
-    parts = ", ".join(f"{key} {n}" for key, n in count.items() if n and key != "total")
-    what = "Operations"
-    if isinstance(program, RankRevealing):
-        what = "Operations where no pivot is small"
-    if isinstance(program, Iteration):
-        what = f"Operations of one Newton step (at most {program.max_steps} per substep)"
-    lines += wrapped(f"{what}: {count['total']} ({parts})")
+    lines += wrapped(f"O{operations_text(program)[1:]}")
     for note in program.notes:
         lines += wrapped(f"Note: {note}", later="  ")
     return lines
