@@ -112,7 +112,19 @@ def second_path(
     tolerance: float,
     reactions: Callable[[np.ndarray, np.ndarray], Sequence[np.ndarray]] | None,
 ) -> tuple[list[np.ndarray], int]:
-    """Accelerations, and reactions if asked for, by singular values; and the status -1, -2, or 1 and 2 with NaN."""
+    """Accelerations, and reactions if asked for, by singular values; and the status -1, -2, or 1 and 2 with NaN.
+
+    Args:
+        mass: mass matrix (n n), forces `force` (n,), closure `jacobian` (m n) and `bias` (m,): matrices by columns.
+        force: generalised forces without the loops'.
+        jacobian: of the loops' rows by the rates.
+        bias: what the rows' second rates are at no acceleration.
+        rates: what each rate is divided by, the characteristic length or 1, n of them.
+        rows: by what each row is multiplied, m of them, so that all entries compare.
+        regular: the rank of the loops in general; with a smaller one the status is -2.
+        tolerance: singular values below this part of the largest one are zero.
+        reactions: from accelerations (n,) and multipliers (m,) to further results.
+    """
     n, m = len(force), len(bias)
     if not all(np.isfinite(x).all() for x in (mass, force, jacobian, bias)):
         lost = [np.full(n, np.nan)]
