@@ -122,6 +122,7 @@ def test_its_force_is_that_of_the_formula(found: dict) -> None:
     assert braked - plain == pytest.approx(0.5 * rate / (1 + (rate / 3) ** 2), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_it_slows_the_simulated_scene_down(found: dict) -> None:
     assert found["ok"]
     rates = np.array(found["v"])[:, 0]

@@ -35,6 +35,7 @@ def followers(found: Model) -> set[str]:
     return set(note.split(" determine ")[1].split(";")[0].split(", "))
 
 
+@pytest.mark.slow
 def test_a_delta_s_platform_does_not_turn_and_its_rods_stay_parallel() -> None:
     expected = {f"rod{k}b_U.{i}" for k in (1, 2, 3) for i in (0, 1)} | {f"platform_pose.q{c}" for c in "wxyz"}
     assert followers(models("delta")[0]) == expected
