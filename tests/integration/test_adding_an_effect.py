@@ -130,11 +130,13 @@ def test_it_slows_the_simulated_scene_down(found: dict) -> None:
     assert abs(rates[-1]) < 3
 
 
+@pytest.mark.slow
 def test_it_is_written_to_the_manifest_and_read_back_by_check(found: dict) -> None:
     assert found["manifest"]["effects"] == [{"type": "MagneticBrake", "joint": "A", "c": "0.5"}]
     assert any("same bytes" in line for line in found["checked"])
     assert not [line for line in found["checked"] if "FAILED" in line]
 
 
+@pytest.mark.slow
 def test_a_simplification_is_found_by_what_it_says_of_itself(found: dict) -> None:
     assert found["simplifications"] == ["massless limbs", "no gyroscopic terms", "quasi-static", "slow inertia"]

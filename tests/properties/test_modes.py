@@ -74,6 +74,7 @@ def test_on_the_mode_both_are_equal(name: str) -> None:
     assert compared >= 6
 
 
+@pytest.mark.slow
 def test_the_mode_takes_a_part_of_the_operations_of_a_delta() -> None:
     general, alone = models("delta")
     shares = {"inverse_dynamics": 0.3, "velocity": 0.3, "acceleration": 0.33, "forward_dynamics": 0.3}
@@ -84,6 +85,7 @@ def test_the_mode_takes_a_part_of_the_operations_of_a_delta() -> None:
         assert count < share * general.programs[name].operations["total"]
 
 
+@pytest.mark.slow
 def test_off_the_mode_functions_fail_or_take_the_second_path() -> None:
     general, alone = models("parallelogram")
     q = crossed()
