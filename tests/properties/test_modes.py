@@ -85,7 +85,6 @@ def test_the_mode_takes_a_part_of_the_operations_of_a_delta() -> None:
         assert count < share * general.programs[name].operations["total"]
 
 
-@pytest.mark.slow
 def test_off_the_mode_functions_fail_or_take_the_second_path() -> None:
     general, alone = models("parallelogram")
     q = crossed()
