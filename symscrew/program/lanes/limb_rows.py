@@ -10,8 +10,8 @@ first, and each new one votes for its own neighbours, so that rows grow from the
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterator, Mapping
-from heapq import heappop, heappush
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from heapq import heapify, heappop, heappush
 from itertools import combinations
 
 from symscrew.program.lanes.limb_lanes import LimbLanes
@@ -122,14 +122,17 @@ class _Pairing:
 
     def run(self) -> None:
         """Rows by name, then by votes."""
+        changed: set[tuple[int, int]] = set()
         for row in list(self._named()):
             for x, y in combinations([s for s in row if s is not None], 2):
-                self._vote_beside(x, y)
+                self._vote_beside(x, y, changed)
         for group in self._groups():
             if len(group) <= MOST_ALIKE:
-                for x, y in combinations(group, 2):
-                    self._vote(x, y, 0)
+                for k, slot in enumerate(group):
+                    self._vote((slot,), group[k + 1 :], 0, changed)
         heap, votes, taken = self.heap, self.votes, self.taken
+        heap += [(-votes[pair], *pair) for pair in changed]
+        heapify(heap)
         while heap:
             weight, x, y = heappop(heap)
             if not taken[x] & taken[y] and -weight == votes[x, y]:
@@ -176,38 +179,39 @@ class _Pairing:
     def _join(self, x: int, y: int) -> None:
         one, other = self._members(x), self._members(y)
         self._joined([b if a is None else a for a, b in zip(one, other, strict=True)])
+        changed: set[tuple[int, int]] = set()
         for p in one:
             for q in other:
                 if p is not None and q is not None:
-                    self._vote_beside(p, q)
+                    self._vote_beside(p, q, changed)
+        heap, votes = self.heap, self.votes
+        for pair in changed:
+            heappush(heap, (-votes[pair], *pair))
 
     # -- votes ------------------------------------------------------------------------------------------------
 
-    def _vote_beside(self, p: int, q: int) -> None:
+    def _vote_beside(self, p: int, q: int, changed: set[tuple[int, int]]) -> None:
         """What is beside two members of a row at the same places corresponds, too."""
         for mine, others in zip(self.beside[p], self.beside[q], strict=True):
             for op, some in mine.items():
                 more = others.get(op)
                 if more:
-                    amount = ALONE if len(some) == len(more) == 1 else AMONG
-                    for x in some:
-                        for y in more:
-                            self._vote(x, y, amount)
+                    self._vote(some, more, ALONE if len(some) == len(more) == 1 else AMONG, changed)
 
-    def _vote(self, x: int, y: int, amount: int) -> None:
-        if self.taken[x] & self.taken[y]:  # some limb has a member in the rows of both
-            return
-        pair = (x, y) if x < y else (y, x)
-        weight = self.votes.get(pair)
-        if weight is None:
-            weight = self._alike(x, y)
-        self.votes[pair] = weight = weight + amount
-        heappush(self.heap, (-weight, *pair))
-
-    def _alike(self, x: int, y: int) -> int:
-        """What two slots have in common by themselves."""
-        hints, made = self.lanes.hints, self.made
-        weight = HINT * (x in hints and hints[x] == hints.get(y))
-        if x in made:
-            weight += len(self.outer[x] & self.outer[y])
-        return weight
+    def _vote(self, some: Sequence[int], more: Sequence[int], amount: int, changed: set[tuple[int, int]]) -> None:
+        """So many votes for each of some with each of others, but for pairs of which some limb has members in both."""
+        votes, taken, made, outer = self.votes, self.taken, self.made, self.outer
+        hints = self.lanes.hints
+        for x in some:
+            own = taken[x]
+            for y in more:
+                if own & taken[y]:
+                    continue
+                pair = (x, y) if x < y else (y, x)
+                weight = votes.get(pair)
+                if weight is None:  # what two slots have in common by themselves
+                    weight = HINT * (x in hints and hints[x] == hints.get(y))
+                    if x in made:
+                        weight += len(outer[x] & outer[y])
+                votes[pair] = weight + amount
+                changed.add(pair)
