@@ -107,7 +107,7 @@ def count_c(source: str, symbol: str) -> int:
     bodies = re.findall(rf"^BODY\({symbol}\)\([^;{{]*\n?\{{\n(.*?)^\}}", source, re.M | re.S)
     assert len(bodies) == 1, f"no body {symbol}"
     count = 0
-    for statement in re.sub(r"\(void\)\w+;", "", bodies[0]).split(";"):
+    for statement in re.sub(r"\(void\)\w+;|/\*.*?\*/", "", bodies[0], flags=re.S).split(";"):
         right = statement.split(" = ", 1)[-1]
         before = "="
         tokens = [m for m in TOKEN.finditer(right) if not m[0].isspace()]
