@@ -173,7 +173,7 @@ def angles_symbol(printed: Printed) -> str:
     entered = printed.entered(form)
 
     def called(value: int | float) -> str:
-        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.precision.number(value)
+        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.number(value)
 
     assert printed.shared is not None
     used = read & set(printed.entries) - first
