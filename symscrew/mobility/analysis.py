@@ -19,7 +19,14 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility, nearest_special, smooth_mobility, without_spins
+from symscrew.mobility.finite import (
+    FiniteMobility,
+    finite_mobility,
+    nearest_special,
+    rank_claims,
+    smooth_mobility,
+    without_spins,
+)
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -114,13 +121,30 @@ class Mobility:
         """Whether no joint coordinate was given."""
         return not self.coordinates
 
+    @property
+    def verdict(self) -> tuple[object, ...]:
+        """What it says in numbers: freedoms, branches, the platform's type, what drives hold, what limbs constrain."""
+        finite, limbs = self.finite, tuple(len(limb.constraints.basis) for limb in self.limbs)
+        real = (finite.dof, finite.smooth, finite.branches)
+        return (self.dof, *real, self.platform.dof, self.platform.type, self.dof_drives_locked, limbs)
+
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        found = nearest_special(self.network, self.first_order.closure.rank)
-        if found is None:
+        claims = rank_claims(self.network, self.platform.body, [limb.joints for limb in self.limbs])
+        found = nearest_special(self.network, claims, moves=self.finite.smooth)
+        judged = [(self._meant(one.network), one) for one in found]
+        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
+        if not judged:  # less mobile than as typed is not what was meant
             return None
-        network = found.network
+        meant, one = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance))
+        if meant.finite.dof is None or meant.verdict == self.verdict:
+            return None
+        length = float(self.network.length)
+        return Near(meant, one.distance * length, tuple((name, size * length) for name, size in one.changes))
+
+    def _meant(self, network: Network) -> Mobility:
+        """The result for special geometry that was solved for."""
         first_order = instantaneous_mobility(network)
         limbs = tuple(limb_mobility(network, limb.name, limb.joints) for limb in self.limbs)
         platform = body_freedoms(network, first_order, self.platform.body)
@@ -128,17 +152,18 @@ class Mobility:
         reason = "the geometry meant was solved for in 60 digits"
         decisions = Decisions(None, (), reason, singular_values(first_order))
         finite = _judged(network, first_order, decisions)
-        meant = Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
-                         self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
-        if finite.dof is None or (meant.dof, finite.dof) == (self.dof, self.finite.dof):
-            return None
-        length = float(network.length)
-        return Near(meant, found.distance * length, tuple((name, size * length) for name, size in found.changes))
+        return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
+                        self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
-        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold."""
-        texts = []
+        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold.
+
+        Empty where `near` says what was meant.
+        """
+        texts: list[str] = []
+        if self.near is not None:
+            return ()
         length, basis = self.network.length, self.platform.freedoms.basis
         twists = np.array([[float(c) for c in (*t[:3], *(x / length for x in t[3:]))] for t in basis])
         if len(twists):

@@ -111,7 +111,7 @@ def _summary(found: Mobility) -> list[str]:
             "dimensions of the branches through it: " + ", ".join(map(str, finite.branches))
         )
     if found.near is not None:
-        lines += _near(found.near)
+        lines += _near(found, found.near)
     if found.nearly_singular:
         lines.append(found.nearly_singular)
     lines += found.nearly_special
@@ -120,12 +120,21 @@ def _summary(found: Mobility) -> list[str]:
     return lines
 
 
-def _near(near: Near) -> list[str]:
+def _near(found: Mobility, near: Near) -> list[str]:
     """Both verdicts, how far apart, and which joints differ."""
-    finite, first = near.meant.finite, near.changes[:MOST_CHANGES]
+    meant, first = near.meant, near.changes[:MOST_CHANGES]
+    finite = meant.finite
+    facts = [f"mobility {finite.dof} ({meant.dof} instantaneous, {meant.overconstraints} redundant constraints; "
+             f"{finite.judgement})"]  # fmt: skip
+    if finite.branches:
+        facts.append("branches of dimension " + ", ".join(map(str, finite.branches)) + " through it")
+    if meant.platform.type != found.platform.type:
+        facts.append(f"type {meant.platform.type} of {meant.platform.body} (as typed {found.platform.type})")
+    if meant.dof_drives_locked != found.dof_drives_locked:
+        left = f"{_count(meant.dof_drives_locked or 0, 'freedom')} left with all drives locked"
+        facts.append(f"{left} (as typed {found.dof_drives_locked})")
     return [
-        f"That is as typed. Within {near.distance:.1e} m of a special geometry with mobility {finite.dof} "
-        f"({near.meant.dof} instantaneous, {near.meant.overconstraints} redundant constraints; {finite.judgement})",
+        f"That is as typed. Within {near.distance:.1e} m of a special geometry with " + ", ".join(facts),
         "Largest changes to it: " + ", ".join(f"{name} {size:.1e} m" for name, size in first)
         + "; the numbers to type instead are in the JSON (`near`)",
     ]  # fmt: skip

@@ -76,6 +76,7 @@ def _near(found: Mobility) -> dict[str, Any] | None:
         "branches": None if meant.finite.branches is None else list(meant.finite.branches),
         "overconstraints": meant.overconstraints,
         "platform": meant.platform.type,
+        "dof_drives_locked": meant.dof_drives_locked,
         "changes": dict(found.near.changes),
         "type_instead": {
             name: {"point": list(point), "axes": [list(axis) for axis in axes]}

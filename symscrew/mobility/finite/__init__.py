@@ -11,10 +11,13 @@
     reduced_closure  the redundant equations g(u) = 0 that are left once the others are solved
     quadric_cone     directions in which g vanishes to second order: where branches are looked for
     branches         dimensions of the branches through a singular configuration
-    near_geometry    the nearest geometry in which loops keep closed that do not as typed
+    almost_ranks     ranks of closure, platform, drives and limbs that are almost lower as typed
+    joint_changes    places and axes of joints, changed a little
+    near_geometry    the nearest geometry in which these ranks are lost and loops keep closed that almost do
     witnesses        what every claim rests on, checked again by another of these routes
 """
 
+from symscrew.mobility.finite.almost_ranks import RankClaim, rank_claims
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.finite.local_solutions import CLOSED
 from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
@@ -29,9 +32,11 @@ __all__ = [
     "ClosureVariety",
     "FiniteMobility",
     "NearGeometry",
+    "RankClaim",
     "finite_mobility",
     "moved",
     "nearest_special",
+    "rank_claims",
     "recheck",
     "smooth_mobility",
     "without_spins",
