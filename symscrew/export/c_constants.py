@@ -31,7 +31,7 @@ DEEPEST = 3  # operations inside each other that are told of how a constant was 
 WIDTH = 110  # characters of what is said of a constant, in a line
 LIBRARY = re.compile(r"^[A-Z_0-9]+$|_[trl]$")  # names as C's own headers have them: M_PI, size_t, lgamma_r
 ANY = re.compile(r"k\d+")
-UNITS_OF_EFFECTS = {("gravity", "acceleration"): "m/s^2"}
+UNITS_OF_FIELDS = {"acceleration": "m/s^2"}  # what an effect calls so has this unit whatever else it is
 PARTS = 4  # that are named of several to which a number belongs
 
 
@@ -249,7 +249,7 @@ def _of_effects(system: Any, effects: Iterable[Any]) -> Iterator[tuple[Node, Mea
             for axis, value in zip(AXES, given if several else (given,), strict=False):
                 with suppress(DescriptionError, ValueError, TypeError):
                     node = system.geometry.known(exact(value))
-                    unit = UNITS_OF_EFFECTS.get((kind, key), "SI")
+                    unit = UNITS_OF_FIELDS.get(key, "SI")
                     yield from _node(node, Meaning(kind, axis if several else key, unit, f"{key} of the effect"))
 
 
