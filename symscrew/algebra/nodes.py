@@ -32,6 +32,7 @@ KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that d
 
 
 UNITS = (0, 1)  # factors that take no operation
+WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
 
 
 @dataclass(frozen=True)
@@ -50,12 +51,17 @@ class Symbol:
 
 
 class Node:
-    """One operation on earlier nodes of the same tape; use + - * / on nodes and numbers."""
+    """One operation on earlier nodes of the same tape; use + - * / on nodes and numbers.
 
-    __slots__ = ("args", "index", "op", "tape", "value")
+    `chain` is how many divisions and roots there are in the longest chain of them behind it, itself included.
+    """
 
-    def __init__(self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None) -> None:
-        self.tape, self.index, self.op, self.args, self.value = tape, index, op, args, value
+    __slots__ = ("args", "chain", "index", "op", "tape", "value")
+
+    def __init__(
+        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None, chain: int = 0
+    ) -> None:
+        self.tape, self.index, self.op, self.args, self.value, self.chain = tape, index, op, args, value, chain
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
@@ -300,7 +306,10 @@ class Tape:
         key = (op, args)  # nodes are equal if they are one
         found = self._known.get(key)
         if found is None:
-            found = Node(self, len(self.nodes), op, args, value=value)
+            chain = 0
+            if value is None and op != "symbol":
+                chain = max([arg.chain for arg in args]) + (op in WAITS)
+            found = Node(self, len(self.nodes), op, args, value=value, chain=chain)
             self._known[key] = found
             self.nodes.append(found)
         return found

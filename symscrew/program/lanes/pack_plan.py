@@ -8,7 +8,7 @@ undone.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -70,8 +70,7 @@ class Plan:
         self.shared -= {*self.place, *code.wanted, *code.checked}
         self.needs: dict[Need, int] = {}
         self._wanted: dict[Item, list[Need]] = {}
-        if self._sequence() is None:
-            self._in_order()
+        self.order()
         self.cost = self._counted()
 
     @cached_property
@@ -266,80 +265,52 @@ class Plan:
 
     def order(self) -> list[Item]:
         """Items in an order of evaluation; rows that wait for each other are packed no longer, one in each cycle."""
-        found, rows = self._sequence(), len(self.rows)
-        return self._in_order() if found is None else [(k < rows, k if k < rows else k - rows) for k in found]
-
-    def _sequence(self) -> list[int] | None:
-        """Items by number, rows first and slots behind them, in an order of evaluation; None if there is none."""
-        operations, copies, place, on, rows = self.operations, self.copies, self.place, self.on, len(self.rows)
-        number = {
-            slot: rows + slot if (at := place.get(slot)) is None or not on[at[0]] else at[0] for slot in operations
+        rows = len(self.rows)
+        number = {  # of the item that a slot is in: rows first, single slots behind them
+            slot: rows + slot if (at := self.place.get(slot)) is None or not self.on[at[0]] else at[0]
+            for slot in self.operations
         }
-        before: dict[int, list[int]] = {}
-        slots = [slot for row, some in enumerate(self.rows) if on[row] for slot in some if slot is not None]
-        for slot in (*slots, *(slot for slot, item in number.items() if item >= rows)):
-            item = number[slot]
-            args = [copies[slot]] if slot in copies and item >= rows else [a for a, _ in operations[slot].args]
-            before.setdefault(item, []).extend([number[a] for a in args if type(a) is int and a in number])
-        state = bytearray(rows + 1 + max(operations, default=0))  # 0 not come to, 1 on the way, 2 in the order
-        order: list[int] = []
-        for root in number.values():
-            stack = [] if state[root] else [root]
-            while stack:
-                item = stack[-1]
-                state[item] = 1
-                for a in before[item]:
-                    if state[a] == 0:
-                        stack.append(a)
-                        break
-                    if state[a] == 1:
-                        return None
-                else:
-                    state[item] = 2
-                    order.append(item)
-                    stack.pop()
-        return order
-
-    def _in_order(self) -> list[Item]:
-        """The same where rows may wait for each other."""
+        before = {row: self._operands(some) for row, some in enumerate(self.rows) if self.on[row]}
+        before |= {item: self._operands([slot], alone=True) for slot, item in number.items() if item >= rows}
+        state = bytearray(rows + 1 + max(self.operations, default=0))  # 0 not come to, 1 on the way, 2 in the order
         order: list[Item] = []
-        done: dict[Item, bool] = {}
         for slot in self.operations:
-            while not done.get(start := self._item(slot)):
-                stack = [(start, self._before(start))]
+            while state[number[slot]] < 2:
+                stack = [number[slot]]
                 while stack:
-                    item, rest = stack[-1]
-                    done[item] = False
-                    following = next((x for x in rest if not done.get(x)), None)
+                    item = stack[-1]
+                    state[item] = 1
+                    following = next((a for a in before[item] if state[number[a]] < 2), None)
                     if following is None:
-                        done[item] = True
-                        order.append(item)
+                        state[item] = 2
+                        order.append((True, item) if item < rows else (False, item - rows))
                         stack.pop()
-                    elif following in done:
-                        self._undo(stack, done)
+                    elif state[number[following]] == 0:
+                        stack.append(number[following])
                     else:
-                        stack.append((following, self._before(following)))
+                        for single in self._undo_last(stack, state):
+                            number[single] = rows + single
+                            before[rows + single] = self._operands([single], alone=True)
         return order
 
-    def _before(self, item: Item) -> Iterator[Item]:
-        packs, number = item
-        for slot in self.rows[number] if packs else (number,):
+    def _operands(self, slots: Iterable[int | None], *, alone: bool = False) -> list[int]:
+        """The operations that these slots read; `alone`, a copy reads what it is a copy of."""
+        operations, copies = self.operations, self.copies
+        found = []
+        for slot in slots:
             if slot is not None:
-                read = self.operations[slot].args
-                for arg in [self.copies[slot]] if not packs and slot in self.copies else [a for a, _ in read]:
-                    if isinstance(arg, int) and arg in self.operations:
-                        yield self._item(arg)
+                args = [copies[slot]] if alone and slot in copies else [a for a, _ in operations[slot].args]
+                found += [a for a in args if type(a) is int and a in operations]
+        return found
 
-    def _undo(self, stack: list[tuple[Item, Iterator[Item]]], done: dict[Item, bool]) -> None:
-        """Pack the last row on the way no longer, and go back to what asked for it."""
-        packs = False
-        while not packs:
-            (packs, number), _ = stack.pop()
-            del done[packs, number]
-        self.on[number] = False
-        if stack:
-            item, _ = stack.pop()
-            stack.append((item, self._before(item)))
+    def _undo_last(self, stack: list[int], state: bytearray) -> list[int]:
+        """Pack the last row on the way no longer, and go back to what asked for it: its slots, which are single now."""
+        item = len(self.rows)
+        while item >= len(self.rows):
+            item = stack.pop()
+            state[item] = 0
+        self.on[item] = False
+        return [slot for slot in self.rows[item] if slot is not None]
 
     def settled(self) -> Plan:
         """The same packs without copies that are in none, and without operations that nobody reads any more."""
