@@ -293,18 +293,20 @@ class Mobility:
     def _with_rank(self, margin: MarginValue) -> MarginValue:
         """The margin with what the ranks of this configuration say that it does not: freedoms lost all along."""
         if margin.kind == "limb":
-            for limb in self.limbs:
+            for limb in (limb for limb in self.limbs if limb.name == margin.name):
                 most = min(6, len(limb.screws))
-                if limb.name == margin.name and limb.constraints.rank < most:
-                    joints = [self.mechanism.joints[name].type for name in limb.joints]
-                    why = " (a passive spin between its spherical joints)" if joints.count("S") > 1 else ""
-                    return replace(margin, note=f"{limb.constraints.rank} of {most} screws are independent here{why}")
+                if limb.constraints.rank == most:
+                    return replace(margin, regular=True)
+                joints = [self.mechanism.joints[name].type for name in limb.joints]
+                why = " (a passive spin between its spherical joints)" if joints.count("S") > 1 else ""
+                return replace(margin, note=f"{limb.constraints.rank} of {most} screws are independent here{why}")
         left = self.dof_drives_locked
-        if margin.kind == "actuation" and margin.name == "all drives" and left:
+        if margin.kind == "actuation" and margin.name == "all drives" and left is not None:
             spins = without_spins(self.network)[1]
-            if left > spins:
-                text = f"{left} freedom{'s' * (left > 1)} left with all drives locked here"
-                return replace(margin, note=f"{text}, {spins} of them passive spins" if spins else text)
+            if left <= spins:
+                return replace(margin, regular=True)
+            text = f"{left} freedom{'s' * (left > 1)} left with all drives locked here"
+            return replace(margin, note=f"{text}, {spins} of them passive spins" if spins else text)
         return margin
 
     @property

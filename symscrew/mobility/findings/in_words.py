@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import sympy
 
 from symscrew.mobility.findings.typeset import inline
+from symscrew.mobility.finite import named_spins
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
 
@@ -91,6 +92,8 @@ def _summary(found: Mobility) -> list[str]:
         )
     if found.internal_freedoms:
         lines.append(f"{_count(found.internal_freedoms, 'freedom')} with {found.platform.body} at rest (internal)")
+    if spins := named_spins(found.network):
+        lines.append("Passive spins about the lines between " + ", ".join(f"{a} and {b}" for a, b in spins))
     if found.dof and not found.platform.dof and finite.dof:
         lines.append(
             f"{found.platform.body} is at rest for an instant while the mechanism moves (a dead point for it), "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from symscrew.mobility.finite import named_spins
 from symscrew.mobility.singularities import as_values
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "branches": None if finite.branches is None else list(finite.branches),
         "overconstraints": found.overconstraints,
         "internal_freedoms": found.internal_freedoms,
+        "passive_spins": [list(pair) for pair in named_spins(found.network)],
         "platform": {
             "body": platform.body,
             "dof": platform.dof,

@@ -21,7 +21,7 @@ from symscrew.mobility.finite.almost_ranks import RankClaim, rank_claims
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
 from symscrew.mobility.finite.local_solutions import CLOSED
 from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
-from symscrew.mobility.finite.passive_spins import without_spins
+from symscrew.mobility.finite.passive_spins import named_spins, without_spins
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.finite.witnesses import recheck
 
@@ -35,6 +35,7 @@ __all__ = [
     "RankClaim",
     "finite_mobility",
     "moved",
+    "named_spins",
     "nearest_special",
     "rank_claims",
     "recheck",
