@@ -16,11 +16,20 @@
 """
 
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
-from symscrew.mobility.finite.local_solutions import CLOSED
+from symscrew.mobility.finite.local_solutions import (
+    CLOSED,
+    Local,
+    definite_stress,
+    local_at,
+    quadratic_forms,
+    solve_dependent,
+)
 from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
-from symscrew.mobility.finite.passive_spins import without_spins
+from symscrew.mobility.finite.passive_spins import rotation_vector, without_spins
+from symscrew.mobility.finite.quadric_cone import cone_directions
+from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
-from symscrew.mobility.finite.witnesses import recheck
+from symscrew.mobility.finite.witnesses import Witness, recheck
 
 __all__ = [
     "CLOSED",
@@ -28,11 +37,21 @@ __all__ = [
     "Array",
     "ClosureVariety",
     "FiniteMobility",
+    "Local",
     "NearGeometry",
+    "ReducedClosure",
+    "Witness",
+    "cone_directions",
+    "definite_stress",
     "finite_mobility",
+    "is_zero",
+    "local_at",
     "moved",
     "nearest_special",
+    "quadratic_forms",
     "recheck",
+    "rotation_vector",
     "smooth_mobility",
+    "solve_dependent",
     "without_spins",
 ]
