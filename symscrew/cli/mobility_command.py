@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
     "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
     "symscrew mobility wrist.toml --expect 2 && echo as designed",
+    "symscrew mobility wrist.toml --proof wrist.json && python -m symscrew.mobility.proofs.proof_checker wrist.json",
 )
 
 
@@ -33,6 +35,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
+    command.add_argument(
+        "--proof", metavar="FILE", help="write what is proved with its evidence, as JSON that a checker judges alone"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -66,8 +71,24 @@ def run(options: argparse.Namespace) -> int:
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))
+    if options.proof and not _proved(found, Path(options.proof)):
+        return FAILED
     unexpected = options.expect is not None and found.finite.dof != options.expect
     return FAILED if failed or unexpected else DONE
+
+
+def _proved(found: Mobility, path: Path) -> bool:
+    """Writes the proof file and says on stderr what it proves; whether its checker takes every claim."""
+    from symscrew.mobility import write_proof
+
+    try:
+        verdict = write_proof(found, path)
+    except OSError as error:
+        raise UsageError(f"--proof {shorten(str(path))}: cannot be written ({error.strerror})") from error
+    counts = (len(verdict.proved), len(verdict.refused), len(verdict.not_proved))
+    head = "{}: {} claims proved, {} refused, {} not proved".format(path, *counts)
+    print("\n".join([head, *(f"    refused: {text}" for text in verdict.refused)]), file=sys.stderr)
+    return verdict.holds
 
 
 def _write(path: Path, content: str) -> None:

@@ -38,7 +38,9 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
     moved_body,
 )
 from symscrew.mobility.joint_network import Network, network_of
+from symscrew.mobility.motions import BranchTable, branches_through
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
+from symscrew.mobility.proofs import MotionProof, motion_proof
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
 from symscrew.mobility.screw_systems import ScrewSystem, unit_rows
 from symscrew.mobility.screw_text import describe_twist, describe_type, describe_wrench
@@ -280,6 +282,32 @@ class Mobility:
         return {name: limb_pose(self.mechanism, name) for name in named}
 
     @cached_property
+    def branches(self) -> BranchTable | None:
+        """What moves along each branch through the configuration; None where the finite mobility is not decided."""
+        if self.finite.dof is None:
+            return None
+        proof, complete = self.motion_proof, ""
+        if self.finite.smooth and self.finite.proved:
+            complete = "a smooth point has one branch" if self.finite.dof else "nothing moves"
+        elif proof is not None and (proof.dof, proof.branches) == (self.finite.dof, self.finite.branches):
+            complete = proof.how
+        table = branches_through(self.network, self.finite, self.platform.body, complete=complete)
+        if (
+            complete
+            and proof is not None
+            and not self.finite.smooth
+            and len(table.rows) != (proof.count if proof.dof else 0)
+        ):
+            text = f"{proof.count} branches are proved, {len(table.rows)} were seen"
+            return replace(table, complete="", open=text)
+        return table
+
+    @cached_property
+    def motion_proof(self) -> MotionProof | None:
+        """What is proved of the real motion, by evidence that a checker can judge; None where it is not as a whole."""
+        return motion_proof(self.mechanism, self.network, self.platform.body) if self.in_reference else None
+
+    @cached_property
     def redundant(self) -> Overconstraints:
         """Self-stresses: joints whose reactions are not unique, and how to remove the redundancy."""
         return overconstraints(self.network, self.first_order)
@@ -394,11 +422,14 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
     constraints = limb_constraints(limbs, network.length) if limbs and mechanism.platform is not None else None
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
+    finite = _judged(network, first_order, decisions)
+    if not coordinates and not finite.proved and finite.dof is not None:
+        finite = _proved(finite, motion_proof(mechanism, network, platform.body))
     return Mobility(
         mechanism,
         network,
         first_order,
-        _judged(network, first_order, decisions),
+        finite,
         platform,
         limbs,
         constraints,
@@ -406,6 +437,13 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         residual,
         coordinates,
     )
+
+
+def _proved(finite: FiniteMobility, proof: MotionProof | None) -> FiniteMobility:
+    """What was sampled, as proved where evidence that a checker can judge shows the same."""
+    if proof is None or (proof.dof, proof.smooth, proof.branches) != (finite.dof, finite.smooth, finite.branches):
+        return finite
+    return replace(finite, proved=True, evidence=(*finite.evidence, f"proved: {proof.how}"))
 
 
 def _judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:

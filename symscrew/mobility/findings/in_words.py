@@ -11,6 +11,7 @@ import sympy
 
 from symscrew.mobility.findings.typeset import inline
 from symscrew.mobility.finite import named_spins
+from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
 
@@ -43,6 +44,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     if found.without_symbols:
         lines.append(found.without_symbols)
     result.append((f"Freedoms of {found.platform.body}", lines))
+    if found.branches is not None:
+        result.append(("Branches through the configuration", branch_lines(found.branches, found.network)))
     if not found.limbs and found.network.chords:
         result.append(("Motions of the loops in symbols", _motions(found)))
     if found.loci:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from symscrew.mobility.finite import named_spins
+from symscrew.mobility.motions import branch_values
 from symscrew.mobility.singularities import as_values
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "evidence": list(finite.evidence),
         "proved": finite.proved,
         "judgement": finite.judgement,
+        "branch_table": None if found.branches is None else branch_values(found.branches, found.network),
         "near": _near(found),
         "nearly_singular": found.nearly_singular or None,
         "nearly_special": list(found.nearly_special),

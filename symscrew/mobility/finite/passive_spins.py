@@ -11,9 +11,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from symscrew.algebra import CONTEXT, IDENTITY, Vector, cross, dot, revolute, scale, subtract
 from symscrew.description import rotation
 from symscrew.mobility.finite.independent_parts import shifted
+from symscrew.mobility.finite.variety import Array
 from symscrew.mobility.joint_network import Edge, Network
 
 COINCIDE = CONTEXT.mpf(10) ** -12
@@ -37,6 +40,17 @@ def without_spins(network: Network) -> tuple[Network, int]:
 def named_spins(network: Network) -> tuple[tuple[str, str], ...]:
     """The spherical joints at both ends of every chain of links that spins about the line between them."""
     return tuple((name, end) for name, (_, end) in _spins(network).items())
+
+
+def rotation_vector(edge: Edge, angles: Array) -> Array:
+    """The rotation vector of a ball joint that turns by two angles, one after the other, across its line of spin."""
+    w, vector = 1.0, np.zeros(3)
+    for screw, angle in zip(edge.screws, angles, strict=True):
+        axis = np.sin(angle / 2) * np.array([float(c) for c in screw[:3]])
+        c = np.cos(angle / 2)
+        w, vector = w * c - vector @ axis, w * axis + c * vector + np.cross(vector, axis)
+    size = float(np.linalg.norm(vector))
+    return np.asarray(vector * (2 * np.arctan2(size, w) / size) if size else vector)
 
 
 def _spins(network: Network) -> dict[str, tuple[Vector, str]]:
