@@ -57,6 +57,7 @@ ADDED = {
     "servo": effect("PositionServo", "crank_R", 40, 3, 2),
     "leg": effect("LegCompliance", "slider_P", 200, 4, "0.02"),
     "lash": effect("Backlash", "crank_R", "0.02", 4000, "0.01", "1.5", 3),
+    "rolling": effect("RollingContact", "piston", "frame", "0.1", 30, "0.1", axis=(0, 1, 0), load=10),
     "clearance": effect("JointClearance", "frame", "piston", "0.001", 100000, friction="0.1", velocity="0.01"),
     "screw": effect("ScrewTransmission", "slider_P", "0.05", "0.8", velocity="0.01"),
     "payload": effect("Payload", "rod", 2, ("0.1", 0, "0.2")),

@@ -46,6 +46,7 @@ BOOKS = {
     "motor": (CRANK, [effect("DcMotor", "slider_P", "0.05", "1.2", "0.8", 50)]),
     "servo": (CRANK, [effect("PositionServo", "slider_P", 40, 3, 2)]),
     "lash": (CRANK, [effect("Backlash", "slider_P", "0.001", 200, 4, "1.5", "0.3")]),
+    "rolling": ("three_ups_upu_s", [effect("RollingContact", "E", "A1", "0.6", 5, 1, stiffness=100, friction="0.3")]),
     "clearance": ("three_ups_upu_s", [effect("JointClearance", "A1", "E", "0.1", 9, 2, "0.2", "0.3", SMOOTH, 0.05)]),
     "clearance_axis": ("three_ups_upu_s", [effect("JointClearance", "C1", "A2", "0.1", 100, 1, axis=(1, 0, 2))]),
     "leg": (CRANK, [effect("LegCompliance", "slider_P", 2e2, 4, "0.02")]),
