@@ -113,6 +113,13 @@ def _summary(found: Mobility) -> list[str]:
             f"Finite mobility {finite.dof}, {finite.judgement}: a singular point ({finite.kind}); "
             "dimensions of the branches through it: " + ", ".join(map(str, finite.branches))
         )
+    if found.taken is not None:
+        typed, size = found.taken.typed, found.taken.distance
+        lines.append(
+            f"That is special geometry within {size:.1e} m of the one typed, taken as meant (tolerance "
+            f"{found.taken.tolerance:g} m). As typed: {_count(typed.dof, 'instantaneous freedom')}, finite mobility "
+            f"{'undecided' if typed.finite.dof is None else typed.finite.dof}, {typed.finite.judgement}"
+        )
     if found.near is not None:
         lines += _near(found, found.near)
     if found.nearly_singular:

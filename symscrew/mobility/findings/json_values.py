@@ -59,6 +59,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "proved": finite.proved,
         "judgement": finite.judgement,
         "near": _near(found),
+        "taken": _taken(found),
         "nearly_singular": found.nearly_singular or None,
         "nearly_special": list(found.nearly_special),
         "withdrawn": sorted(found.withdrawn),
@@ -84,6 +85,20 @@ def _near(found: Mobility) -> dict[str, Any] | None:
             name: {"point": list(point), "axes": [list(axis) for axis in axes]}
             for name, (point, axes) in found.near.places().items()
         },
+    }
+
+
+def _taken(found: Mobility) -> dict[str, Any] | None:
+    """What was typed, where special geometry was taken for it: how far it is [m] and its mobility as typed."""
+    if found.taken is None:
+        return None
+    typed = found.taken.typed
+    return {
+        "distance": found.taken.distance,
+        "tolerance": found.taken.tolerance,
+        "dof_as_typed": typed.dof,
+        "dof_finite_as_typed": typed.finite.dof,
+        "platform_as_typed": typed.platform.type,
     }
 
 
