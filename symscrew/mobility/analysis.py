@@ -19,6 +19,7 @@ from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
 from symscrew.mobility.configuration import displaced, with_parameters
+from symscrew.mobility.field_counts import FieldCounts, field_counts
 from symscrew.mobility.finite import (
     FiniteMobility,
     finite_mobility,
@@ -261,6 +262,11 @@ class Mobility:
         if "poses" in self.withdrawn:
             return dict.fromkeys(named, WITHDRAWN["poses"] if self.taken is None else AS_MEANT)
         return {name: limb_pose(self.mechanism, name) for name in named}
+
+    @cached_property
+    def counts(self) -> FieldCounts:
+        """The counts of the field: Kutzbach and modified, Gogu's, groups of the loops, Waldron's orders."""
+        return field_counts(self.network, self.first_order, self.platform, self.limbs)
 
     @cached_property
     def redundant(self) -> Overconstraints:

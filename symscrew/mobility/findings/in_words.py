@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import sympy
 
+from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.typeset import inline
 from symscrew.mobility.finite import named_spins
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
@@ -50,6 +51,7 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         result.append(("Where it degenerates", lines))
     if lines := as_lines(found.singularities):
         result.append(("How far from singularities (0 at one)", lines))
+    result.append(("In the field's words", counts_in_words(found.counts)))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
     if found.nearly_parallel:

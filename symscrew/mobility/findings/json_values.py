@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from symscrew.mobility.finite import named_spins
@@ -49,6 +50,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "singularities": as_values(found.singularities),
         "motions_exact": _rates(found),
         "overconstraint_joints": list(found.redundant.statically_indeterminate),
+        "counts": _counts(found),
         "method": found.method,
         "exact": found.decisions.exact,
         "field": found.decisions.field,
@@ -85,6 +87,32 @@ def _near(found: Mobility) -> dict[str, Any] | None:
             name: {"point": list(point), "axes": [list(axis) for axis in axes]}
             for name, (point, axes) in found.near.places().items()
         },
+    }
+
+
+def _counts(found: Mobility) -> dict[str, Any]:
+    """The numbers of the field's formulas; letters as in `symscrew.mobility.field_counts`."""
+    counts = found.counts
+    return {
+        "n": counts.links,
+        "g": counts.joints,
+        "sum_f": counts.freedoms,
+        "q": len(counts.loops),
+        "r": counts.rank,
+        "kutzbach": counts.kutzbach,
+        "lambda": counts.common,
+        "d": counts.order,
+        "nu": counts.redundant,
+        "zeta": counts.isolated,
+        "modified_kutzbach": counts.modified,
+        "M": counts.mobility,
+        "S_F": counts.platform,
+        "N": counts.overconstraint,
+        "T": counts.redundancy,
+        "limbs": [{"name": m.name, "f": m.freedoms, "S_G": m.connectivity} for m in counts.limbs],
+        "loops": [asdict(loop) for loop in counts.loops],
+        "by_groups": counts.by_groups,
+        "by_orders": counts.by_orders,
     }
 
 
