@@ -275,6 +275,7 @@ def test_directions_that_the_loops_do_not_hold(
     assert np.abs(functions.opening(closed)[1] @ rates).max() > 1e-3
 
 
+@pytest.mark.slow
 def test_steps_bound_by_stability(monkeypatch: pytest.MonkeyPatch) -> None:
     stiff = four_bar(method="rk4", step=1e-3)
 
