@@ -31,7 +31,7 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
     moved_body,
 )
 from symscrew.mobility.joint_network import Network, network_of
-from symscrew.mobility.motions import BranchTable, branches_through
+from symscrew.mobility.motions import BranchTable, WholeMotion, branches_through, motion_along
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.proofs import MotionProof, motion_proof
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
@@ -261,21 +261,20 @@ class Mobility:
         """What moves along each branch through the configuration; None where the finite mobility is not decided."""
         if self.finite.dof is None:
             return None
-        proof, complete = self.motion_proof, ""
-        if self.finite.smooth and self.finite.proved:
-            complete = "a smooth point has one branch" if self.finite.dof else "nothing moves"
-        elif proof is not None and (proof.dof, proof.branches) == (self.finite.dof, self.finite.branches):
-            complete = proof.how
-        table = branches_through(self.network, self.finite, self.platform.body, complete=complete)
-        if (
-            complete
-            and proof is not None
-            and not self.finite.smooth
-            and len(table.rows) != (proof.count if proof.dof else 0)
-        ):
-            text = f"{proof.count} branches are proved, {len(table.rows)} were seen"
-            return replace(table, complete="", open=text)
-        return table
+        return branches_through(self.network, self.finite, self.platform.body, proof=self.motion_proof)
+
+    @cached_property
+    def along(self) -> WholeMotion | str:
+        """What holds along the coordinate lines through the configuration, and the singular poses on them; or why not.
+
+        Takes seconds where the mechanism is large: it is looked at when it is asked for.
+        """
+        if self.finite.dof is None or not self.finite.smooth:
+            return "the configuration is no smooth point: its branches are in the table, --at goes to one of them"
+        if not self.finite.dof:
+            return "nothing moves"
+        limbs = {name: limb.joints for name, limb in self.mechanism.limbs.items()}
+        return motion_along(self.network, self.finite.dof, self.platform.body, limbs)
 
     @cached_property
     def motion_proof(self) -> MotionProof | None:

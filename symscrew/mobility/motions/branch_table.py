@@ -21,6 +21,7 @@ from symscrew.mobility.finite import ClosureVariety, FiniteMobility, Witness, ro
 from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.motions.germs import Germ, germs_of
 from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.proofs import MotionProof
 
 Array = np.ndarray[Any, Any]
 
@@ -79,14 +80,16 @@ class BranchTable:
         return "proved" if self.complete else "sampled"
 
 
-def branches_through(network: Network, finite: FiniteMobility, body: str, *, complete: str = "") -> BranchTable:
+def branches_through(
+    network: Network, finite: FiniteMobility, body: str, *, proof: MotionProof | None = None
+) -> BranchTable:
     """The table of a configuration whose finite mobility is decided.
 
     Args:
         network: the configuration.
         finite: what really moves, with a witness for every part.
         body: whose freedoms.
-        complete: why dimensions and number are proved; empty where they are not.
+        proof: what is proved of the real motion, None where it is not as a whole.
     """
     parts: dict[tuple[str, ...], list[Witness]] = {}
     for witness in finite.witnesses:
@@ -98,8 +101,16 @@ def branches_through(network: Network, finite: FiniteMobility, body: str, *, com
         limits.append(f"only the first {MOST_ROWS} combinations of the parts' branches are listed")
     rows = [row for row in (_row(network, body, germs) for germs in choices[:MOST_ROWS]) if row.dimension]
     rows.sort(key=lambda row: -row.dimension)
-    told = "of number and dimensions of the branches there is no proof: they are those that were seen from many starts"
-    return BranchTable(body, tuple(rows), "" if limits else complete, "; ".join(limits) or ("" if complete else told))
+    complete = ""
+    if finite.smooth and finite.proved:
+        complete = "a smooth point has one branch" if finite.dof else "nothing moves"
+    elif proof is not None and (proof.dof, proof.branches) == (finite.dof, finite.branches):
+        complete = proof.how
+        if len(rows) != (proof.count if proof.dof else 0):
+            limits.append(f"{proof.count} branches are proved, {len(rows)} were seen")
+    if not complete:
+        limits.append("of number and dimensions there is no proof: these branches were seen from many starts")
+    return BranchTable(body, tuple(rows), "" if limits else complete, "; ".join(limits))
 
 
 def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
@@ -116,7 +127,7 @@ def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
         screws, tangent = tangent_at(variety, q, dimension)
         tangents.append(tangent)
         twists.append(body_twists(network, variety, screws, body) @ tangent)
-        axes.append(_axes(network, variety, screws, twists[-1]))
+        axes.append(joint_axes(network, variety, screws, twists[-1]))
     length = float(network.length)
     classes = [screw_class(t.T * [1, 1, 1, length, length, length], length) for t in twists]
     platform = max(classes, key=lambda c: c.order)
@@ -151,7 +162,7 @@ def body_twists(network: Network, variety: ClosureVariety, screws: Array, body: 
     return rows
 
 
-def _axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
+def joint_axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
     """Joint freedoms whose screw is one of the platform's freedoms here, by name."""
     if not twists.size or np.abs(twists).max() < AT_REST:
         return ()
