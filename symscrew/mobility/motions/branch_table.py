@@ -21,7 +21,6 @@ from symscrew.mobility.finite import ClosureVariety, FiniteMobility, Witness, ro
 from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.motions.germs import Germ, germs_of
 from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
-from symscrew.mobility.proofs import MotionProof
 
 Array = np.ndarray[Any, Any]
 
@@ -80,16 +79,14 @@ class BranchTable:
         return "proved" if self.complete else "sampled"
 
 
-def branches_through(
-    network: Network, finite: FiniteMobility, body: str, *, proof: MotionProof | None = None
-) -> BranchTable:
+def branches_through(network: Network, finite: FiniteMobility, body: str, *, complete: str = "") -> BranchTable:
     """The table of a configuration whose finite mobility is decided.
 
     Args:
         network: the configuration.
         finite: what really moves, with a witness for every part.
         body: whose freedoms.
-        proof: what is proved of the real motion, None where it is not as a whole.
+        complete: why dimensions and number are proved; empty where they are not.
     """
     parts: dict[tuple[str, ...], list[Witness]] = {}
     for witness in finite.witnesses:
@@ -101,16 +98,8 @@ def branches_through(
         limits.append(f"only the first {MOST_ROWS} combinations of the parts' branches are listed")
     rows = [row for row in (_row(network, body, germs) for germs in choices[:MOST_ROWS]) if row.dimension]
     rows.sort(key=lambda row: -row.dimension)
-    complete = ""
-    if finite.smooth and finite.proved:
-        complete = "a smooth point has one branch" if finite.dof else "nothing moves"
-    elif proof is not None and (proof.dof, proof.branches) == (finite.dof, finite.branches):
-        complete = proof.how
-        if len(rows) != (proof.count if proof.dof else 0):
-            limits.append(f"{proof.count} branches are proved, {len(rows)} were seen")
-    if not complete:
-        limits.append("of number and dimensions there is no proof: these branches were seen from many starts")
-    return BranchTable(body, tuple(rows), "" if limits else complete, "; ".join(limits))
+    told = "of number and dimensions of the branches there is no proof: they are those that were seen from many starts"
+    return BranchTable(body, tuple(rows), "" if limits else complete, "; ".join(limits) or ("" if complete else told))
 
 
 def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:

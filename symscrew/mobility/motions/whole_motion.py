@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.finite import ClosureVariety
+from symscrew.description import Mechanism
+from symscrew.mobility.finite import ClosureVariety, FiniteMobility
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.branch_table import AT_REST, body_twists, joint_axes
 from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
@@ -52,8 +53,22 @@ class WholeMotion:
     ends: tuple[tuple[int, int, str], ...]
 
 
-def motion_along(network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]]) -> WholeMotion:
-    """What holds along the coordinate lines through the configuration, a smooth point of the given dimension."""
+def motion_along(network: Network, finite: FiniteMobility, body: str, mechanism: Mechanism) -> WholeMotion | str:
+    """What holds along the coordinate lines through the configuration and the singular poses on them; or why not.
+
+    Args:
+        network: the configuration.
+        finite: what really moves: lines are followed from smooth points only.
+        body: whose freedoms.
+        mechanism: whose limbs.
+    """
+    if finite.dof is None or not finite.smooth:
+        return "the configuration is no smooth point: its branches are in the table, --at goes to one of them"
+    limbs = {name: limb.joints for name, limb in mechanism.limbs.items()}
+    return _followed(network, finite.dof, body, limbs) if finite.dof else "nothing moves"
+
+
+def _followed(network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]]) -> WholeMotion:
     variety = ClosureVariety(network)
     origin = np.zeros(variety.columns)
     first = Setting(network, variety, dimension, body, 0, network.driven, {})
