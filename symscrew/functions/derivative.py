@@ -191,7 +191,7 @@ def _implicit(
     acting, _ = driven(moving, effects)
     if acting.needs_reactions:  # the forces depend on the solution: no equations without it
         return straight
-    admissible = Admissible(moving, loops, acting.reflected_inertia)
+    admissible = Admissible(moving, loops, acting.added_inertia)
     free, _, _ = admissible.accelerations(acting)
     held = [tape.symbol(f"held_{k}", "1", f"free joint acceleration {k + 1}, held") for k in range(len(free))]
     a = system.tree_rates(admissible.moved(admissible.curvature(), held))

@@ -145,7 +145,7 @@ def simulate(
     """
     model, programs = prepared or prepare(scene, held=controller is not None)
     q, v = initial_state(scene, model, programs.parameters)
-    x = initial_states(scene, model)
+    x = initial_states(scene, model, q, v)
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
     history = _integrated(
