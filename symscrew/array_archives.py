@@ -71,10 +71,10 @@ def _array(stream: IO[bytes], where: str, most: int) -> np.ndarray:
     version = np.lib.format.read_magic(stream)
     if version != (1, 0):  # others are for names of columns, and headers of up to 4 GB
         raise ValueError(f"version {version} of an array")
-    shape, by_columns, kind = np.lib.format.read_array_header_1_0(stream, max_header_size=_HEADER)
-    if kind.kind not in KINDS or kind.hasobject:
-        raise DescriptionError(f"{where} must hold real numbers or texts, got {shorten(str(kind))}")
-    size = math.prod(shape) * kind.itemsize
+    shape, by_columns, dtype = np.lib.format.read_array_header_1_0(stream, max_header_size=_HEADER)
+    if dtype.kind not in KINDS or dtype.hasobject:
+        raise DescriptionError(f"{where} must hold real numbers or texts, got {shorten(str(dtype))}")
+    size = math.prod(shape) * dtype.itemsize
     if any(n < 0 for n in shape) or size > most:
         raise DescriptionError(f"{where}: expected at most {most} bytes, its header says {size}")
     content = bytearray()
@@ -84,9 +84,9 @@ def _array(stream: IO[bytes], where: str, most: int) -> np.ndarray:
             raise ValueError(f"more numbers than the header of {where} says")
     if len(content) != size:
         raise ValueError(f"{len(content)} of {size} bytes of {where}")
-    flat = np.frombuffer(content, dtype=kind) if size else np.empty(math.prod(shape), kind)
-    if kind.kind == "U" and size:
-        letters = flat.view(np.dtype("u4").newbyteorder(kind.byteorder))
+    flat = np.frombuffer(content, dtype=dtype) if size else np.empty(math.prod(shape), dtype)
+    if dtype.kind == "U" and size:
+        letters = flat.view(np.dtype("u4").newbyteorder(dtype.byteorder))
         if (letters > _LAST_LETTER).any() or ((letters >= _SURROGATES[0]) & (letters <= _SURROGATES[1])).any():
             raise ValueError(f"numbers of {where} that are no letters")
     return flat.reshape(shape[::-1]).T if by_columns else flat.reshape(shape)

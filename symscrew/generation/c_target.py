@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
+from symscrew import runtime
 from symscrew.export import DOUBLE, print_c, print_cmake, print_cpp, print_example, rounded, single_errors
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import Evaluate, Results, compare_values, evaluated, relative_difference
 from symscrew.model import Model
 from symscrew.program import Iteration, Program
-from symscrew.runtime import CompileError, find_compiler, load, run_tool
 
 STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
 SINGLE_FACTOR = 8.0  # times the stated error: sines, roundings and contractions differ by compiler, a mistake by more
@@ -50,7 +50,7 @@ def _noted(model: Model, measured: Sequence[Mapping[str, Any]]) -> Model:
 def compare(case: Case) -> Iterator[Finding]:
     """Compiles without a warning, header as C++ too, and agrees by number."""
     yield from _compile(case.fresh, case.model.name)
-    if find_compiler():
+    if runtime.find_compiler():
         if case.precision is DOUBLE:
             yield compare_values("C", case.model, case.expected, _results(case.fresh))
         else:
@@ -58,7 +58,7 @@ def compare(case: Case) -> Iterator[Finding]:
 
 
 def _results(directory: Path) -> Evaluate:
-    compiled = load(directory, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
+    compiled = runtime.load(directory, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]
@@ -69,7 +69,7 @@ def _results(directory: Path) -> Evaluate:
 
 def _compare_single(directory: Path, model: Model) -> Finding:
     """C of type float against double on the same numbers: errors of the size that the header states."""
-    compiled, worst, where = load(directory, backend="c", trusted=True), 0.0, ""
+    compiled, worst, where = runtime.load(directory, backend="c", trusted=True), 0.0, ""
     for name, (_, stated) in single_errors(model).items():
         inputs = [rounded(np.atleast_2d(x)) for x in model.test_inputs[name]]
         exact, status = model(name, *inputs)
@@ -107,8 +107,8 @@ def _compile(directory: Path, name: str) -> Iterator[Finding]:
 def _run(command: Sequence[str], directory: Path, what: str) -> Finding:
     compiler = Path(command[0]).name
     try:
-        outcome, said = run_tool(command, directory.name, folder=directory)
-    except CompileError as error:
+        outcome, said = runtime.run_tool(command, directory.name, folder=directory)
+    except runtime.CompileError as error:
         return False, str(error)
     if outcome == 0:
         return True, f"{compiler} {what}"

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
+from symscrew import runtime
 from symscrew.export import casadi_functions
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import Results, compare_values, evaluated
-from symscrew.runtime import casadi_evaluator
 
 
 def files(order: Order) -> Mapping[str, bytes]:
@@ -48,6 +48,8 @@ def compare(case: Case) -> Iterator[Finding]:
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = casadi.Function.load(str(case.fresh / f"{name}.casadi"))
-        return evaluated(casadi_evaluator(function), [p.size for p in case.model.programs[name].outputs], inputs)
+        return evaluated(
+            runtime.casadi_evaluator(function), [p.size for p in case.model.programs[name].outputs], inputs
+        )
 
     yield compare_values("CasADi", case.model, case.expected, evaluate)

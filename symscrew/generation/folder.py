@@ -34,7 +34,7 @@ from symscrew.export import (
 )
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
-from symscrew.model import Model
+from symscrew.model import Model, nothing_to_collect
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
@@ -87,6 +87,7 @@ def generate(
     return tuple(directory / file for file in sorted(files))
 
 
+@nothing_to_collect()
 def render(
     model: Model,
     targets: Sequence[str] = USUAL,
