@@ -9,6 +9,7 @@ that was left (code of the attacker ran) are outcomes of their own, and bad ones
 
 from __future__ import annotations
 
+import faulthandler
 import io
 import json
 import os
@@ -107,6 +108,7 @@ def carry_out(one: Attack) -> Outcome:
 
 def _child(one: Attack, place: Path, says: int) -> None:
     status, text = 1, "ended by itself"
+    faulthandler.disable()  # a crash is an outcome here
     try:
         with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
             text = one.work(place)
