@@ -35,7 +35,7 @@ from symscrew.export import (
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
 from symscrew.model import Model, nothing_to_collect
-from symscrew.whole_files import PENDING, is_staging, put_files
+from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
 READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
@@ -67,14 +67,20 @@ def generate(
         DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
     directory = Path(os.path.abspath(out_dir))
-    earlier = _earlier_files(directory)
+    with one_at_a_time(directory.parent):  # whoever writes there has an end
+        _earlier_files(directory)
     files = render(model, targets, precision=precision, measured=measured)
     files = with_hashes(files) if hashes_only else files
-    foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
-    if foreign:
-        raise OutputError(f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory")
+
+    def check() -> None:
+        earlier = _earlier_files(directory)
+        foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
+        if foreign:
+            text = f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory"
+            raise OutputError(text)
+
     try:
-        put_files(directory, files, last=MANIFEST, owned=own_files)
+        put_files(directory, files, last=MANIFEST, owned=own_files, check=check)
     except OSError as error:
         what = error.strerror or error
         raise OutputError(f"{directory}: cannot be written ({what}); nothing was, use another place") from error

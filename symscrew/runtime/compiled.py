@@ -124,24 +124,61 @@ def load(
         speed = [f"-D{origin.name.upper()}_STATE_BY_STATE"] if vectorised is False else []
         whole = bool(origin.sources) or build_dir is not None
         try:
-            make = _whole if whole else _one_by_one
-            made = make(origin, [*speed, *flags], Path(build_dir) if build_dir is not None else None)
+            place = Path(build_dir) if build_dir is not None else None
+            optional = backend is None and not flags and origin.precision is DOUBLE
+            options = [*speed, *flags]
+            made = _whole(origin, options, place) if whole else _one_by_one(origin, options, optional=optional)
             return CompiledModel(origin.name, "c", {f: replace(c, threads=share) for f, c in made.items()})
         except CompileError as error:
             if backend == "c" or whole or flags or origin.precision is not DOUBLE:
                 raise
-            said = " ".join(str(error).split())
-            text = f"{origin.name}: its functions run in CasADi, some ten times slower than compiled: {said}"
-            warnings.warn(text, RuntimeWarning, stacklevel=2)
+            _tell(f"{origin.name}: its functions run", error, stacklevel=3)
     return CompiledModel(origin.name, "casadi", _in_casadi(origin))
 
 
-def _one_by_one(origin: Origin, flags: Sequence[str], _: Path | None) -> dict[str, CompiledFunction]:
-    """Functions that are compiled when they are first called; the shortest one now, to see that the compiler works."""
-    lazy = {f: Evaluators(_making(origin, f, tuple(flags))) for f in origin.ports}
+def _tell(what: str, error: CompileError, *, stacklevel: int) -> None:
+    said = " ".join(str(error).split())
+    warnings.warn(f"{what} in CasADi, some ten times slower than compiled: {said}", RuntimeWarning, stacklevel)
+
+
+def _one_by_one(origin: Origin, flags: Sequence[str], *, optional: bool) -> dict[str, CompiledFunction]:
+    """Functions that are compiled when they are first called; the shortest one now, to see that the compiler works.
+
+    `optional`: one that the compiler refuses later runs in CasADi.
+    """
+    compilers_work: list[bool] = []
+
+    def making(function: str) -> Callable[[bool], Made]:
+        compiled = _making(origin, function, tuple(flags))
+
+        def make(threads: bool) -> Made:
+            try:
+                return compiled(threads)
+            except CompileError as error:
+                if threads or not (optional and compilers_work):
+                    raise
+                _tell(f"{origin.name}: {function} runs", error, stacklevel=2)
+                return _made_in_casadi(origin, function)
+
+        return make
+
+    lazy = {f: Evaluators(making(f)) for f in origin.ports}
     if lazy:
         lazy[min(origin.ports, key=lambda f: sum(p.size for ports in origin.ports[f] for p in ports))].ready()
+    compilers_work.append(True)
     return _functions(origin, lazy)
+
+
+def _made_in_casadi(origin: Origin, function: str) -> Made:
+    """What stands in for a compiled function: arrays of any layout by CasADi."""
+    from symscrew.export import casadi_functions
+
+    rows = casadi_evaluator(casadi_functions(origin.model().only([function]))[function])
+
+    def columns(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray], status: np.ndarray) -> int | None:
+        return rows([a.T for a in inputs], [a.T for a in outputs], status)
+
+    return rows, columns, rows, None
 
 
 def _making(origin: Origin, function: str, flags: Sequence[str]) -> Callable[[bool], Made]:

@@ -31,7 +31,9 @@ UNABLE = (errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EBUSY, errno.EXDEV, e
 Owned = Callable[[Path], Collection[str]]
 
 
-def put_files(directory: Path, files: Mapping[str, bytes], *, last: str, owned: Owned) -> None:
+def put_files(
+    directory: Path, files: Mapping[str, bytes], *, last: str, owned: Owned, check: Callable[[], object] = lambda: None
+) -> None:
     """Replace the files of a folder that are ours; it is made if it is not there. One process at a time.
 
     Args:
@@ -39,6 +41,7 @@ def put_files(directory: Path, files: Mapping[str, bytes], *, last: str, owned: 
         files: name to content of all that is ours from now on.
         last: the one of `files` that says which are ours.
         owned: of a folder, the names of files in it that are ours, as its `last` says; empty where it says nothing.
+        check: raises an error of its own unless the folder, as it is in this moment, may be written.
 
     Raises:
         OSError: a place that cannot be written; the old files are there, then.
@@ -47,6 +50,7 @@ def put_files(directory: Path, files: Mapping[str, bytes], *, last: str, owned: 
     place.parent.mkdir(parents=True, exist_ok=True)
     with one_at_a_time(place.parent):
         finish(place, last=last, owned=owned)
+        check()
         remove_abandoned(place)
         inside = place / PENDING
         if not place.exists() or _moves(place, owned(place)):

@@ -11,6 +11,7 @@ from symscrew.studies.this_machine import machine
 
 from . import (
     arrays,
+    attacks,
     derivatives,
     forward_dynamics,
     generation,
@@ -36,6 +37,7 @@ BENCHMARKS = {
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),
     "reposed": (reposed.run, 1),
+    "attacks": (attacks.run, 1),
 }
 
 

@@ -70,13 +70,13 @@ def test_bounds_are_those_that_are_said(tmp_path: Path, monkeypatch: pytest.Monk
         read_archive(tmp_path / "a.npz")
 
 
-BOMB = 40_000_000  # bytes of zeros, which are 40 kB in the archive
+BOMB = 8_000_000  # bytes of zeros, which are 8 kB in the archive
 
 
 @pytest.mark.parametrize(
     "content, said",
     [
-        (member("<f8", "(5000000,)", bytes(BOMB)), "expected at most 1000000 bytes, its header says 40000000"),
+        (member("<f8", "(1000000,)", bytes(BOMB)), "expected at most 1000000 bytes, its header says 8000000"),
         (member("<f8", "(2,)", bytes(BOMB)), "more numbers than the header"),
         (member("<f8", f"({2**45},)"), "expected at most 1000000 bytes"),
         (member("<f8", f"({2**62}, {2**62})"), "expected at most 1000000 bytes"),

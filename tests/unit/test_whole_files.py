@@ -52,7 +52,7 @@ def prepared(way: str, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(whole_folder, "_exchanged", lambda *_: False)
 
 
-@pytest.mark.parametrize("way", some_quickly(WAYS, every=3))
+@pytest.mark.parametrize("way", some_quickly(WAYS, every=5))
 def test_generate_is_killed_at_every_step(
     way: str, tmp_path: Path, rendered, written_at_once, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -101,16 +101,20 @@ def test_a_folder_alone_is_exchanged_and_one_with_a_users_files_stays(tmp_path: 
 
 
 def test_two_at_once_are_one_after_the_other(tmp_path: Path, rendered, written_at_once) -> None:
-    place, wrong = tmp_path / "out", []
+    place, wrong, ended = tmp_path / "out", [], list[int]()
 
     def again(targets: tuple[str, ...]) -> None:
-        for _ in range(20):
+        for _ in range(6):
             generate(handmade.model(), place, targets)
 
-    workers = [threading.Thread(target=in_a_process, args=(partial(again, targets),)) for targets in (OLD, NEW)]
+    def ends(targets: tuple[str, ...]) -> None:
+        ended.append(in_a_process(partial(again, targets)))
+
+    workers = [threading.Thread(target=ends, args=(targets,)) for targets in (OLD, NEW)]
     for worker in workers:
         worker.start()
     while any(worker.is_alive() for worker in workers):
+        time.sleep(0.0005)
         try:
             before = place.stat()
             names = {name for name in os.listdir(place) if not name.startswith(".")}
@@ -119,7 +123,7 @@ def test_two_at_once_are_one_after_the_other(tmp_path: Path, rendered, written_a
             continue
         if same and names not in (set(rendered[OLD]), set(rendered[NEW])):
             wrong.append(names)
-    assert wrong == []
+    assert wrong == [] and ended == [0, 0]
     assert content(place) in rendered.values() and [p.name for p in tmp_path.iterdir()] == ["out"]
 
 
