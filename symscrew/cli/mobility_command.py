@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
     "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
+    "symscrew mobility bennett.toml --tolerance 1e-6",
     "symscrew mobility wrist.toml --expect 2 && echo as designed",
     "symscrew mobility wrist.toml --proof wrist.json && python -m symscrew.mobility.proofs.proof_checker wrist.json",
 )
@@ -30,6 +31,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
         help="a parameter, or a joint coordinate (joint or joint.i) [rad, m]",
+    )  # fmt: skip
+    command.add_argument(
+        "--tolerance", type=float, metavar="LENGTH",
+        help="take special geometry within LENGTH [m] of the numbers typed as meant",
     )  # fmt: skip
     command.add_argument("--body", metavar="NAME", help="whose freedoms; default: the platform")
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
@@ -59,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
     mechanism = catalogue.find(options.mechanism)
     at = dict(_setting(text) for text in options.at)
-    found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at))
+    found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
     verdict = _verdict(found, options.expect, failed)
     if options.json:
@@ -109,6 +114,8 @@ def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
     if failed:
         return f"NOT VERIFIED: {'; '.join(failed)}"
     judged = found.finite.judgement
+    if found.taken is not None:
+        judged += f" as meant within {found.taken.distance:.1e} m; as typed {found.taken.typed.finite.dof}"
     if found.near is not None:
         judged += f" as typed; mobility {found.near.meant.finite.dof} within {found.near.distance:.1e} m"
     if found.nearly_singular:

@@ -4,6 +4,7 @@
               --configuration--> the same, elsewhere: parameters and joint coordinates that were asked for
     Network   --screw_systems, instantaneous--> freedoms, constraints of limbs, overconstraint: self-stresses
               --finite/--> what really moves: smooth, isolated, or branches of some dimensions
+              --field_counts--> Kutzbach, modified Kutzbach, Gogu, groups of loops, Waldron
               --rank_evidence--> every rank again over an exact field (symbols/), or why not
     Mechanism --symbols/--> screws, rates and degenerations in the parameters
     System    --margins/--> numbers of q that vanish at singularities --singularities--> their values

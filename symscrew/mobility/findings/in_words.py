@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import sympy
 
+from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.typeset import inline
 from symscrew.mobility.finite import named_spins
 from symscrew.mobility.motions import branch_lines
@@ -53,6 +54,7 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         result.append(("Where it degenerates", lines))
     if lines := as_lines(found.singularities):
         result.append(("How far from singularities (0 at one)", lines))
+    result.append(("In the field's words", counts_in_words(found.counts)))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
     if found.nearly_parallel:
@@ -115,6 +117,13 @@ def _summary(found: Mobility) -> list[str]:
         lines.append(
             f"Finite mobility {finite.dof}, {finite.judgement}: a singular point ({finite.kind}); "
             "dimensions of the branches through it: " + ", ".join(map(str, finite.branches))
+        )
+    if found.taken is not None:
+        typed, size = found.taken.typed, found.taken.distance
+        lines.append(
+            f"That is special geometry within {size:.1e} m of the one typed, taken as meant (tolerance "
+            f"{found.taken.tolerance:g} m). As typed: {_count(typed.dof, 'instantaneous freedom')}, finite mobility "
+            f"{'undecided' if typed.finite.dof is None else typed.finite.dof}, {typed.finite.judgement}"
         )
     if found.near is not None:
         lines += _near(found, found.near)

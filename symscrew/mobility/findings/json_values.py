@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from symscrew.mobility.finite import named_spins
@@ -50,6 +51,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "singularities": as_values(found.singularities),
         "motions_exact": _rates(found),
         "overconstraint_joints": list(found.redundant.statically_indeterminate),
+        "counts": _counts(found),
         "method": found.method,
         "exact": found.decisions.exact,
         "field": found.decisions.field,
@@ -61,6 +63,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "judgement": finite.judgement,
         "branch_table": None if found.branches is None else branch_values(found.branches, found.network),
         "near": _near(found),
+        "taken": _taken(found),
         "nearly_singular": found.nearly_singular or None,
         "nearly_special": list(found.nearly_special),
         "withdrawn": sorted(found.withdrawn),
@@ -86,6 +89,46 @@ def _near(found: Mobility) -> dict[str, Any] | None:
             name: {"point": list(point), "axes": [list(axis) for axis in axes]}
             for name, (point, axes) in found.near.places().items()
         },
+    }
+
+
+def _counts(found: Mobility) -> dict[str, Any]:
+    """The numbers of the field's formulas; letters as in `symscrew.mobility.field_counts`."""
+    counts = found.counts
+    return {
+        "n": counts.links,
+        "g": counts.joints,
+        "sum_f": counts.freedoms,
+        "q": len(counts.loops),
+        "r": counts.rank,
+        "kutzbach": counts.kutzbach,
+        "lambda": counts.common,
+        "d": counts.order,
+        "nu": counts.redundant,
+        "zeta": counts.isolated,
+        "modified_kutzbach": counts.modified,
+        "M": counts.mobility,
+        "S_F": counts.platform,
+        "N": counts.overconstraint,
+        "T": counts.redundancy,
+        "limbs": [{"name": m.name, "f": m.freedoms, "S_G": m.connectivity} for m in counts.limbs],
+        "loops": [asdict(loop) for loop in counts.loops],
+        "by_groups": counts.by_groups,
+        "by_orders": counts.by_orders,
+    }
+
+
+def _taken(found: Mobility) -> dict[str, Any] | None:
+    """What was typed, where special geometry was taken for it: how far it is [m] and its mobility as typed."""
+    if found.taken is None:
+        return None
+    typed = found.taken.typed
+    return {
+        "distance": found.taken.distance,
+        "tolerance": found.taken.tolerance,
+        "dof_as_typed": typed.dof,
+        "dof_finite_as_typed": typed.finite.dof,
+        "platform_as_typed": typed.platform.type,
     }
 
 

@@ -80,16 +80,16 @@ def find_zeros(system: System, margins: Sequence[Margin], start: Array) -> list[
     active = list(range(len(margins)))
     found: dict[int, Array] = {}
     for _ in range(STEPS):
+        if not active:
+            break
         values = system.numeric(nodes, (system.inputs.q, q[active]))
         now = {i: values[row, i] / sizes[i] for row, i in enumerate(active)}
         for i in active:
             if abs(now[i]) < FOUND:
                 found[i] = q[i].copy()
         active = [i for i in active if i not in found]
-        if not active:
-            break
-        tangents = _tangents(system, q[active])
-        slopes = _slopes(system, nodes, q[active], tangents)
+        tangents = _tangents(system, q[active]) if active else []
+        slopes = _slopes(system, nodes, q[active], tangents) if active else []
         moved = []
         for row, i in enumerate(active):
             slope = slopes[row][:, i] / sizes[i]
@@ -145,6 +145,8 @@ def _slopes(system: System, nodes: Sequence[object], q: Array, tangents: Sequenc
         for column in tangent.T:
             for sign in (1, -1):
                 points.append((here, sign * DIFFERENCE * system.scales * column))
+    if not points:
+        return [np.zeros((0, len(nodes)))] * len(q)
     moved = system.advance(np.array([p for p, _ in points]), np.array([s for _, s in points]))
     values = system.numeric(nodes, (system.inputs.q, moved))  # type: ignore[arg-type]
     rates = (values[0::2] - values[1::2]) / (2 * DIFFERENCE)

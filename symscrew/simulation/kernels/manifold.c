@@ -123,7 +123,7 @@ static int settle(double *q, double *v, double *smallest)
     *smallest = f.smallest;
     for (int step = 0; step < MOST_CORRECTIONS; ++step) {
         const double open = largest(o.residual, NR);
-        if (!(open < 1e299) || step == MOST_CORRECTIONS - 1 || (open > NEARLY_CLOSED && open >= 0.5 * before)) {
+        if (!(open < 1e299) || (open > NEARLY_CLOSED && open >= 0.5 * before)) {
             return FAILED;
         }
         if (open > 0.1 * before) {
@@ -143,11 +143,11 @@ static int settle(double *q, double *v, double *smallest)
         if (open < CLOSED) {
             break;
         }
-        if (opening(q, &o) != 0) {
+        if (step == MOST_CORRECTIONS - 1 || opening(q, &o) != 0) {
             return FAILED;
         }
     }
-    for (int step = 0; step < 2; ++step) {
+    for (int step = 0; step < 3; ++step) { /* the factors may be of a configuration nearby: each takes six digits */
         closure_rates(&o, v, rates);
         const double open = largest(rates, NR);
         shortest(&f, rates, d);
