@@ -43,6 +43,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     command.add_argument("--one-mode", action="store_true", help=text)
+    text = "also NAME_checked of every function NAME of q, v or a: fails where these do not close the loops"
+    command.add_argument("--checked", action="store_true", help=text)
     text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
     command.add_argument("--hashes-only", action="store_true", help=text)
     text = "these functions only; default: all, which README.md of the output describes"
@@ -105,6 +107,7 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
             derivatives=options.derivatives,
             regressor=options.regressor,
             one_mode=options.one_mode,
+            checked=options.checked,
         )
 
 

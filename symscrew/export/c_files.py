@@ -103,7 +103,7 @@ def _support_source(pieces: Pieces) -> list[str]:
         *_about(pieces, "texts of statuses, and what several functions call"),
         f'#include "{pieces.name}_support.h"',
     ]
-    lines += ["", *status_text(pieces.name)]
+    lines += ["", *status_text(pieces.model)]
     routines = routines_of(pieces)
     if routines:
         lines += ["", *(line.removeprefix("static ") for line in routines)]

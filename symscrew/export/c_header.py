@@ -15,7 +15,7 @@ from symscrew.export.c_wide import LANES
 from symscrew.export.conventions import conventions
 from symscrew.export.listing import MAX_LABELS, banner, operations_text, packed, plain, statuses, unit_of, wrapped
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Port, Program
+from symscrew.program import OUT_OF_REACH, Iteration, Port, Program, status_texts
 
 STATUS_MACROS = {
     -2: "RANK_LOST",
@@ -25,7 +25,17 @@ STATUS_MACROS = {
     2: "NOT_FINITE",
     3: "NOT_CONVERGED",
     4: "OTHER_BRANCH",
+    5: "NO_ROTATION",
+    6: "NOT_ON_MECHANISM",
 }
+
+
+def status_macros(model: Model) -> dict[int, str]:
+    """What statuses of a model's functions are called in C."""
+    further = (code for code in status_texts(*model.programs.values()) if code >= OUT_OF_REACH)
+    return {**STATUS_MACROS, **{code: f"OUT_OF_REACH_{k}" for k, code in enumerate(further, 1)}}
+
+
 ENUMERATED = 64  # entries of an array that get names: longer arrays are read in loops, and their order is described
 WIDTH = 116  # characters of a line of a comment
 ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL.
@@ -53,6 +63,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         about = [f"Single precision: all numbers are of type {precision.real}.", *about]
     measured = single_errors(model) if precision.suffix else {}
     told = [f"{what}: {text}" for what, text in conventions(model).items()]
+    texts = status_texts(*model.programs.values())
     lines = [
         *comment([*banner(model), *(line for text in about for line in ("", *wrapped(text, width=WIDTH)))]),
         f"#ifndef {upper}_H",
@@ -63,7 +74,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         *comment([line for text in told for line in wrapped(text, later="  ", width=WIDTH)]),
         "",
         "/* What functions return; the text of a status says it in words. */",
-        *(f"#define {upper}_{macro} {code} /* {plain(STATUS[code])} */" for code, macro in STATUS_MACROS.items()),
+        *(f"#define {upper}_{macro} {code} /* {plain(texts[code])} */" for code, macro in status_macros(model).items()),
         "",
         *_entries(model),
         "",

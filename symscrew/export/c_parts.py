@@ -138,7 +138,7 @@ class Parts:
             for k, slot in enumerate(slots):
                 if isinstance(slot, int) and slot in computed:
                     found.setdefault(slot, []).append((names[port.name], k))
-        for k, (slot, _) in enumerate(program.guards):
+        for k, slot in enumerate(program.tested):
             if slot in computed:
                 found.setdefault(slot, []).append(("pivot", k))
         return found
@@ -215,8 +215,8 @@ def lane_in_parts(printed: Printed) -> list[str]:
     real, gathered = precision.real, bool(printed.angles.gathered)
     parts = Parts(printed)
     given = [*arguments(program, precision), *sines(printed)]
-    given += [f"{real} *restrict pivot"] if program.guards else []
-    handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.guards else [])]
+    given += [f"{real} *restrict pivot"] if program.tested else []
+    handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.tested else [])]
     lines, sums = list[str](), []
     checked = checked_slots(program)
     for k in range(len(parts.pieces)):
@@ -258,7 +258,7 @@ def _given(parts: Parts) -> list[str]:
         for k, slot in enumerate(slots):
             if slot not in parts.defined and (name, k) not in cleared:
                 lines.append(f"    {name}[{k}] = {parts.entered[slot] if isinstance(slot, int) else number(slot)};")
-    for k, (slot, _) in enumerate(program.guards):
+    for k, slot in enumerate(program.tested):
         if slot not in parts.defined:
             lines.append(f"    pivot[{k}] = {parts.entered[slot]};")
     return lines

@@ -11,9 +11,9 @@ from symscrew.export.c_names import arguments, declare
 from symscrew.export.c_precision import Precision
 from symscrew.export.c_printed import Printed, Shared
 from symscrew.export.c_rank_revealing import routines, second_path
-from symscrew.export.listing import filled
+from symscrew.export.listing import filled, plain
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Program, RankRevealing
+from symscrew.program import Iteration, Program, RankRevealing, status_texts
 
 IN_LANES = frozenset((  # what is called once per step of a control or a simulation: tried with equal limbs side by side
     "acceleration",
@@ -133,10 +133,11 @@ def head(model: str, precision: Precision) -> list[str]:
     return filled(HEAD, {"REAL": precision.real, "ZERO": precision.number(0.0), "UPPER": model.upper(), "MODEL": model})
 
 
-def status_text(model: str) -> list[str]:
+def status_text(model: Model) -> list[str]:
     """The texts of statuses."""
-    cases = "\n".join(f'    case {code}: return "{text}";' for code, text in STATUS.items())
-    return filled(STATUS_TEXT, {"CASES": cases, "MODEL": model})
+    texts = status_texts(*model.programs.values())
+    cases = "\n".join(f'    case {code}: return "{plain(text)}";' for code, text in texts.items())
+    return filled(STATUS_TEXT, {"CASES": cases, "MODEL": model.name})
 
 
 def shared_types(pieces: Pieces) -> list[str]:

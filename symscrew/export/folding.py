@@ -113,7 +113,7 @@ def statements(
 ) -> Iterator[tuple[str, str]]:
     """(name, right-hand side) of statements in a language that reads results at the end, by their names."""
     uses = Counter(a for i in order for a in i.args if isinstance(a, int))
-    kept = [*(s for slots in program.results for s in slots), *(s for s, _ in program.guards), *program.checked]
+    kept = [*(s for slots in program.results for s in slots), *program.tested, *program.checked]
     for slot in kept:
         if isinstance(slot, int):
             uses[slot] += 2  # more than once: it must have a name

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from symscrew import __version__
 from symscrew.description import check_name
 from symscrew.model import Model
-from symscrew.program import STATUS, Instruction, Iteration, Port, Program, RankRevealing
+from symscrew.program import Instruction, Iteration, Port, Program, RankRevealing, status_texts
 
 Operand = Callable[[int | float], str]
 MAX_LABELS = 96  # entries of a port that are named in comments: more are not read there, and all are in the manifest
@@ -186,9 +186,13 @@ def port_lines(port: Port) -> list[str]:
 def statuses(program: Program | Iteration) -> dict[int, str]:
     """The statuses that a function can return, with their texts."""
     if isinstance(program, Iteration):
-        return {code: STATUS[code] for code in (0, 2, 3, 4)}
-    second = (-2, -1) if isinstance(program, RankRevealing) else ()
-    return {code: STATUS[code] for code in (*second, *((0, 1, 2) if program.guards else (0, 2)))}
+        codes: tuple[int, ...] = (0, 2, 3, 4)
+    else:
+        second = (-2, -1) if isinstance(program, RankRevealing) else ()
+        codes = (*second, *((0, 1, 2) if program.guards else (0, 2)))
+    limits = program.step.limits if isinstance(program, Iteration) else program.limits
+    texts = status_texts(program)
+    return {code: texts[code] for code in (*codes, *sorted({status for *_, status in limits}))}
 
 
 def operations_text(program: Program | Iteration) -> str:

@@ -38,6 +38,8 @@ SINGULAR_NOTE = (
     "all bodies have mass and inertia, but near the reference configuration the loops are too near to losing rank to "
     "find the motions that they allow: forward dynamics is left out; describe the mechanism in another configuration"
 )
+REASONS = (MASSLESS_NOTE, SINGULAR_NOTE)
+"""Why a model has no forward dynamics, as its notes say it."""
 State = list[tuple[Port, Sequence[Node]]]
 
 

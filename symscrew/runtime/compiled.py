@@ -228,7 +228,9 @@ def _written(origin: Origin, files: Mapping[str, str], folder: Path) -> Sequence
 def _functions(origin: Origin, made: Mapping[str, Evaluators]) -> dict[str, CompiledFunction]:
     own = origin.precision is DOUBLE  # numbers of another type are converted on the way
     return {
-        f: CompiledFunction(f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.direct)
+        f: CompiledFunction(
+            f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.direct, texts=origin.texts
+        )
         for f, of in made.items()
     }
 
@@ -238,7 +240,10 @@ def _in_casadi(origin: Origin) -> dict[str, CompiledFunction]:
     from symscrew.export import casadi_functions
 
     made = casadi_functions(origin.model())
-    return {f: CompiledFunction(f, *origin.ports[f], casadi_evaluator(made[f])) for f in origin.ports}
+    return {
+        f: CompiledFunction(f, *ports, casadi_evaluator(made[f]), texts=origin.texts)
+        for f, ports in origin.ports.items()
+    }
 
 
 def casadi_evaluator(function: Any) -> Evaluator:

@@ -15,8 +15,9 @@ import json
 import math
 import os
 import platform
+import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -34,13 +35,14 @@ from symscrew.export import (
     effect_from_json,
     interface,
     model_hash,
+    plain,
     print_c,
     read_hashes,
     read_manifest,
     read_port,
 )
 from symscrew.model import Model, derive
-from symscrew.program import Port
+from symscrew.program import STATUS, Port, status_texts
 from symscrew.runtime import user_cache
 
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
@@ -55,6 +57,7 @@ class Origin:
     """A model's name, functions with their arrays, precision; `model` derives it.
 
     `files`: the C of one function, or of all (""). `sources`: C files of a folder, which are compiled as they stand.
+    `texts`: what statuses mean.
     """
 
     name: str
@@ -63,6 +66,7 @@ class Origin:
     model: Callable[[], Model]
     files: Callable[[str], Mapping[str, str]]
     sources: tuple[Path, ...] = ()
+    texts: Mapping[int, str] = field(default_factory=lambda: STATUS)
 
 
 def origin_of(source: Model | str | Path, precision: str | None, *, trusted: bool, lanes: bool) -> Origin:
@@ -79,12 +83,13 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
         def printed(function: str) -> Mapping[str, str]:
             return print_c(made.only([function]) if function else made, precision=real, lanes=lanes)
 
-        return Origin(made.name, own_ports, real, lambda: made, printed)
+        return Origin(made.name, own_ports, real, lambda: made, printed, texts=status_texts(*made.programs.values()))
     directory = Path(source)
     content = read_manifest(directory)
     name, ports, own = read_interface(directory, content)
     if read_hashes(directory):
         raise OutputError(f"{source}: holds hashes in place of its code ({HASHES}); generate it without --hashes-only")
+    told = _status_texts(content)
     if precision not in (None, own.name):
         raise ValueError(f"{source}: expected its own precision, {own.name}, got {precision}; generate it again")
 
@@ -98,7 +103,7 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
         sources = sorted((f for f in named if not f.endswith(NOT_THE_LIBRARY)), key=lambda f: (f != f"{name}.c", f))
         if not sources:
             raise OutputError(f"{directory}/manifest.json: lists no C files; generate the target c")
-        return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources))
+        return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources), told)
     texts: dict[str, Mapping[str, str]] = {}
 
     def files(function: str) -> Mapping[str, str]:
@@ -106,7 +111,15 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
             texts.update(_proved(directory, name, own, derived))
         return texts[function]
 
-    return Origin(name, ports, own, derived, files)
+    return Origin(name, ports, own, derived, files, texts=told)
+
+
+def _status_texts(content: Mapping[str, Any]) -> Mapping[int, str]:
+    """What statuses mean, as far as a manifest says it in words of a length that an error can hold."""
+    tables = [entry.get("status") for entry in content["functions"].values() if isinstance(entry, dict)]
+    rows = [row for table in tables if isinstance(table, dict) for row in table.items()]
+    told = {int(code): plain(str(text))[:200] for code, text in rows if re.fullmatch(r"1[1-9]|[2-9]\d", code)}
+    return {**STATUS, **told}
 
 
 def read_interface(directory: Path, content: Mapping[str, Any]) -> tuple[str, Ports, Precision]:
@@ -158,6 +171,7 @@ def model_of(directory: Path, content: Mapping[str, Any]) -> Model:
         "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
         "regressor": any("regressor" in name for name in functions),
         "one_mode": content.get("one_mode") is True,
+        "checked": any(name.endswith("_checked") for name in functions),
     }
     # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named
     chosen = content.get("independent") or None
