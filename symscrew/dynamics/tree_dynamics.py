@@ -91,10 +91,19 @@ def mass_matrix(
     Composite rigid bodies (Walker and Orin 1982): the momentum of everything outboard of a joint per unit rate of the
     joint, projected on the joints inboard of it. `reflected` are inertias that move
     with one freedom only (index into v): they stand on the diagonal. `inertia` is what the links have in place of
-    their own.
+    their own. The system keeps the answer for its own inertias: several functions ask for it.
     """
+    if inertia is not None:
+        return _composite_bodies(system, reflected or {}, inertia)
+    key = ("mass_matrix", *((k, further.index) for k, further in (reflected or {}).items()))
+    if key not in system.answers:
+        system.answers[key] = _composite_bodies(system, reflected or {}, system.inertia)
+    return [list(row) for row in system.answers[key]]
+
+
+def _composite_bodies(system: System, reflected: Mapping[int, Node], inertia: Sequence[Inertia]) -> list[list[Node]]:
     tree, tape = system.tree, system.tape
-    composite: list[Inertia] = list(regrouped(tree, system.frames, inertia or system.inertia, system.geometry))
+    composite: list[Inertia] = list(regrouped(tree, system.frames, inertia, system.geometry))
     n = len(tree.v)
     matrix = [[tape.zero] * n for _ in range(n)]
     for link in reversed(tree.links[1:]):
@@ -112,7 +121,7 @@ def mass_matrix(
             part = tree.part(link.parent)
             named_vector(composite[link.parent].first, "composite", part, prefix="first_")
             named_matrix(second, "composite", part, prefix="second_")
-    for k, further in (reflected or {}).items():
+    for k, further in reflected.items():
         matrix[k][k] = matrix[k][k] + further
     return matrix
 
