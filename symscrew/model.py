@@ -134,12 +134,48 @@ def derive(
     `regressor` the regressors of the inertial parameters. `one_mode`: functions of closed loops for the operation
     mode of the reference configuration only, where coordinates that follow from others are not read; they fail
     elsewhere (see `symscrew.loops.modes`).
+    A simplification that is only wanted where it saves operations is undone where it does not, see `Effect.undone`.
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
     if length is not None:
         read = Reader(dict(mechanism.parameters)).characteristic_length(length)
         mechanism = replace(mechanism, characteristic_length=read)
-    system = System(mechanism, transformed(mechanism, tuple(effects)), read=joints_read(tuple(effects)))
+    known = tuple(effects)
+    plain = _where_they_save(mechanism, known, independent) if any(effect.undone() for effect in known) else None
+    if plain and not (derivatives or regressor or one_mode):
+        return plain
+    return _derived(
+        mechanism,
+        plain.effects if plain else known,
+        independent=independent,
+        derivatives=derivatives,
+        regressor=regressor,
+        one_mode=one_mode,
+    )
+
+
+def _where_they_save(mechanism: Mechanism, effects: tuple[Effect, ...], independent: Sequence[str] | None) -> Model:
+    """The model, with what effects leave out left in if any function takes more operations without it."""
+    undone = tuple(effect.undone() or effect for effect in effects)
+    less, whole = (_derived(mechanism, some, independent=independent) for some in (effects, undone))
+    sizes = [(_total(p), _total(whole.programs[name])) for name, p in less.programs.items() if name in whole.programs]
+    return less if all(without <= before for without, before in sizes) else whole
+
+
+def _total(program: Program | Iteration) -> int:
+    return program.operations["total"]
+
+
+def _derived(
+    mechanism: Mechanism,
+    effects: tuple[Effect, ...],
+    *,
+    independent: Sequence[str] | None,
+    derivatives: bool = False,
+    regressor: bool = False,
+    one_mode: bool = False,
+) -> Model:
+    system = System(mechanism, transformed(mechanism, effects), read=joints_read(effects))
     system.use_samples()
     ways = fewest_operations(system, effects, independent)
     loops = ways.plain
@@ -150,7 +186,7 @@ def derive(
     functions = [
         *kinematic_functions(system, motion),
         *closure_functions(system, ways.rates, loop_notes(loops)),
-        *momentum_functions(system, motion, tuple(effects)),
+        *momentum_functions(system, motion, effects),
         *dynamic_functions(system, effects, ways.rates),
         *forward_functions(system, effects, ways.dynamics),
         *closing_functions(system, loops),
@@ -174,9 +210,10 @@ def derive(
     moves = "forward_dynamics" in programs or moves_mass(system, effects, loops)
     massless = () if moves else (left_out(system),)
     notes = (*mechanism.warnings, *massless, *untried_notes(system), *mode.notes(alone=one_mode))
+    notes = (*notes, *(note for effect in effects for note in effect.notes))
     notes = (*notes, *dict.fromkeys(n for p in programs.values() for n in p.notes))
     labels = tuple(system.tree.q[k].label for k in entries) if system.cuts else ()
-    return Model(mechanism.name, mechanism, tuple(effects), programs, inputs, system, notes, one_mode, labels)
+    return Model(mechanism.name, mechanism, effects, programs, inputs, system, notes, one_mode, labels)
 
 
 def _hub_entries(system: System, of_q: bool) -> list[int]:

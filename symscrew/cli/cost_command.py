@@ -36,6 +36,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"{found.name}: {found.mechanism}, {found.motion}")
         print(bill_text(found))
         print("operations, states and ns: with the effect less without it; drives, accelerations: change without it")
+        print("at most: operations of the effect's own program alone, its force screws and their projection")
     if path is not None:
         from symscrew.display import save_figure
         from symscrew.studies import bill_figure

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, cost, differentiate, is_zero
+from symscrew.algebra import ZERO, Node, add, cost, differentiate, is_zero
 from symscrew.dynamics.tree_dynamics import balanced_forces, generalised_forces
 from symscrew.effects import Acting
-from symscrew.kinematics import System, inertial_wrench, rates
+from symscrew.kinematics import NO_SPREAD, Inertia, System, inertial_wrench, rates
 
 SHORT = 6
 """Freedoms of a branch up to which both ways are built and counted. A branch of n freedoms has n^2 (n + 1) / 2
@@ -30,11 +30,16 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
     still = [tape.zero] * len(tree.v)
     result = generalised_forces(system, acting, still)
     given = all(q.op == "symbol" for q in system.inputs.q)  # else angles may stand in their cosines and sines only
-    if not given or acting.simplified or any(not is_zero(c) for c in acting.ground.omega):
+    if not given or not acting.keeps_motion or any(not is_zero(c) for c in acting.ground.omega):
         return result
     lean = acting.lean_inertia()
     resting = rates(system.linkage, still, still, ground=acting.ground)
     weights = {k: inertial_wrench(lean[k], resting[k]) for k in range(1, len(lean))}
+    if not acting.keeps_gyroscopic_moments:  # the derivatives of the mass matrix have these moments in them
+        moving = acting.link_rates(still)
+        for k, (pull, moment) in weights.items():
+            _, couple = inertial_wrench(Inertia(tape.zero, ZERO, NO_SPREAD, lean[k].still), moving[k])
+            weights[k] = pull, add(moment, couple)
     weighed = balanced_forces(system, acting, still, weights)
     for places in _branches(system):
         centrifugal = _christoffel(system, places, inertia)

@@ -55,8 +55,6 @@ class Rod:
 
 def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
     """The thin rods of a system by the index of their cut joint: only gravity and their neighbours act on them."""
-    if not acting.keeps_gyroscopic_moments:  # part of a rod's rate of momentum is left out then
-        return {}
     taken = {*acting.joint_forces, *acting.reflected_inertia, *system.drive_rows()}
     driven = system.cut_drives()
     found = {c: _rod(system, cut) for c, cut in enumerate(system.cuts) if c not in driven}
@@ -94,13 +92,13 @@ def _rod(system: System, cut: Cut) -> Rod | None:
     return Rod((limb.first, limb.second), cut.hub, limb.centre, cut.hub_point, (alpha, beta, settle(spread)))
 
 
-def with_end_masses(system: System, rods: Sequence[Rod]) -> tuple[Inertia, ...]:
+def with_end_masses(system: System, rods: Sequence[Rod], inertia: Sequence[Inertia]) -> tuple[Inertia, ...]:
     """Regrouped inertias of the links, with the masses of the rods at their ends in place of the rods themselves."""
-    return regrouped(system.tree, system.frames, _end_masses(system, rods), system.geometry)
+    return regrouped(system.tree, system.frames, _end_masses(system, rods, inertia), system.geometry)
 
 
-def _end_masses(system: System, rods: Sequence[Rod]) -> list[Inertia]:
-    result = list(system.inertia)
+def _end_masses(system: System, rods: Sequence[Rod], inertia: Sequence[Inertia]) -> list[Inertia]:
+    result = list(inertia)
     for rod in rods:
         for own in rod.links:
             result[own.index] = Inertia(system.tape.zero, ZERO, ((0, 0, 0),) * 3)
@@ -230,7 +228,7 @@ def rod_matrix(system: System, rods: Mapping[int, Rod], reflected: Mapping[int, 
             entry = rod.masses[1] * system.tape.node(dot(one, other))
             for pair in ((j, k), (k, j)):
                 coupled[pair] = coupled.get(pair, zero) + entry
-    matrix = mass_matrix(system, reflected, _end_masses(system, list(rods.values())))
+    matrix = mass_matrix(system, reflected, _end_masses(system, list(rods.values()), system.inertia))
     for (j, k), entry in coupled.items():
         matrix[j][k] = matrix[j][k] + entry
     return matrix
@@ -256,7 +254,7 @@ def _velocities(system: System, index: int, point: Vector) -> dict[int, Vector]:
 
 def rod_forces(system: System, acting: Acting, rods: Mapping[int, Rod], a: Sequence[Node]) -> list[Node]:
     """Generalised forces (for v) that accelerations a of the tree need, less what acts, with rods as `rod_matrix`."""
-    moving, inertia = acting.link_rates(a), with_end_masses(system, list(rods.values()))
+    moving, inertia = acting.link_rates(a), with_end_masses(system, list(rods.values()), acting.inertia)
     wrenches = {k: acting.inertial_wrench(k, inertia[k], moving) for k in range(1, len(inertia))}
     coupled: dict[int, list[Wrench]] = {}
     for rod in rods.values():

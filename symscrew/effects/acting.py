@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Protocol
 
 from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, named_wrench, scale, subtract
@@ -28,6 +29,7 @@ from symscrew.kinematics import (
     on_hub,
     rates,
     regrouped,
+    without_gyroscopic_moment,
 )
 from symscrew.program import Port
 
@@ -42,16 +44,15 @@ class Acts(Protocol):
         """Before anything acts."""
 
     @property
-    def simplifies(self) -> str:
-        """What it leaves out, in words; empty: nothing."""
+    def leaves_out(self) -> bool:
+        """Whether it is a simplification."""
 
     @property
     def keeps_motion(self) -> bool:
         """Whether rates and accelerations enter the inertial forces."""
 
-    @property
-    def keeps_gyroscopic_moments(self) -> bool:
-        """Whether omega x J omega does."""
+    def keeps_gyroscopic_moment(self, body: str) -> bool:
+        """Whether omega x J omega of a body does."""
 
     def act(self, acting: Acting) -> None:
         """Add what it contributes."""
@@ -79,9 +80,12 @@ class Acting(Parts):
         self.powers: dict[str, Node] = {}
         self.states: list[State] = []
         self.state_rates: dict[str, Node] = {}
-        self.simplified = any(effect.simplifies for effect in effects)
+        self.effects = tuple(effects)
+        self.simplified = any(effect.leaves_out for effect in effects)
         self.keeps_motion = all(effect.keeps_motion for effect in effects)
-        self.keeps_gyroscopic_moments = all(effect.keeps_gyroscopic_moments for effect in effects)
+        self.keeps_gyroscopic_moments = all(
+            e.keeps_gyroscopic_moment(b) for e in effects for b in system.mechanism.bodies
+        )
         self.transmissions: dict[int, Transmission] = {}
         self.needs_reactions = False
         self.passes = 1
@@ -121,30 +125,24 @@ class Acting(Parts):
 
     # -- inertia ---------------------------------------------------------------------------------------------
 
+    @cached_property
+    def inertia(self) -> tuple[Inertia, ...]:
+        """Inertias of the links, with what is left out of their moments in omega."""
+        if self.keeps_gyroscopic_moments:
+            return self.system.inertia
+        links, geometry = self.system.tree.links, self.system.geometry
+        spinless = [any(not e.keeps_gyroscopic_moment(b) for e in self.effects for b in link.bodies) for link in links]
+        pairs = zip(self.system.inertia, spinless, strict=True)
+        return tuple(without_gyroscopic_moment(own, geometry) if left_out else own for own, left_out in pairs)
+
     def lean_inertia(self) -> tuple[Inertia, ...]:
         """Regrouped inertias: right for drives and cut joints, not inside the tree."""
         system = self.system
-        return regrouped(system.tree, system.frames, system.inertia, system.geometry)
+        return regrouped(system.tree, system.frames, self.inertia, system.geometry)
 
     def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
-        return named_wrench(self._inertial_wrench(link, inertia, moving), "momentum_rate", self.system.tree.part(link))
-
-    def _inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
-        if self.keeps_gyroscopic_moments:
-            return inertial_wrench(inertia, moving[link])
-        true = self.system.inertia[link]
-        if true.mass is self.system.tape.zero:
-            return inertial_wrench(inertia, moving[link])
-        # omega x J omega with J about the centre of mass: second moments about the link's origin, less those of the
-        # mass at its centre (Steiner); the rest of the rate of momentum stays
-        spread = scale(1 / true.mass, true.first)
-        own = tuple(
-            tuple(true.second[i][j] - true.first[i] * self.system.tape.node(spread[j]) for j in range(3))
-            for i in range(3)
-        )
-        still = self.system.geometry.settle_matrix(own)  # type: ignore[arg-type]
-        return inertial_wrench(inertia, moving[link], still)
+        return named_wrench(inertial_wrench(inertia, moving[link]), "momentum_rate", self.system.tree.part(link))
 
     def inertial_wrenches(self, a: Sequence[Node]) -> Loads:
         """Inertial wrench of every link with regrouped inertias, for given accelerations of the tree."""

@@ -31,6 +31,8 @@ class Effect:
 
         keeps_motion               rates and accelerations of the mechanism enter them
         keeps_gyroscopic_moments   omega x J omega enters the moment about every centre of mass
+
+    One that is only wanted where it saves operations gives in `undone` what takes its place elsewhere.
     """
 
     simplifies: ClassVar[str] = ""
@@ -46,6 +48,27 @@ class Effect:
         "gravity": it turns the field.
         """
         return frozenset()
+
+    @property
+    def leaves_out(self) -> bool:
+        """Whether it leaves anything out."""
+        return bool(self.simplifies)
+
+    def keeps_gyroscopic_moment(self, body: str) -> bool:
+        """Whether omega x J omega enters the moment about the centre of mass of a body."""
+        return self.keeps_gyroscopic_moments
+
+    def undone(self) -> Effect | None:
+        """The effect without what it leaves out, to be taken where leaving it out makes a function longer.
+
+        None: what it leaves out is left out at any price.
+        """
+        return None
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a user of a model with this effect must know."""
+        return ()
 
     @property
     def reads(self) -> tuple[str, ...]:

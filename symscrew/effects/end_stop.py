@@ -6,12 +6,11 @@ from dataclasses import dataclass
 
 from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
+from symscrew.effects.contact_law import ContactLaw, contact_law
 from symscrew.effects.effect import Effect, Number
 from symscrew.effects.records import Contact
 from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
-
-EXPONENTS = (1, 1.5, 2)  # of a depth without calling pow: linear, Hertz's for spheres, and the square
 
 
 @dataclass(frozen=True, repr=False)
@@ -100,28 +99,16 @@ class EndStop(Effect):
     def _compliant(self, acting: Acting, k: int, what: str) -> None:
         if self.stiffness is None:
             raise DescriptionError(f"{what}: a compliant stop needs the key 'stiffness'")
-        stiffness = acting.number(self.stiffness, f"{what}: stiffness", above=0)
-        damping = acting.number(self.damping, f"{what}: damping", least=0)
-        if acting.value(self.exponent, f"{what}: exponent") not in EXPONENTS:
-            raise DescriptionError(f"{what}: expected an exponent of 1, 1.5 or 2, got {shorten(self.exponent)}")
+        law = contact_law(acting, self.stiffness, self.exponent, self.damping, what=what)
         place, rate = acting.displacement(self.joint, k, what), acting.rate(self.joint, k)
         for end, sign in ((self.lower, -1), (self.upper, 1)):
             if end is not None:
                 depth = sign * (place - acting.number(end, f"{what}: limit"))
-                self._side(acting, k, depth=depth, speed=sign * rate, sign=sign, law=(stiffness, damping))
+                self._side(acting, k, depth=depth, speed=sign * rate, sign=sign, law=law)
 
-    def _side(self, acting: Acting, k: int, *, depth: Node, speed: Node, sign: int, law: tuple[Node, Node]) -> None:
+    def _side(self, acting: Acting, k: int, *, depth: Node, speed: Node, sign: int, law: ContactLaw) -> None:
         """One end: its force against the depth, what it stores and what it takes."""
-        tape = acting.system.tape
-        stiffness, damping = law
-        inside = tape.function("less", 0, depth)
-        depth = tape.function("select", inside, depth, 0)
-        exponent = acting.value(self.exponent, "end stop: exponent")
-        power = depth * {1: tape.one, 1.5: tape.sqrt(depth), 2: depth}[exponent]
-        elastic = stiffness * power
-        factor = 1 + damping * speed
-        pulls = tape.function("less", factor, 0)
-        force = elastic * tape.function("select", pulls, 0, factor) if damping is not tape.zero else elastic
+        force, elastic, stored = law.at(acting.system.tape, depth, speed)
         acting.drive(self.joint, k, -sign * force)
-        acting.store(elastic * depth * tape.reciprocal(tape.node(exponent + 1)))
+        acting.store(stored)
         acting.feed(f"end_stop_{self.label}", (elastic - force) * speed)

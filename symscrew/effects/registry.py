@@ -24,7 +24,14 @@ from symscrew.description import Mechanism, read_tables, read_text
 from symscrew.effects.effect import Effect, joints_read, transformed
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
-HELPERS = ("acting", "effect", "parts", "records", "registry")  # files of this folder that hold no effect
+HELPERS = (
+    "acting",
+    "contact_law",
+    "effect",
+    "parts",
+    "records",
+    "registry",
+)  # files of this folder that hold no effect
 
 
 @cache

@@ -102,7 +102,7 @@ class Equations:
         rods = thin_rods(self.system, self.forces)
         if not rods:
             return self.balance
-        inertia = with_end_masses(self.system, list(rods.values()))
+        inertia = with_end_masses(self.system, list(rods.values()), self.forces.inertia)
         setting = replace(self.setting, bars=bars(self.system, rods, self.rates))
 
         def wrench(link: Link) -> tuple[Vector, Vector]:
@@ -139,7 +139,7 @@ class Equations:
 
     def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
         """Inertial wrench of the bodies as given."""
-        return self.forces.inertial_wrench(link.index, self.system.inertia[link.index], self.rates)
+        return self.forces.inertial_wrench(link.index, self.forces.inertia[link.index], self.rates)
 
     def reactions(self, forces: Sequence[Node]) -> Reactions:
         """Reactions of all joints for given forces and torques of the drives on their joints."""

@@ -7,7 +7,6 @@ type float, they differ from double by errors of the size that the header states
 from __future__ import annotations
 
 import shutil
-import subprocess
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -106,9 +105,12 @@ def _compile(directory: Path, name: str) -> Iterator[Finding]:
 
 
 def _run(command: Sequence[str], directory: Path, what: str) -> Finding:
-    result = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
     compiler = Path(command[0]).name
-    if result.returncode == 0:
+    try:
+        outcome, said = runtime.run_tool(command, directory.name, folder=directory)
+    except runtime.CompileError as error:
+        return False, str(error)
+    if outcome == 0:
         return True, f"{compiler} {what}"
-    first = next((line for line in result.stderr.splitlines() if "error" in line), result.stderr[:200])
+    first = next((line for line in said.splitlines() if "error" in line), said[:200])
     return False, f"{compiler} refuses: {first.strip()}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -21,8 +23,23 @@ def files(order: Order) -> Mapping[str, bytes]:
         for name, function in casadi_functions(order.model).items():
             path = Path(temporary) / f"{name}.casadi"
             function.save(str(path))
+            _whole(path)
             made[path.name] = path.read_bytes()
     return made
+
+
+def _whole(path: Path) -> None:
+    """CasADi says nothing where a disk is full, and leaves a part of the file; what it cannot read is one.
+
+    Raises:
+        OSError: it is.
+    """
+    import casadi
+
+    try:
+        casadi.Function.load(str(path))
+    except RuntimeError as error:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path)) from error
 
 
 def compare(case: Case) -> Iterator[Finding]:

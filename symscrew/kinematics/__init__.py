@@ -10,7 +10,7 @@ What an elementary motion does with nodes is in `pairs`, a file each.
 from symscrew.kinematics.closure_jacobian import ClosureJacobian
 from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
 from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement
-from symscrew.kinematics.link_inertias import combined, regrouped
+from symscrew.kinematics.link_inertias import combined, regrouped, without_gyroscopic_moment
 from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Placement, Rates, Wrench
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.loop_closure import closure_bias, closure_rate, turns_are_lost
@@ -66,4 +66,5 @@ __all__ = [
     "turns_are_lost",
     "twists",
     "universal_axes",
+    "without_gyroscopic_moment",
 ]

@@ -6,6 +6,7 @@ bodies --body_inertia--> m, s, Sigma of each --combined--> of each link --regrou
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from symscrew.algebra import ZERO, Matrix, Node, add, product, scale, subtract, transform, transpose
 from symscrew.description import Body, Mechanism
@@ -51,7 +52,26 @@ def _half(geometry: Geometry, node: Node) -> Node:
 def combined(geometry: Geometry, a: Inertia, b: Inertia) -> Inertia:
     """The inertia of two bodies on one link, about the same origin."""
     second = tuple(add(x, y) for x, y in zip(a.second, b.second, strict=True))
-    return Inertia(a.mass + b.mass, geometry.settle(add(a.first, b.first)), geometry.settle_matrix(second))  # type: ignore[arg-type]
+    still = tuple(add(x, y) for x, y in zip(a.still, b.still, strict=True))
+    first = geometry.settle(add(a.first, b.first))
+    return Inertia(a.mass + b.mass, first, geometry.settle_matrix(second), geometry.settle_matrix(still))  # type: ignore[arg-type]
+
+
+def without_gyroscopic_moment(own: Inertia, geometry: Geometry) -> Inertia:
+    """The inertia of a link whose moment omega x J omega about its centre of mass is left out.
+
+    A slender rod, without inertia about its line, keeps it: with n along the line both moments together are
+    J n x n_ddot, whatever the spin about the line; J alpha alone would depend on this spin, which moves no mass.
+    """
+    if own.mass is geometry.tape.zero:
+        return own
+    spread = scale(1 / own.mass, own.first)
+    rows = tuple(tuple(own.second[i][j] - own.first[i] * spread[j] for j in range(3)) for i in range(3))
+    central = geometry.settle_matrix(rows)  # type: ignore[arg-type]
+    sides = ((0, 1), (1, 2), (2, 0))
+    minors = [central[i][k] * central[j][m] - central[i][m] * central[j][k] for i, j in sides for k, m in sides]
+    slender = all(geometry.tape.settle(minor) is geometry.tape.zero for minor in minors)
+    return own if slender else replace(own, still=central)
 
 
 def regrouped(
@@ -82,7 +102,7 @@ def _constant(geometry: Geometry, inertia: Inertia, frame: Frame) -> bool:
     values = (
         inertia.mass,
         *inertia.first,
-        *(c for row in inertia.second for c in row),
+        *(c for row in (*inertia.second, *inertia.still) for c in row),
         *frame.offset,
         *frame.axis,
     )

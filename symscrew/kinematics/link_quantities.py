@@ -81,8 +81,13 @@ class Rates:
 
 @dataclass(frozen=True)
 class Inertia:
-    """Mass, first moment and second moment matrix about the link's origin, link axes."""
+    """Mass, first moment and second moment matrix about the link's origin, link axes.
+
+    `still` is the part of the second moment matrix whose moments in omega are left out: nothing, but for a
+    simplification.
+    """
 
     mass: Node
     first: Vector
     second: Matrix
+    still: Matrix = NO_SPREAD

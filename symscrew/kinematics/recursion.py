@@ -93,16 +93,16 @@ def acceleration_matrix(omega: Vector, alpha: Vector) -> Matrix:
     )
 
 
-def inertial_wrench(inertia: Inertia, rate: Rates, still: Matrix = NO_SPREAD) -> tuple[Vector, Vector]:
+def inertial_wrench(inertia: Inertia, rate: Rates) -> tuple[Vector, Vector]:
     """(force, moment about the link's origin): the rate of the link's momentum screw, link axes.
 
     The axial vector of U Sigma is written so that a diagonal Sigma costs three operations a component:
-    J_x alpha_x + (Sigma_yy - Sigma_zz) omega_y omega_z, and so on. `still` is the part of Sigma whose
-    terms in omega are left out.
+    J_x alpha_x + (Sigma_yy - Sigma_zz) omega_y omega_z, and so on; of the part of Sigma that is `still` without
+    the terms in omega.
     """
     force = add(scale(inertia.mass, rate.origin), transform(rate.matrix, inertia.first))
     omega, alpha, matrix = rate.omega, rate.alpha, rate.matrix
-    spread = inertia.second
+    spread, still = inertia.second, inertia.still
     axial = []
     for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         spun = spread[y][y] - spread[z][z] - (still[y][y] - still[z][z])

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symscrew.description import Mechanism
+from symscrew.description import Body, Mechanism
 from symscrew.display import Progress, aligned_table
-from symscrew.effects import Acting, Effect, type_name
+from symscrew.effects import Acting, Effect, simplifications, type_name
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
 from symscrew.model import Model, derive
@@ -43,6 +43,7 @@ class Item:
     `operations` and `nanoseconds` per function: what inverse and forward dynamics have more with the effect than
     without it (less, if it simplifies); nanoseconds per state of a batch, reading its inputs included, None where
     nothing was timed. `states`: its own.
+    `alone`: operations of the effect's own program, which is the most that it may add, see `alone`; 0 if it simplifies.
     `change`: per result ("drives", "accelerations") the root mean square over the motion of the difference that
     leaving it out makes, divided by that of the result itself (lengths divided by the characteristic length), or
     by the largest such difference where the result itself vanishes, as drives do in a free motion.
@@ -53,11 +54,15 @@ class Item:
     states: int
     nanoseconds: Mapping[str, float | None]
     change: Mapping[str, float]
+    alone: int = 0
 
 
 @dataclass(frozen=True)
 class Bill:
-    """The items of a scene, and its whole cost: operations and nanoseconds of the functions with all effects."""
+    """The items of a scene, and its whole cost: operations and nanoseconds of the functions with all effects.
+
+    `notes` are what the effects say of themselves on this mechanism.
+    """
 
     name: str
     mechanism: str
@@ -65,6 +70,7 @@ class Bill:
     items: tuple[Item, ...]
     operations: Mapping[str, int]
     nanoseconds: Mapping[str, float | None]
+    notes: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         counted = ", ".join(f"{name} {count}" for name, count in self.operations.items())
@@ -132,6 +138,7 @@ def bill(
                 len(_states(whole)) - len(_states(model)),
                 {f: times.get(f) for f in BILLED_FUNCTIONS if f in full and f in less},
                 {},
+                alone(whole, k, model),
             )
         )
         differences.append(_differences(whole, model, known))
@@ -140,7 +147,47 @@ def bill(
         sizes[result] = largest if size < ZERO * largest else size
     items = [replace(item, change=_shares(d, sizes)) for item, d in zip(items, differences, strict=True)]
     own = clock.own() if clock else {}
-    return Bill(name or mechanism.name, mechanism.name, motion_text, tuple(items), full, {f: own.get(f) for f in full})
+    notes = tuple(note for effect in whole.effects for note in effect.notes)
+    measured = {f: own.get(f) for f in full}
+    return Bill(name or mechanism.name, mechanism.name, motion_text, tuple(items), full, measured, notes)
+
+
+def alone(whole: Model, k: int, rest: Model) -> int:
+    """Operations that effect k of a model may add at most; `rest` is the model without it.
+
+    Drives and accelerations are linear in the wrenches that act. So no more is needed than the effect's own program
+    standing alone: its force screws and their projection on what the mechanism can do, without the inertial forces
+    of its bodies. Of an effect that makes bodies heavier: the same bodies without their own masses. Where an effect
+    depends on the reactions: these as well, with what they belong to, as many times as they are taken in turn.
+    """
+    effect, mechanism = whole.effects[k], whole.mechanism
+    if effect.simplifies:
+        return 0
+    if "inertia" in effect.depends_on:
+        light = replace(mechanism, bodies={name: Body(name) for name in mechanism.bodies})
+        return _largest(derive(light, whole.effects))
+    still = next(one for one in simplifications().values() if not one.keeps_motion)
+    program, acting = derive(mechanism, (still, effect)), Acting(whole.system, whole.effects)
+    own = _largest(program)
+    if "reactions" in effect.depends_on:
+        return own + acting.passes * (_reactions(rest) + max(_operations(rest).values(), default=0))
+    return own + acting.passes * (_reactions(program) + own) if acting.needs_reactions else own
+
+
+def _reactions(model: Model) -> int:
+    return model.programs["joint_reactions"].operations["total"]
+
+
+def _largest(model: Model) -> int:
+    """Operations of the drives, rates of the tree included where the independent ones are given.
+
+    Without drives: of the forces of the tree and their projection on its motion.
+    """
+    drives = [model.programs[f] for f in ("inverse_dynamics", "inverse_dynamics_independent") if f in model.programs]
+    if drives:
+        return max(program.operations["total"] for program in drives)
+    free = len(model.independent) or len(model.system.tree.v)
+    return model.programs["bias"].operations["total"] + 2 * free * len(model.system.tree.v)
 
 
 def scene_bill(scene: Scene, *, timed: bool = True, progress: Progress | None = None) -> Bill:
@@ -307,6 +354,7 @@ def bill_text(found: Bill) -> str:
         "effect",
         "operations inverse",
         "forward",
+        "at most",
         "states",
         "ns inverse",
         "ns forward",
@@ -317,6 +365,7 @@ def bill_text(found: Bill) -> str:
         [
             item.effect,
             *(_signed(item.operations.get(f)) for f in BILLED_FUNCTIONS),
+            f"+{item.alone}",
             str(item.states),
             *(_signed(item.nanoseconds.get(f), 1) for f in BILLED_FUNCTIONS),
             *(_share(item.change, name) for name in ("drives", "accelerations")),
@@ -326,8 +375,8 @@ def bill_text(found: Bill) -> str:
     totals = [str(found.operations[f]) if f in found.operations else "-" for f in BILLED_FUNCTIONS]
     times = [found.nanoseconds.get(f) for f in BILLED_FUNCTIONS]
     shown = [f"{t:.0f}" if t is not None else "-" for t in times]
-    rows.append(["all of it", *totals, str(sum(i.states for i in found.items)), *shown, "", ""])
-    return aligned_table(header, rows)
+    rows.append(["all of it", *totals, "", str(sum(i.states for i in found.items)), *shown, "", ""])
+    return "\n".join([aligned_table(header, rows), *found.notes])
 
 
 def _signed(value: float | None, digits: int = 0) -> str:

@@ -53,6 +53,9 @@ ADDING = {
     "motor": effect("DcMotor", "limb2_P", "0.05", "1.2", "0.001", 50),
     "servo": effect("PositionServo", "limb3_P", 400, 8, 30),
     "leg": effect("LegCompliance", "limb4_P", 20000, 4, "0.02"),
+    "lash": effect("Backlash", "limb1_P", "0.002", 20000, 4, "1.5", 3),
+    "rolling": effect("RollingContact", "E", "A1", "0.6", 20, "0.1", axis=(0, 1, 0), stiffness=1000, friction="0.3"),
+    "clearance": effect("JointClearance", "A1", "E", "0.01", 1000, friction="0.1", velocity="0.1"),
 }
 DEPENDING = {
     "load": (effect("DryFriction", "slider_P", load="0.2", velocity="0.01"), "reactions"),

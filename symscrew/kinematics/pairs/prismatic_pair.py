@@ -71,7 +71,7 @@ class Prismatic(LowerPair):
 
     def base_inertia(self, geometry: Geometry, frame: Frame, own: Inertia) -> tuple[Inertia, Inertia] | None:
         """The angular inertia is the parent's, with which the slider turns."""
-        return Inertia(own.mass, own.first, NO_SPREAD), Inertia(geometry.tape.zero, ZERO, own.second)
+        return Inertia(own.mass, own.first, NO_SPREAD), Inertia(geometry.tape.zero, ZERO, own.second, own.still)
 
 
 def _origin(site: Site, axis: Vector) -> Vector:

@@ -78,7 +78,7 @@ class Revolute(LowerPair):
         (xx, xy, xz), (_, yy, yz), (_, _, zz) = own.second
         line = geometry.settle((zz + yy, 0, 0))[0]
         left: Matrix = ((xx, xy, xz), (xy, yy, yz), (xz, yz, -geometry.tape.node(yy)))
-        stays = Inertia(zero, (own.first[0], own.first[1], zero), left)
+        stays = Inertia(zero, (own.first[0], own.first[1], zero), left, own.still)
         return stays, line_on_axis(frame, own.mass, own.first[2], line)
 
 

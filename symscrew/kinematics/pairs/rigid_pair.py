@@ -59,4 +59,4 @@ def _shifted(frame: Frame, inertia: Inertia) -> Inertia:
         return (x, y, z)
 
     spread: Matrix = (row(0), row(1), row(2))
-    return Inertia(inertia.mass, add(s, scale(inertia.mass, r)), spread)
+    return Inertia(inertia.mass, add(s, scale(inertia.mass, r)), spread, inertia.still)

@@ -74,7 +74,7 @@ class Spherical(LowerPair):
     def base_inertia(self, geometry: Geometry, frame: Frame, own: Inertia) -> tuple[Inertia, Inertia] | None:
         """The mass acts at the centre, which is the parent's point."""
         zero = geometry.tape.zero
-        return Inertia(zero, own.first, own.second), line_on_axis(frame, own.mass, zero, zero)
+        return Inertia(zero, own.first, own.second, own.still), line_on_axis(frame, own.mass, zero, zero)
 
     def reference(self, value: float) -> tuple[float, ...]:
         """No rotation."""
