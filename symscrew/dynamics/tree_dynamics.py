@@ -90,14 +90,22 @@ def mass_matrix(
     """M of the open tree, symmetric, with kinetic energy v . M v / 2: entries [kg, kg m, kg m^2].
 
     Composite rigid bodies (Walker and Orin 1982): the momentum of everything outboard of a joint per unit rate of the
-    joint, projected on the joints inboard of it. Of what is `added`, inertias that
-    move with one freedom only stand on the diagonal; a deflection yields, so that the mass that moves it counts less.
-    `inertia` is what the links have in place of their own.
+    joint, projected on the joints inboard of it. Of what is `added`, inertias that move with one freedom only stand on
+    the diagonal; a deflection yields, so that the mass that moves it counts less. `inertia` is what the links have in
+    place of their own. The system keeps the answer for its own inertias: several functions ask for it.
     """
-    tree, tape = system.tree, system.tape
     known = added or AddedInertia()
-    given = known.grown(inertia or system.inertia)
-    composite: list[Inertia] = list(regrouped(tree, system.frames, given, system.geometry))
+    if inertia is not None or known.bendings:
+        return _composite_bodies(system, known, inertia or system.inertia)
+    key = ("mass_matrix", *((k, further.index) for k, further in known.freedoms.items()))
+    if key not in system.answers:
+        system.answers[key] = _composite_bodies(system, known, system.inertia)
+    return [list(row) for row in system.answers[key]]
+
+
+def _composite_bodies(system: System, known: AddedInertia, inertia: Sequence[Inertia]) -> list[list[Node]]:
+    tree, tape = system.tree, system.tape
+    composite: list[Inertia] = list(regrouped(tree, system.frames, known.grown(inertia), system.geometry))
     n = len(tree.v)
     matrix = [[tape.zero] * n for _ in range(n)]
     for link in reversed(tree.links[1:]):

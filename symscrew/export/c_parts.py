@@ -78,7 +78,12 @@ class Parts:
         """What loops need to know of an operand from elsewhere, and of a target: the arrays that it stands in."""
         if not isinstance(slot, int):
             return "constant"
-        return self.entries[slot][0] if slot in self.entries else tuple(array for array, _ in self.stored.get(slot, ()))
+        return self.entries[slot][0] if slot in self.entries else self._arrays.get(slot, ())
+
+    @cached_property
+    def _arrays(self) -> dict[int, tuple[str, ...]]:
+        """The arrays that take a computed slot, of those that are stored."""
+        return {slot: tuple(array for array, _ in places) for slot, places in self.stored.items()}
 
     @cached_property
     def defined(self) -> dict[int, int]:

@@ -36,9 +36,8 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         raise TypeError(f"{program.name} expects {len(program.inputs)} inputs ({names}), got {len(arguments)}")
     values, batch = _loaded(program, arguments)
     with np.errstate(all="ignore"):
-        for instruction in program.instructions:
-            args = [values[a] if isinstance(a, int) else a for a in instruction.args]
-            values[instruction.target] = apply_numpy(instruction.op, args)
+        for target, op, args in program.instructions:
+            values[target] = apply_numpy(op, [values[a] if type(a) is int else a for a in args])
         results = [_entries(values, slots, batch) for slots in program.results]
         status = np.zeros(batch, dtype=int)
         for slot, low, high, code in program.limits:

@@ -14,6 +14,7 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -70,8 +71,7 @@ class Port:
         return int(np.prod(self.shape)) if self.shape else 1
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """`target` = op(args); an arg is a slot number, or a float constant."""
 
     target: int
@@ -113,6 +113,10 @@ class Program:
     @property
     def operations(self) -> dict[str, int]:
         """Operations that the printed function executes: each counts 1; the status checks are included."""
+        return dict(self._counted)
+
+    @cached_property
+    def _counted(self) -> Mapping[str, int]:
         count = dict.fromkeys(CLASSES, 0)
         for instruction in self.instructions:
             count[COUNTED[instruction.op]] += 1
