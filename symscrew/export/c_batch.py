@@ -316,12 +316,14 @@ def block(printed: Printed) -> list[str]:
     ]
 
 
-def signatures(symbol: str, program: Program | Iteration, precision: Precision, restrict: str) -> list[str]:
+def signatures(
+    symbol: str, program: Program | Iteration, precision: Precision, restrict: str, *, width: int = 110
+) -> list[str]:
     """Declarations of both batch functions, without a semicolon."""
     given = [*arguments(program, precision, restrict), f"int *{restrict} status" if restrict else "int *status"]
     return [
-        declare(f"{symbol}_batch", ["size_t count", *given]),
-        declare(f"{symbol}_batch_soa", ["size_t count", "size_t stride", *given]),
+        declare(f"{symbol}_batch", ["size_t count", *given], width=width),
+        declare(f"{symbol}_batch_soa", ["size_t count", "size_t stride", *given], width=width),
     ]
 
 

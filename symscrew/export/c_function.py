@@ -169,20 +169,20 @@ def angles_symbol(printed: Printed) -> str:
     form = Form(real, printed.precision.table, "stride", "pitch")
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
     given = ["size_t stride", "size_t pitch", *_angle_inputs(printed, "const {} *restrict {}")]
-    first = {i.target for i in angles.first}
-    entered = printed.entered(form)
+    first = {i.target: f"angle{k}" for k, i in enumerate(angles.first)}
+    entered = {**printed.entered(form), **first}
 
     def called(value: int | float) -> str:
-        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.number(value)
+        return entered[value] if isinstance(value, int) else printed.number(value)
 
     assert printed.shared is not None
-    used = read & set(printed.entries) - first
+    used = read & set(printed.entries) - set(first)
     lines = [
         declare("NAME", [*given, f"{real} *restrict angle"], f"{inlined(printed)} void "),
         "{",
         "    (void)stride;",
         "    (void)pitch;",
-        *(f"    const {real} a{t} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
+        *(f"    const {real} {first[t]} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
         *(f"    {place('angle', k, 'pitch')} = {called(a)};" for k, (a, *_) in enumerate(angles.gathered)),
         "}",
         "",

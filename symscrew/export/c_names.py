@@ -40,10 +40,17 @@ def arguments(program: Program | Iteration, precision: Precision, restrict: str 
     ]
 
 
-def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
-    """A declaration, over as many lines as its arguments take."""
-    text = f"{prefix}{symbol}({', '.join(given or ['void'])})"
-    return "\n".join(wrapped(text, later="    ", width=110))
+def declare(symbol: str, given: Sequence[str], prefix: str = "int ", *, width: int = 110) -> str:
+    """A declaration, over as many lines as its arguments take; none is broken."""
+    lines = [f"{prefix}{symbol}("]
+    for k, argument in enumerate(given or ["void"]):
+        text = f"{argument}{',' if k + 1 < len(given) else ')'}"
+        space = " " if k else ""
+        if k and len(lines[-1]) + len(space) + len(text) > width:
+            lines.append(f"    {text}")
+        else:
+            lines[-1] += space + text
+    return "\n".join(lines)
 
 
 def wrapped_code(statement: str, indent: str = "    ") -> list[str]:

@@ -30,8 +30,8 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
                 arguments = ["-c", COMMAND, "generate", name, "--out", str(place), *targets]
                 subprocess.run([sys.executable, *arguments], check=True, capture_output=True)
                 took = time.perf_counter() - start
-                if not (place / f"{name}.c").is_file():
-                    raise RuntimeError(f"generate {name} ended without {name}.c")
+                if not (place / f"{name}.h").is_file():
+                    raise RuntimeError(f"generate {name} ended without {name}.h")
                 return took
 
             return measure
