@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
-from symscrew.export.c_names import arguments, declare, wrapped_code
+from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
@@ -37,7 +37,7 @@ def body(printed: Printed) -> list[str]:
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    return [head, "{", *unread(printed), *(f"    {line}" for line in _Body(printed).lines()), "}"]
+    return [head, "{", *unread(printed), *(f"    {line}" for line in grouped(_Body(printed).lines())), "}"]
 
 
 class _Body:
@@ -247,7 +247,8 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     stored = [(place(name, k), slot) for name, k, slot in printed.stored]
     c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
     c_lanes.total(body, checked_slots(program), program.guards, printed.inputs)
-    lines = [*printed.loads(entered, printed.alone), *(line for text in body.lines for line in wrapped_code(text))]
+    statements = grouped([*printed.loads(entered, printed.alone), *body.lines])
+    lines = [line for text in statements for line in wrapped_code(text)]
     head = f"{inlined(printed)} {printed.precision.real} "
     lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]
