@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 
 from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
-from symscrew.export.c_names import arguments, declare, wrapped_code
+from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
@@ -37,7 +37,7 @@ def body(printed: Printed) -> list[str]:
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    return [head, "{", *unread(printed), *(f"    {line}" for line in _Body(printed).lines()), "}"]
+    return [head, "{", *unread(printed), *(f"    {line}" for line in grouped(_Body(printed).lines())), "}"]
 
 
 class _Body:
@@ -185,20 +185,20 @@ def angles_symbol(printed: Printed) -> str:
     form = Form(real, printed.precision.table, "stride", "pitch")
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
     given = ["size_t stride", "size_t pitch", *_angle_inputs(printed, "const {} *restrict {}")]
-    first = {i.target for i in angles.first}
-    entered = printed.entered(form)
+    first = {i.target: f"angle{k}" for k, i in enumerate(angles.first)}
+    entered = {**printed.entered(form), **first}
 
     def called(value: int | float) -> str:
-        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.number(value)
+        return entered[value] if isinstance(value, int) else printed.number(value)
 
     assert printed.shared is not None
-    used = read & set(printed.entries) - first
+    used = read & set(printed.entries) - set(first)
     lines = [
         declare("NAME", [*given, f"{real} *restrict angle"], f"{inlined(printed)} void "),
         "{",
         "    (void)stride;",
         "    (void)pitch;",
-        *(f"    const {real} a{t} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
+        *(f"    const {real} {first[t]} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
         *(f"    {place('angle', k, 'pitch')} = {called(a)};" for k, (a, *_) in enumerate(angles.gathered)),
         "}",
         "",
@@ -263,7 +263,8 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     stored = [(place(name, k), slot) for name, k, slot in printed.stored]
     c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
     c_lanes.total(body, checked_slots(program), program, printed.inputs)
-    lines = [*printed.loads(entered, printed.alone), *(line for text in body.lines for line in wrapped_code(text))]
+    statements = grouped([*printed.loads(entered, printed.alone), *body.lines])
+    lines = [line for text in statements for line in wrapped_code(text)]
     head = f"{inlined(printed)} {printed.precision.real} "
     lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]

@@ -87,6 +87,7 @@ class Pieces:
         """Everything is printed."""
         self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
         self.shared = Shared(model, precision)
+        self.dense: dict[tuple[object, ...], str] = {}  # programs of second paths, and the functions that they are
         self.printed = {
             f: Printed(
                 model.name, f"{model.name}_{f}", straight_line(p), precision, lanes and f in IN_LANES, self.shared
@@ -105,14 +106,12 @@ class Pieces:
         if isinstance(program, Iteration):
             return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
         own = [] if name in self.blocks else ["", *_body(self.printed[name])]
-        return [*own, "", *_one_state(self.printed[name], program)]
+        return [*own, "", *_one_state(self.printed[name], program, self.dense)]
 
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""
-        programs = self.model.programs.values()
-        ports = max(len(p.inputs) + len(p.outputs) for p in programs)
-        chosen = [self.printed[name] for name in self.blocks]
-        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), ports=ports)
+        every, chosen = list(self.model.programs.values()), [self.printed[name] for name in self.blocks]
+        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), every=every)
 
     def batch_functions(self) -> list[str]:
         """All batch functions."""
@@ -169,8 +168,11 @@ def _body(printed: Printed) -> list[str]:
     return c_parts.lane_in_parts(printed) if printed.in_parts else body(printed)
 
 
-def _one_state(printed: Printed, program: Program) -> list[str]:
-    """The function of one state; if it has a second path, this comes before it."""
+def _one_state(printed: Printed, program: Program, known: dict[tuple[object, ...], str]) -> list[str]:
+    """The function of one state; if it has a second path, this comes before it.
+
+    `known`: dense programs that functions before this one have, each of which is printed once.
+    """
     signature = declare(printed.symbol, arguments(program, printed.precision))
     if not isinstance(program, RankRevealing):
         return function(printed, signature)
@@ -183,7 +185,11 @@ def _one_state(printed: Printed, program: Program) -> list[str]:
     second = f"{printed.symbol}_rank_revealing"
     way_out = declare(second, arguments(program, precision), "static int ")
     call = f"{second}({', '.join(printed.handed())})"
-    lines = second_path(printed, way_out, define)
+    dense = program.dense
+    assert dense is not None
+    key = (dense.inputs, dense.instructions, dense.results, dense.guards)
+    lines = second_path(printed, way_out, define, known.get(key, ""))
+    known.setdefault(key, f"{printed.symbol}_dense")
     return [*lines, "", *function(printed, signature, call)]
 
 

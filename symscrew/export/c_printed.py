@@ -179,7 +179,7 @@ class Printed:
     def loads(self, slots: Iterable[int], form: Form) -> list[str]:
         """Statements that read slots that are there from the start."""
         entered = self.entered(form)
-        return [f"    const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
+        return [f"const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
 
     @cached_property
     def cleared(self) -> list[tuple[str, range]]:

@@ -112,8 +112,22 @@ def banner(model: Model) -> list[str]:
         plain(f"Mechanism: {model.name}" + (f", {about}" if about else "")),
         plain(f"Effects: {effects}"),
         f"Programs: {model_hash(model)}",
-        *(line for note in model.notes for line in wrapped(f"Note: {note}", later="  ")),
+        *(line for note in _together(model.notes) for line in wrapped(f"Note: {note}", later="  ")),
     ]
+
+
+def _together(notes: Iterable[str]) -> list[str]:
+    """Notes of several places, `place: text`, with the same text as one.
+
+    >>> _together(["bodies.a: is light", "bodies.b: is light", "no loads"])
+    ['bodies.a, bodies.b: is light', 'no loads']
+    """
+    places: dict[str, list[str]] = {}
+    for note in notes:
+        place, colon, text = note.partition(": ")
+        known = colon and " " not in place
+        places.setdefault(text if known else note, []).append(place if known else "")
+    return [f"{', '.join(several)}: {text}" if several[0] else text for text, several in places.items()]
 
 
 NOT_PLAIN = re.compile(r'[\x00-\x1f\x7f\u2028\u2029\\]|\?\?|\*/|/\*|"""')  # what `plain` replaces

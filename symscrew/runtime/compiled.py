@@ -26,7 +26,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.export import DOUBLE
+from symscrew.export import DOUBLE, library_sources
 from symscrew.model import Model
 from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
 from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
@@ -222,7 +222,7 @@ def _written(origin: Origin, files: Mapping[str, str], folder: Path) -> Sequence
     """C files in a folder; those to compile, the one with the model's name first."""
     for file, text in files.items():
         (folder / file).write_text(text, encoding="utf-8")
-    return [folder / f for f in sorted(files, key=lambda f: (f != f"{origin.name}.c", f)) if f.endswith(".c")]
+    return [folder / file for file in library_sources(files, origin.name)]
 
 
 def _functions(origin: Origin, made: Mapping[str, Evaluators]) -> dict[str, CompiledFunction]:

@@ -30,13 +30,16 @@ from symscrew.errors import DescriptionError, shorten
 from symscrew.export import (
     HASHES,
     PRECISIONS,
+    Form,
     OutputError,
     Precision,
     effect_from_json,
     interface,
+    library_sources,
     model_hash,
     plain,
     print_c,
+    read_form,
     read_hashes,
     read_manifest,
     read_port,
@@ -48,8 +51,8 @@ from symscrew.runtime import user_cache
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 PACKAGE = Path(__file__).parents[1]
 DESCRIPTION = "mechanism.toml"
+FOLDER = "/"  # among the functions' texts: those of the folder itself
 LARGEST_ARRAY = 1 << 31  # entries of a port: a manifest that says more was not written here, and sizes could overflow
-NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
 
 
 @dataclass(frozen=True)
@@ -99,16 +102,21 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
         return model
 
     if trusted:
-        named = (f for f in content["files"] if isinstance(f, str) and f.endswith(".c") and Path(f).name == f)
-        sources = sorted((f for f in named if not f.endswith(NOT_THE_LIBRARY)), key=lambda f: (f != f"{name}.c", f))
+        named = (f for f in content["files"] if isinstance(f, str) and Path(f).name == f)
+        sources = library_sources(named, name)
         if not sources:
             raise OutputError(f"{directory}/manifest.json: lists no C files; generate the target c")
+        if not read_form(content).batches:
+            raise OutputError(
+                f"{directory}: has no functions of many states, by which it is called; load it without trusted=True, "
+                "which compiles the same functions with these"
+            )
         return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources), told)
     texts: dict[str, Mapping[str, str]] = {}
 
     def files(function: str) -> Mapping[str, str]:
         if not texts:
-            texts.update(_proved(directory, name, own, derived))
+            texts.update(_proved(directory, name, own, derived, form=read_form(content)))
         return texts[function]
 
     return Origin(name, ports, own, derived, files, texts=told)
@@ -203,7 +211,7 @@ def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, p
 
 
 def _proved(
-    directory: Path, name: str, precision: Precision, derived: Callable[[], Model]
+    directory: Path, name: str, precision: Precision, derived: Callable[[], Model], *, form: Form
 ) -> dict[str, Mapping[str, str]]:
     """C files of every function, after those of the folder have been found to be what its description gives."""
     read = [_bytes(directory / file) for file in (DESCRIPTION, "manifest.json")]
@@ -212,12 +220,14 @@ def _proved(
         kept = _texts(entry.read())
         if kept is None:
             model = derived()
-            whole = print_c(model, precision=precision)
             kept = {f: print_c(model.only([f]), precision=precision, lanes=False) for f in model.programs}
-            kept[""] = whole
+            several = not form.one_file
+            kept[""] = print_c(model, precision=precision, several=several)
+            without = {} if form.batches else print_c(model, precision=precision, several=several, batches=False)
+            kept[FOLDER] = without  # where the folder is not what is compiled
             entry.write(json.dumps(kept).encode("utf-8"))
-    for file, text in kept[""].items():
-        if file.endswith(".c") and _bytes(directory / file) != text.encode("utf-8"):
+    for file, text in (kept.pop(FOLDER) or kept[""]).items():
+        if file.endswith((".c", "_support.h")) and _bytes(directory / file) != text.encode("utf-8"):
             raise OutputError(
                 f"{directory}/{file}: is not the code that {DESCRIPTION} and manifest.json give with this version; "
                 "generate it again, or load it with trusted=True if you know where it comes from"
@@ -231,7 +241,7 @@ def _texts(kept: bytes | None) -> dict[str, dict[str, str]] | None:
         found = json.loads(kept) if kept is not None else None
     except (ValueError, RecursionError):
         return None
-    return found if isinstance(found, dict) and "" in found else None
+    return found if isinstance(found, dict) and "" in found and FOLDER in found else None
 
 
 def _bytes(path: Path) -> bytes:
