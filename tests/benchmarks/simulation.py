@@ -38,7 +38,7 @@ PEERS = Path(__file__).parents[1] / "data" / "dynamics" / "peers.json"
 
 def _start(scene, model, plant):  # type: ignore[no-untyped-def]
     q, v = initial_state(scene, model, plant.parameters)
-    x = initial_states(scene, model)
+    x = initial_states(scene, model, q, v)
     return q, v, np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
 
 

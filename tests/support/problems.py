@@ -161,7 +161,7 @@ def compiled(name: str) -> Compiled:
     scene = problem.scene
     model, plant = prepare(scene)
     q, v = initial_state(scene, model, plant.parameters)
-    x = initial_states(scene, model)
+    x = initial_states(scene, model, q, v)
     start = q, v, np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
     library = native.Library(plant, native.table_code(list(scene.tables.values())))
     case = Compiled(problem, model, plant, library, start, problem.measure(model))

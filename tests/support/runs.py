@@ -72,7 +72,7 @@ def run_of(name: str, scene: Scene, other: native.Library | None = None) -> Run:
     if library is None:
         return simulate(scene, prepared=(model, plant))
     q, v = initial_state(scene, model, plant.parameters)
-    x = initial_states(scene, model)
+    x = initial_states(scene, model, q, v)
     x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
     history = with_longest_stable_step(scene, plant, native.run_natively(library, scene, (q, v, x)), (q, v, x))
     return _observed(scene, model, plant, history)
