@@ -41,7 +41,9 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
 
     errors          what input can do wrong, in one sentence
     doors           rooms whose parts are imported when somebody asks for them
-    whole_files     files that are written whole or not at all
+    workers         processes that end with the one that started them
+    whole_files     files and folders that are there whole or not at all
+    array_archives  archives of arrays by anybody, read within bounds
     description     mechanisms as people write them: bodies, joints, limbs, parameters; TOML
     reference       independent formulations that results are held against: maximal coordinates, Newton-Euler
     formats         URDF and MJCF

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from support.model_states import model
+from support.model_states import ALL, model
 from support.once import Levels, Lock
 
 from symscrew.generation.folder import USUAL, generate
@@ -18,10 +18,21 @@ HARD = {"-O2": "-O0", "-O3": "-O0"}  # each run has a loop of its own: compiling
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The folder says it: whatever stands in `tools` needs a tool beyond Python and a C compiler."""
+    """The folder says it: whatever stands in `tools` needs a tool beyond Python and a C compiler.
+
+    Tests of one mechanism stand together, so that one process derives it and not each of them.
+    """
     for item in items:
         if item.path.parent.name == "tools":
             item.add_marker(pytest.mark.tools)
+    items.sort(key=place_of)
+
+
+def place_of(item: pytest.Item) -> int:
+    """Where a test stands: first those of no mechanism, then by the mechanism that a parameter names."""
+    parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
+    named = [value for value in parameters if isinstance(value, str) and value in ALL]
+    return 1 + ALL.index(named[0]) if named else 0
 
 
 @pytest.fixture(scope="session")

@@ -32,6 +32,7 @@ KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that d
 
 
 UNITS = (0, 1)  # factors that take no operation
+WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
 
 
 @dataclass(frozen=True)
@@ -50,16 +51,25 @@ class Symbol:
 
 
 class Node:
-    """One operation on earlier nodes of the same tape; use + - * / on nodes and numbers."""
+    """One operation on earlier nodes of the same tape; use + - * / on nodes and numbers.
 
-    __slots__ = ("args", "index", "op", "tape", "value")
+    `chain` is how many divisions and roots there are in the longest chain of them behind it, itself included.
+    """
 
-    def __init__(self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None) -> None:
-        self.tape, self.index, self.op, self.args, self.value = tape, index, op, args, value
+    __slots__ = ("args", "chain", "index", "op", "tape", "value")
+
+    def __init__(
+        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None, chain: int = 0
+    ) -> None:
+        self.tape, self.index, self.op, self.args, self.value, self.chain = tape, index, op, args, value, chain
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
-            return self.tape.add(self, other)
+            sums, key = self.tape.sums, (self.index, other.index)
+            found = sums.get(key)
+            if found is None:
+                sums[key] = found = self.tape.add(self, other)
+            return found
         if type(other) is int and other == 0:  # structural: most vectors have some
             return self
         return self.tape.add(self, self.tape.node(other))
@@ -67,14 +77,18 @@ class Node:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Node:
-        return self.tape.add(self, self.tape.neg(self.tape.node(other)))
+        return self + self.tape.neg(self.tape.node(other))
 
     def __rsub__(self, other: Any) -> Node:
         return self.tape.add(self.tape.node(other), self.tape.neg(self))
 
     def __mul__(self, other: Any) -> Node:
         if type(other) is Node:
-            return self.tape.mul(self, other)
+            products, key = self.tape.products, (self.index, other.index)
+            found = products.get(key)
+            if found is None:
+                products[key] = found = self.tape.mul(self, other)
+            return found
         if type(other) is int and other in UNITS:
             return self if other else self.tape.zero
         return self.tape.mul(self, self.tape.node(other))
@@ -104,6 +118,9 @@ class Tape:
     def __init__(self) -> None:
         self.nodes: list[Node] = []
         self._known: dict[tuple[Any, ...], Node] = {}
+        # by the indices of two nodes: nine in ten that a derivation asks for are there already
+        self.sums: dict[tuple[int, int], Node] = {}
+        self.products: dict[tuple[int, int], Node] = {}
         self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
         self.magnitudes: dict[tuple[int, float], tuple[float, float]] = {}  # at the samples, by node and unit scale
@@ -289,7 +306,10 @@ class Tape:
         key = (op, args)  # nodes are equal if they are one
         found = self._known.get(key)
         if found is None:
-            found = Node(self, len(self.nodes), op, args, value=value)
+            chain = 0
+            if value is None and op != "symbol":
+                chain = max([arg.chain for arg in args]) + (op in WAITS)
+            found = Node(self, len(self.nodes), op, args, value=value, chain=chain)
             self._known[key] = found
             self.nodes.append(found)
         return found

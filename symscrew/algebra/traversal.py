@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from symscrew.algebra.naming import handed_on
 from symscrew.algebra.nodes import Node, Tape
 
-WAITS = frozenset(("reciprocal", "sqrt"))
+TURNS = frozenset(("sin", "cos"))
 # Operations that a machine does while a division waits for another one: a division or root takes 13 to 20 cycles, and
 # about every second one finds something else to do. With 0, `cost` would prefer few operations in one long chain.
 WAIT = 8
@@ -64,31 +64,24 @@ def cost(results: Sequence[Node]) -> int:
 
     Operations, `WAIT` for each division or root in the longest chain of them, and `ANGLE` for each angle.
     """
-    found: dict[int, Node] = {}
-    stack = list(results)
-    while stack:
-        node = stack.pop()
-        if node.index not in found and node.value is None and node.op != "symbol":
-            found[node.index] = node
-            stack.extend(node.args)
-    chain: dict[int, int] = {}
-    angles: set[int] = set()
+    found: set[Node] = set()
+    angles: set[Node] = set()
     longest = 0
-    for index in sorted(found):  # arguments come first on the tape
-        node = found[index]
-        length = 0
-        for arg in node.args:
-            before = chain.get(arg.index, 0)
-            if before > length:
-                length = before
-        if node.op in WAITS:
-            length += 1
-        elif node.op in ("sin", "cos"):
-            angles.add(node.args[0].index)
-        if length:
-            chain[index] = length
-            longest = max(longest, length)
-    return len(found) + WAIT * longest + ANGLE * len(angles)
+    stack: list[Node] = []
+    read: Sequence[Node] = results
+    while True:
+        for node in read:
+            if node.value is None and node not in found and node.op != "symbol":
+                found.add(node)
+                stack.append(node)
+        if not stack:
+            return len(found) + WAIT * longest + ANGLE * len(angles)
+        node = stack.pop()
+        read = node.args
+        if node.chain > longest:
+            longest = node.chain
+        if node.op in TURNS:
+            angles.add(read[0])
 
 
 def uses(roots: Sequence[Node]) -> dict[int, int]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from symscrew import formats
 from symscrew.description import Mechanism, load_description
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats import READABLE, load_format
 
 _FOLDER = Path(__file__).parent
 
@@ -40,13 +40,13 @@ def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism
     if text in names():
         return load_description(_FOLDER / f"{text}.toml", run_time=run_time)
     path = Path(text)
-    if "\0" not in text and (path.suffix in (".toml", *READABLE) or path.is_file()):
+    if "\0" not in text and (path.suffix == ".toml" or path.suffix in formats.READABLE or path.is_file()):
         if not path.is_file():
             raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a description of a mechanism")
-        if path.suffix in READABLE:
+        if path.suffix != ".toml" and path.suffix in formats.READABLE:
             if run_time:
                 raise DescriptionError(f"{shorten(text, 200)} has no parameters; convert it to .toml and add them")
-            return load_format(path)
+            return formats.load_format(path)
         return load_description(path, run_time=run_time)
     raise DescriptionError(
         f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "

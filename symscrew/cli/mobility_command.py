@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,7 +19,9 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
     "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
+    "symscrew mobility bennett.toml --tolerance 1e-6",
     "symscrew mobility wrist.toml --expect 2 && echo as designed",
+    "symscrew mobility wrist.toml --proof wrist.json && python -m symscrew.mobility.proofs.proof_checker wrist.json",
 )
 
 
@@ -29,10 +32,17 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
         help="a parameter, or a joint coordinate (joint or joint.i) [rad, m]",
     )  # fmt: skip
+    command.add_argument(
+        "--tolerance", type=float, metavar="LENGTH",
+        help="take special geometry within LENGTH [m] of the numbers typed as meant",
+    )  # fmt: skip
     command.add_argument("--body", metavar="NAME", help="whose freedoms; default: the platform")
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
+    command.add_argument(
+        "--proof", metavar="FILE", help="write what is proved with its evidence, as JSON that a checker judges alone"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -54,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
     mechanism = catalogue.find(options.mechanism)
     at = dict(_setting(text) for text in options.at)
-    found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at))
+    found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
     verdict = _verdict(found, options.expect, failed)
     if options.json:
@@ -66,8 +76,24 @@ def run(options: argparse.Namespace) -> int:
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))
+    if options.proof and not _proved(found, Path(options.proof)):
+        return FAILED
     unexpected = options.expect is not None and found.finite.dof != options.expect
     return FAILED if failed or unexpected else DONE
+
+
+def _proved(found: Mobility, path: Path) -> bool:
+    """Writes the proof file and says on stderr what it proves; whether its checker takes every claim."""
+    from symscrew.mobility import write_proof
+
+    try:
+        verdict = write_proof(found, path)
+    except OSError as error:
+        raise UsageError(f"--proof {shorten(str(path))}: cannot be written ({error.strerror})") from error
+    counts = (len(verdict.proved), len(verdict.refused), len(verdict.not_proved))
+    head = "{}: {} claims proved, {} refused, {} not proved".format(path, *counts)
+    print("\n".join([head, *(f"    refused: {text}" for text in verdict.refused)]), file=sys.stderr)
+    return verdict.holds
 
 
 def _write(path: Path, content: str) -> None:
@@ -88,6 +114,8 @@ def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
     if failed:
         return f"NOT VERIFIED: {'; '.join(failed)}"
     judged = found.finite.judgement
+    if found.taken is not None:
+        judged += f" as meant within {found.taken.distance:.1e} m; as typed {found.taken.typed.finite.dof}"
     if found.near is not None:
         judged += f" as typed; mobility {found.near.meant.finite.dof} within {found.near.distance:.1e} m"
     if found.nearly_singular:

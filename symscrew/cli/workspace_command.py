@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import shutil
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -16,7 +15,7 @@ from typing import TYPE_CHECKING
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, add_no_cache, chosen_effects
 from symscrew.errors import did_you_mean, shorten
-from symscrew.whole_files import replaced
+from symscrew.whole_files import discard, write_text
 
 if TYPE_CHECKING:
     from symscrew.studies.workspace import Plan, Results, Store
@@ -64,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.studies.workspace import (
         AZIMUTH,
         TILT,
-        Store,
+        held_store,
         prepare_sweep,
         read_number,
         save_csv,
@@ -89,19 +88,18 @@ def run(options: argparse.Namespace) -> int:
     folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
     if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
         raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
-    kept = Store(folder, plan)
-    sweep(plan, kept, scheduler=options.dask, processes=options.processes)
-    results = kept.whole()
-    found = sweep_summary(plan, results, made.units)
-    if single:
-        written = [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]
-    else:
-        written = [save_npz(out / "workspace.npz", results), save_csv(out / "workspace.csv", results)]
-        content = json.dumps(found, indent=1) + "\n"
-        written.append(replaced(out / "summary.json", lambda part: part.write_text(content, encoding="utf-8")))
-        if picture := _picture(plan, results, made.units, out / "workspace.png"):
-            written.append(picture)
-    shutil.rmtree(folder)
+    with held_store(folder, plan) as kept:
+        sweep(plan, kept, scheduler=options.dask, processes=options.processes)
+        results = kept.whole()
+        found = sweep_summary(plan, results, made.units)
+        if single:
+            written = [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]
+        else:
+            written = [save_npz(out / "workspace.npz", results), save_csv(out / "workspace.csv", results)]
+            written.append(write_text(out / "summary.json", json.dumps(found, indent=1) + "\n"))
+            if picture := _picture(plan, results, made.units, out / "workspace.png"):
+                written.append(picture)
+        discard(folder)
     print(json.dumps(found, indent=1) if options.json else sweep_summary_text(found))
     print("wrote " + ", ".join(map(str, written)), file=sys.stderr)
     if expected is None:

@@ -9,7 +9,7 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Point, Vector
-from symscrew.description.names import RESERVED, check_name, check_text
+from symscrew.description.names import RESERVED, check_name, check_text, markdown_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.taken_names import members, namespace, taken_as_file
@@ -43,6 +43,7 @@ __all__ = [
     "exact",
     "from_file",
     "load_description",
+    "markdown_text",
     "members",
     "namespace",
     "numeric",

@@ -49,6 +49,17 @@ def check_mechanism_name(name: object, where: str) -> str:
     return checked
 
 
+def markdown_text(text: str) -> str:
+    """Somebody's `text` in one line of Markdown, as it stands: no markup, link, table cell or HTML comes of it.
+
+    >>> print(markdown_text("a_b <img src=x> [here](http://x) 2*3|4"))
+    a_b \\<img src=x\\> \\[here\\](http\\://x) 2\\*3\\|4
+    """
+    line = re.sub(r"\s+", " ", text)
+    line = re.sub(r"[\\`*<>\[\]|~$&]|(?<![A-Za-z0-9])_|_(?![A-Za-z0-9])|:(?=//)|(?<=www)\.|@", r"\\\g<0>", line)
+    return re.sub(r"^(?:[-+#=]|\d+(?=[.)]))", lambda m: m[0] + "\\" if m[0].isdigit() else "\\" + m[0], line)
+
+
 def check_text(text: object, where: str, *, limit: int = 4000) -> str:
     """`text`, if it can stand in a comment of generated code; raises DescriptionError otherwise."""
     if not isinstance(text, str):

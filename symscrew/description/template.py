@@ -7,7 +7,6 @@ axes, the file says what was chosen and why it may have to change.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -22,6 +21,7 @@ from symscrew.description.joints import JOINT_TYPES, JointType, Triad
 from symscrew.description.limb_letters import LimbType, parse_mechanism_string
 from symscrew.description.names import check_mechanism_name
 from symscrew.errors import DescriptionError
+from symscrew.whole_files import created
 
 Point: TypeAlias = Any  # a sympy.Matrix of three entries
 R, r, H, b, l = sympy.symbols("R r H b l", positive=True)
@@ -87,8 +87,7 @@ def write_template(name: str, limbs: str, path: str | Path) -> Path:
     if file.suffix != ".toml":
         raise DescriptionError(f"expected a file name that ends in .toml, got {str(file)!r}")
     try:
-        with os.fdopen(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), "w", encoding="utf-8") as out:
-            out.write(text)
+        created(file, text)
     except FileExistsError as error:
         raise DescriptionError(f"{file} is there already and is left as it is; use another name or --out") from error
     return file

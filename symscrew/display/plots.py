@@ -18,6 +18,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from symscrew.whole_files import replaced
+
 Array = np.ndarray
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00")
@@ -89,11 +91,11 @@ def empty_figure(rows: int, columns: int, *, width: float = 7.0, height: float =
 
 
 def save_figure(made: Figure, path: Path, *, tight: bool = False) -> Path:
-    """Write a figure as PNG, without its empty margins if `tight`; equal figures give equal bytes."""
+    """Write a figure as PNG, whole or not at all, without empty margins if `tight`; equal figures give equal bytes."""
     with curve_style():
         box = "tight" if tight else None
-        made.savefig(path, dpi=DPI, metadata={"Software": None}, bbox_inches=box, pad_inches=0.04)
-    return path
+        look: dict[str, Any] = {"dpi": DPI, "metadata": {"Software": None}, "bbox_inches": box, "pad_inches": 0.04}
+        return replaced(path, lambda part: made.savefig(part, **look))
 
 
 def draw_curves(axes: Axes, t: Array, curves: Sequence[Curve], *, title: str, label: str, columns: int = 3) -> None:

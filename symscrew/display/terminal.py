@@ -162,7 +162,10 @@ def _openmp() -> bool:
         source = Path(folder) / "openmp.c"
         source.write_text("#include <omp.h>\nint threads(void) { return omp_get_max_threads(); }\n")
         command = [compiler, "-fopenmp", "-shared", "-fPIC", str(source), "-o", str(Path(folder) / "openmp.so")]
-        return subprocess.run(command, capture_output=True, timeout=60).returncode == 0
+        try:
+            return subprocess.run(command, capture_output=True, timeout=60).returncode == 0
+        except (OSError, subprocess.TimeoutExpired):
+            return False
 
 
 def _solver(name: str) -> bool:

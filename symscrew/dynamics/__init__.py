@@ -14,7 +14,7 @@ from symscrew.dynamics.derivatives import (
     three,
 )
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
-from symscrew.dynamics.equilibrium import Balance, balance
+from symscrew.dynamics.equilibrium import Balance, balance, balances
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
 from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
 from symscrew.dynamics.rods import bars, thin_rods, with_end_masses
@@ -33,6 +33,7 @@ __all__ = [
     "applied_forces",
     "at_origin",
     "balance",
+    "balances",
     "bars",
     "by_articulated_bodies",
     "closure_changes",

@@ -10,6 +10,7 @@ equations in the drives as the mechanism has freedoms.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -54,19 +55,44 @@ def balance(
     setting: Setting,
     wrench: Callable[[Link], tuple[Vector, Vector]],
     loads: Mapping[int, tuple[Vector, Vector]],
-    *,
-    drives_last: bool = False,
-    blocks: bool = False,
 ) -> Balance:
     """Eliminate all multipliers, limb by limb.
 
     `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
-    `loads` are further wrenches that act on a link, in the axes before its motion. With `drives_last` the rows of
-    driven freedoms are used for no multiplier that other rows give: the drives follow from the multipliers then, and
-    their levers, which vanish where a limb is stretched, are no pivots. With `blocks` two or three multipliers whose
-    pivots would wait for each other are solved at once.
+    `loads` are further wrenches that act on a link, in the axes before its motion.
     """
-    return _Elimination(setting, wrench, loads, drives_last=drives_last, blocks=blocks).run()
+    one_by_one, _ = _swept(setting, wrench, loads, drives_last=False)
+    return one_by_one.finished(blocks=False)
+
+
+def balances(
+    setting: Setting,
+    wrench: Callable[[Link], tuple[Vector, Vector]],
+    loads: Mapping[int, tuple[Vector, Vector]],
+    *,
+    drives_last: bool,
+) -> tuple[Balance, Balance]:
+    """The same with multipliers that wait at the hub one by one, and in blocks.
+
+    With `drives_last` the rows of driven freedoms are used for no multiplier that other rows give: the drives follow
+    from the multipliers then, and their levers, which vanish where a limb is stretched, are no pivots. In blocks two or
+    three multipliers whose pivots would wait for each other are solved at once.
+    """
+    one_by_one, in_blocks = _swept(setting, wrench, loads, drives_last=drives_last)
+    return one_by_one.finished(blocks=False), in_blocks.finished(blocks=True)
+
+
+def _swept(
+    setting: Setting,
+    wrench: Callable[[Link], tuple[Vector, Vector]],
+    loads: Mapping[int, tuple[Vector, Vector]],
+    *,
+    drives_last: bool,
+) -> tuple[_Elimination, _Elimination]:
+    """The elimination from the tips of the limbs to the ground, and once more, to go on in another way."""
+    found = _Elimination(setting, wrench, loads, drives_last=drives_last)
+    found.sweep()
+    return found, found.copied()
 
 
 class _Elimination:
@@ -79,10 +105,9 @@ class _Elimination:
         loads: Mapping[int, tuple[Vector, Vector]],
         *,
         drives_last: bool,
-        blocks: bool,
     ) -> None:
         self.setting, self.wrench, self.loads = setting, wrench, loads
-        self.drives_last, self.blocks = drives_last, blocks
+        self.drives_last = drives_last
         tape = setting.tape
         self.scales = setting.multipliers()
         self.solved: dict[Column, Affine] = {c: {c: tape.one} for c in self.scales}
@@ -95,7 +120,16 @@ class _Elimination:
         self.result = Balance(self.solved, [], [], [])
         self.deferred: list[tuple[int | None, Affine]] = []
 
-    def run(self) -> Balance:
+    def copied(self) -> _Elimination:
+        """The same elimination; what is done with one leaves the other as it is."""
+        other = copy(self)
+        other.solved, other.waiting, other.deferred = dict(self.solved), dict(self.waiting), list(self.deferred)
+        known = self.result
+        other.result = Balance(other.solved, list(known.finals), list(known.guards), [], list(known.unbalanced))
+        return other
+
+    def sweep(self) -> None:
+        """From the tips of the limbs to the ground."""
         tree = self.setting.tree
         left_out = {index for bar in self.setting.bars.values() for index in bar.links}
         pending = {link.index for link in tree.links[1:]} - left_out
@@ -104,7 +138,10 @@ class _Elimination:
             index = min(ready, key=lambda i: (self._open_tips(i, pending), self._unknowns(i), i))
             pending.discard(index)
             self._process(tree.links[index])
-        self._finish()
+
+    def finished(self, *, blocks: bool) -> Balance:
+        """The result, rows that waited included."""
+        self._finish(blocks=blocks)
         used = {c for affine in self.solved.values() for c in affine}
         self.result.free = [c for c in self.scales if c in used]
         return self.result
@@ -225,14 +262,14 @@ class _Elimination:
             self.waiting[index] = _substitute_wrench(here, pivot, solution)
         self.deferred = [(v, insert_solution(r, pivot, solution)) for v, r in self.deferred]
 
-    def _finish(self) -> None:
+    def _finish(self, *, blocks: bool) -> None:
         """Rows that waited: best pivots first, what has none is an equation for the drives."""
         while self.deferred:
             best, pivot = self._best(self.deferred)
             if pivot is None:
                 self._keep(*self.deferred.pop(best))
                 continue
-            block = self._block(best, pivot.column) if self.blocks else [(best, pivot.column)]
+            block = self._block(best, pivot.column) if blocks else [(best, pivot.column)]
             rows = [self.deferred[k][1] for k, _ in block]
             self.deferred = [entry for k, entry in enumerate(self.deferred) if k not in dict(block)]
             if len(block) == 1:

@@ -25,16 +25,17 @@ if TYPE_CHECKING:
         effect_from_json,
         manifest,
         read_json,
-        read_manifest,
         read_port,
     )
     from symscrew.export.markdown import print_markdown
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
+    from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
     "DOUBLE",
     "HASHES",
+    "MANIFEST",
     "PRECISIONS",
     "SINGLE",
     "SPILLS",
@@ -52,6 +53,7 @@ __all__ = [
     "live_instructions",
     "manifest",
     "model_hash",
+    "own_files",
     "packed",
     "plain",
     "print_c",

@@ -249,7 +249,7 @@ def _sincos_block(model: str, precision: Precision) -> list[str]:
     upper, real = model.upper(), precision.real
     arguments = f"size_t size, const {real} *angle, {real} *sine, {real} *cosine"
     lines = [
-        f"static inline {upper}_INLINE void {model}_sincos_block({arguments})",
+        f"{upper}_UNUSED static inline {upper}_INLINE void {model}_sincos_block({arguments})",
         "{",
         f"    for (size_t k = 0; k < size; k += {precision.group}) {{",
         f"        {model}_sincos({precision.group}, angle + k, sine + k, cosine + k);",
@@ -265,7 +265,7 @@ def _sincos_block(model: str, precision: Precision) -> list[str]:
         f"typedef {real} {wide} __attribute__((vector_size(64)));",
         f"{wide} _ZGVeN{LANES}v_sin({wide});",
         f"{wide} _ZGVeN{LANES}v_cos({wide});",
-        f"static inline {upper}_INLINE void {model}_sincos_block({arguments})",
+        f"{upper}_UNUSED static inline {upper}_INLINE void {model}_sincos_block({arguments})",
         "{",
         f"    for (size_t k = 0; k < size; k += {LANES}) {{",
         f"        {wide} all, s, c;",

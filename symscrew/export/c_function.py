@@ -15,7 +15,9 @@ from symscrew.export.c_angles import calls
 from symscrew.export.c_names import arguments, declare, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
-from symscrew.export.listing import balanced_sum, checked_slots, expressions
+from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
+from symscrew.export.pivots import pivot_text
+from symscrew.export.stages import Stages, headed
 from symscrew.program import Packing
 
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
@@ -47,7 +49,7 @@ class _Body:
         self.entered = {
             slot: f"{'SINES' if array in own else 'READ'}({array}, {k})" for slot, (array, k) in printed.entries.items()
         }
-        self.written: list[str] = []
+        self.written: list[tuple[str, int | None]] = []  # statements, and the slot that each serves
         self.places: dict[int, list[tuple[str, int]]] = {}
         self.constants: list[str] = []
         for array, k, slot in printed.stored:
@@ -59,7 +61,7 @@ class _Body:
         self.terms = 0
 
     def lines(self) -> list[str]:
-        """The statements, the last of which gives the state's status."""
+        """The statements under headings, the last of which gives the state's status."""
         printed = self.printed
         uses = Counter(a for i in printed.order for a in i.args if isinstance(a, int))
         read = set(uses)
@@ -80,16 +82,19 @@ class _Body:
                 self._last(item.slot, item.text)
                 continue
             text = item.text or self.entered[item.slot]
-            self.written.append(f"const REAL {printed.called[item.slot]} = {text};")
+            self._write(f"const REAL {printed.called[item.slot]} = {text};", item.slot)
             if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
                 self._ready(item.slot)
             known.add(item.slot)
         for slot in [*self.places, *self.waiting, *guards]:
             if slot in self.entered and slot not in known:
                 known.add(slot)
-                self.written.append(f"const REAL {printed.called[slot]} = {self.entered[slot]};")
+                self._write(f"const REAL {printed.called[slot]} = {self.entered[slot]};", slot)
                 self._ready(slot)
-        return [*self.written, *self.constants, self._status()]
+        return [*headed(self.written, Stages(printed.program), printed.named), *self.constants, *self._status()]
+
+    def _write(self, text: str, slot: int | None = None) -> None:
+        self.written.append((text, slot))
 
     def _inputs(self, uses: Counter[int]) -> None:
         """What is read only to be checked: inputs of functions that leave out what a scene does not call for."""
@@ -97,13 +102,13 @@ class _Body:
         firsts, others = c_unread.fours(self.printed.inputs, only)
         terms = [f"FOUR({array}, {k})" for array, k in (self.printed.inputs[slot] for slot in firsts)]
         if terms:
-            self.written.append(f"const FOURS fours = {balanced_sum(terms)};")
-            self.written.append("REAL checked0 = SUM_OF_FOUR(fours);")
+            self._write(f"const FOURS fours = {balanced_sum(terms)};")
+            self._write("REAL checked0 = SUM_OF_FOUR(fours);")
             self.terms = 1
         for slot in only:
             del self.waiting[slot]
         for slot in others:
-            self._checked(self.entered[slot])
+            self._checked(self.entered[slot], slot)
 
     def _last(self, slot: int, text: str) -> None:
         """A value that only goes to its place, or is only checked."""
@@ -111,40 +116,51 @@ class _Body:
         self.waiting.pop(slot, None)
         ((array, k),) = self.places.pop(slot, [("", 0)])
         if not array:
-            self._checked(text)
+            self._checked(text, slot)
         elif checked and self.terms >= SUMS:
-            self.written.append(f"RESULT(checked{self.terms % SUMS}, {array}, {k}, {text});")
+            self._write(f"RESULT(checked{self.terms % SUMS}, {array}, {k}, {text});", slot)
             self.terms += 1
         elif checked:
             name = self.printed.called[slot]
-            self.written.append(f"const REAL {name} = {text};")
-            self.written.append(f"WRITE({array}, {k}, {name});")
-            self._checked(name)
+            self._write(f"const REAL {name} = {text};", slot)
+            self._write(f"WRITE({array}, {k}, {name});", slot)
+            self._checked(name, slot)
         else:
-            self.written.append(f"WRITE({array}, {k}, {text});")
+            self._write(f"WRITE({array}, {k}, {text});", slot)
 
     def _ready(self, slot: int) -> None:
         """What is known goes to its places, and into a sum."""
         name = self.printed.called[slot]
-        self.written += [f"WRITE({array}, {k}, {name});" for array, k in self.places.pop(slot, ())]
+        for array, k in self.places.pop(slot, ()):
+            self._write(f"WRITE({array}, {k}, {name});", slot)
         if slot in self.waiting:
             del self.waiting[slot]
-            self._checked(name)
+            self._checked(name, slot)
 
-    def _checked(self, text: str) -> None:
+    def _checked(self, text: str, slot: int) -> None:
         """What must be finite goes into one of some sums, side by side."""
         name = f"checked{self.terms % SUMS}"
         loose = " " in text
         text = f"({text})" if loose and self.terms >= SUMS else text
-        self.written.append(f"{name} = {name} + {text};" if self.terms >= SUMS else f"REAL {name} = {text};")
+        self._write(f"{name} = {name} + {text};" if self.terms >= SUMS else f"REAL {name} = {text};", slot)
         self.terms += 1
 
-    def _status(self) -> str:
+    def _status(self) -> list[str]:
+        """What the function returns, and what each pivot means."""
         printed = self.printed
         sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
-        limits = [(printed.called[s], printed.precision.threshold(t)) for s, t in printed.program.guards]
-        small = " OR ".join(f"SMALL({name}, {limit})" for name, limit in limits)
-        return f"FINITE_UNLESS({small}, {sums});" if small else f"FINITE({sums});" if self.terms else "UNCHECKED();"
+        guards = printed.program.guards
+        limits = [(printed.called[s], printed.precision.threshold(t)) for s, t in guards]
+        if not limits:
+            return [f"FINITE({sums});" if self.terms else "UNCHECKED();"]
+        told = [f"SMALL({name}, {limit})" for name, limit in limits]
+        lines = [f"{text}{' OR' if k + 1 < len(told) else ','}" for k, text in enumerate(told)]
+        texts = [plain(pivot_text(printed.program.origins.get(slot))) for slot, _ in guards]
+        return [
+            "FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */",
+            *(f"    {line} /* {text} */" for line, text in zip(lines, texts, strict=True)),
+            f"    {sums});",
+        ]
 
 
 def angles_symbol(printed: Printed) -> str:
@@ -157,7 +173,7 @@ def angles_symbol(printed: Printed) -> str:
     entered = printed.entered(form)
 
     def called(value: int | float) -> str:
-        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.precision.number(value)
+        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.number(value)
 
     assert printed.shared is not None
     used = read & set(printed.entries) - first

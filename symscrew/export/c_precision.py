@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -64,7 +65,7 @@ class Precision:
             "}",
         ]
 
-    @property
+    @cached_property
     def table(self) -> Mapping[str, str]:
         """Operation to format string."""
         words = {name.upper(): f"{name}{self.suffix}" for name in FUNCTIONS}
@@ -76,7 +77,7 @@ class Precision:
             found[op] = text
         return found
 
-    @property
+    @cached_property
     def body_table(self) -> Mapping[str, str]:
         """The same in bodies of any width: roots and what has no sign in C by macros."""
         macros = {"sqrt": "SQRT({0})", "abs": "ABS({0})", "less": "LESS({0}, {1})", "select": "SELECT({0}, {1}, {2})"}

@@ -12,11 +12,13 @@ from functools import cached_property
 from itertools import groupby
 
 from symscrew.export.c_angles import Angles, gather
+from symscrew.export.c_constants import Constants
 from symscrew.export.c_names import TAKEN, argument_names
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import checked_slots, input_entries, live_instructions
 from symscrew.export.value_names import value_names
+from symscrew.model import Model
 from symscrew.program import Instruction, Packing, Port, Program, packed
 
 # Instructions of functions that are tried in lanes: of fewer, gathering costs what is saved; of more, finding what goes
@@ -57,9 +59,10 @@ def place(array: str, entry: int, step: str = "1") -> str:
 class Shared:
     """Functions that several functions call, printed once: their text with `NAME` in place of the symbol, by symbol."""
 
-    def __init__(self, model: str) -> None:
+    def __init__(self, model: Model, precision: Precision) -> None:
         """None yet."""
-        self.model, self.symbols = model, dict[str, str]()
+        self.model, self.symbols = model.name, dict[str, str]()
+        self.constants = Constants(model, precision)
 
     def symbol(self, stem: str, text: str) -> str:
         """The symbol of a function with this text."""
@@ -131,11 +134,16 @@ class Printed:
     @cached_property
     def called(self) -> Mapping[int, str]:
         """What slots are called in C: by their place in the theory."""
-        return value_names(self.program, {*TAKEN, *self.names.values()})
+        constants = self.shared.constants.names.values() if self.shared else ()
+        return value_names(self.program, {*TAKEN, *self.names.values(), *constants})
 
     def named(self, value: int | float) -> str:
-        """A slot by its name, or a constant."""
-        return self.called[value] if isinstance(value, int) else self.precision.number(value)
+        """A slot by its name, or a constant by its own."""
+        return self.called[value] if isinstance(value, int) else self.number(value)
+
+    def number(self, value: float) -> str:
+        """A constant by its name, if it has one."""
+        return self.shared.constants.text(value) if self.shared else self.precision.number(value)
 
     def handed(self, *, outputs: bool = True) -> list[str]:
         """The names of the arguments, to hand them on."""

@@ -114,23 +114,6 @@ def read_port(entry: Mapping[str, Any]) -> Port:
     return dataclasses.replace(port, units=units)
 
 
-def read_manifest(directory: Path) -> dict[str, Any]:
-    """The manifest in `directory`.
-
-    Raises:
-        OutputError: there is none, or it is not one of this tool.
-    """
-    content = read_json(directory / "manifest.json")
-    ours = isinstance(content, dict) and content.get("tool") == TOOL
-    if not ours or not isinstance(content.get("functions"), dict):
-        raise OutputError(f"{directory}: expected a manifest.json written by {TOOL}; generate into it first")
-    for key in ("effects", "targets", "files"):
-        if not isinstance(content.get(key), list):
-            raise OutputError(f"{directory}/manifest.json: expected a list {key!r}, got {content.get(key)!r:.60}")
-    found: dict[str, Any] = content
-    return found
-
-
 def read_json(path: Path) -> Any:
     """The content of a JSON file of at most 64 MB.
 

@@ -7,11 +7,12 @@ named with its size instead, and `symscrew.functions.quantities` prints it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 import sympy
 
-from symscrew.description import Mechanism, Vector, to_text
+from symscrew.description import Mechanism, Vector, markdown_text, to_text
 from symscrew.export.latex import markdown, matrix_latex
 from symscrew.export.listing import banner, plain
 from symscrew.functions import Quantities, Quantity
@@ -24,7 +25,7 @@ def print_markdown(model: Model) -> dict[str, str]:
     """File name to text: `model.md`."""
     mechanism = model.mechanism
     quantities = Quantities(mechanism)
-    lines = [f"# Model of {model.name}", "", *(f"{plain(line)}  " for line in banner(model)), ""]
+    lines = [f"# Model of {model.name}", "", *(f"{markdown_text(plain(line))}  " for line in banner(model)), ""]
     lines += ["Equation numbers are those of the source paper.", ""] if "paper" in mechanism.source else []
     lines += [*_bodies(mechanism), "", *_joints(mechanism), ""]
     shown = [*_screws(mechanism, quantities), *_loops(model, quantities), *_momenta(mechanism, quantities)]
@@ -37,7 +38,7 @@ def print_markdown(model: Model) -> dict[str, str]:
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    cells = ([cell.replace("|", r"\|") for cell in row] for row in (header, ["---"] * len(header), *rows))
+    cells = ([re.sub(r"(?<!\\)\|", r"\|", cell) for cell in row] for row in (header, ["---"] * len(header), *rows))
     return ["| " + " | ".join(row) + " |" for row in cells]
 
 
@@ -146,7 +147,11 @@ def _symbols(quantities: Quantities, used: set[sympy.Symbol]) -> list[str]:
     """The symbols of the formulas; z belong to the formula that they stand below."""
     any_joint = next(iter(quantities.mechanism.joints))
     known = quantities.joint_screws(any_joint).symbols
-    rows = [[f"${latex}$", plain(unit), plain(text)] for symbol, latex, unit, text in known if symbol in used]
+    rows = [
+        [f"${latex}$", markdown_text(plain(unit)), markdown_text(plain(text))]
+        for symbol, latex, unit, text in known
+        if symbol in used
+    ]
     return ["## Symbols", "", *_table(("symbol", "unit", "meaning"), rows)]
 
 

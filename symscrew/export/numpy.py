@@ -44,13 +44,21 @@ TABLE = {
 }
 
 RUNTIME = '''
+def _real(argument):
+    """An argument as an array of doubles; of complex numbers NumPy would take the real part."""
+    array = np.asarray(argument)
+    if array.dtype.kind == "c":
+        raise TypeError(f"expected real numbers, got {array.dtype}; take x.real if its imaginary part is zero")
+    return np.asarray(array, dtype=float)
+
+
 def _entries(name, sizes, arguments):
     """Every entry of every argument as an array over the batch, and the shape of the batch."""
     if len(arguments) != len(sizes):
         raise TypeError(f"{name} expects {len(sizes)} arrays, got {len(arguments)}")
     entries, batch = [], ()
     for (port, size), argument in zip(sizes.items(), arguments):
-        array = np.asarray(argument, dtype=float)
+        array = _real(argument)
         if array.shape[-1:] != (size,):
             raise ValueError(f"{name}: {port} has {size} entries in its last dimension, got {array.shape}")
         batch = np.broadcast_shapes(batch, array.shape[:-1])
@@ -106,7 +114,7 @@ def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, pa
 
 def _iterate_batch(arguments, *settings):
     """`_iterate` state by state."""
-    arrays = [np.asarray(argument, dtype=float) for argument in arguments]
+    arrays = [_real(argument) for argument in arguments]
     batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
     rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
     found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
@@ -120,7 +128,7 @@ def _rank_revealing(first, dense, wrenches, arguments, *settings):
     """Results of `first`; where it fails by a small pivot, those of the second path."""
     results, status = first(*arguments)
     for state in map(tuple, np.argwhere(status == 1)):
-        inputs = [np.broadcast_to(np.asarray(x, float), (*status.shape, np.shape(x)[-1]))[state] for x in arguments]
+        inputs = [np.broadcast_to(_real(x), (*status.shape, np.shape(x)[-1]))[state] for x in arguments]
         reactions = (lambda a, m, x=inputs: wrenches(*x, a, m)[0]) if wrenches else None
         found, status[state] = second_path(*dense(*inputs)[0], *settings, reactions)
         for result, value in zip(results, found):

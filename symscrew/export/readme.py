@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from symscrew.description import members, namespace
+from symscrew.description import markdown_text, members, namespace
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain
 from symscrew.model import Model
@@ -33,7 +33,7 @@ def print_readme(
     """
     name = _shown(model)
     program = model.programs[name]
-    lines = [f"# {model.name}", "", *(f"{line}  " for line in banner(model)[:3]), "", "## Files"]
+    lines = [f"# {model.name}", "", *(f"{markdown_text(line)}  " for line in banner(model)[:3]), "", "## Files"]
     lines += [f"- {about.format(model.name)}" for about in targets.values()]
     lines += [f"- {text}" for text in ALWAYS]
     lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]

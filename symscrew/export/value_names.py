@@ -2,13 +2,15 @@
 
     Program.origins --> slot -> identifier, one for each slot, none of those taken
 
-The opposite of a quantity starts with `minus_`; values that the theory has no name for are t1, t2, ... in order.
+The opposite of a quantity starts with `minus_`; values that the theory has no name for are t1, t2, ... in order; pivots
+whose name would be too long are called after their part, `limb1_U_0_pivot`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping
+from functools import lru_cache
 
 from symscrew.algebra import Origin
 from symscrew.program import Program
@@ -32,6 +34,7 @@ SHORT = {
 }
 
 
+@lru_cache(maxsize=16384)  # a value has its name in every function and in every target
 def identifier(origin: Origin) -> str:
     """A name of letters, digits and underscores: part, quantity, component, and what it belongs to."""
     quantity = SHORT.get(origin.quantity, origin.quantity)
@@ -49,19 +52,23 @@ def value_names(program: Program, taken: Collection[str]) -> Mapping[int, str]:
     used = set(taken)
     found: dict[int, str] = {}
     anonymous = 0
+    pivots = {slot for slot, _ in program.guards}
     slots = [*range(sum(port.size for port in program.inputs)), *(i.target for i in program.instructions)]
     for slot in slots:
         origin = program.origins.get(slot)
         name = identifier(origin) if origin is not None else ""
         if not name or len(name) > LONGEST or ANONYMOUS.fullmatch(name):
             name = ""
+        if not name and slot in pivots:
+            name = identifier(Origin("pivot", origin.part)) if origin is not None and origin.part else "a_pivot"
+            name = name if len(name) <= LONGEST else "a_pivot"
         if not name:
             anonymous += 1
             name = f"t{anonymous}"
             while name in used:
                 anonymous += 1
                 name = f"t{anonymous}"
-        elif name in used:
+        if name in used:
             number = 2
             while f"{name}_{number}" in used:
                 number += 1

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import product
 
 from symscrew.algebra import ZERO, Guard, Node, Vector, cost, named_entries
 from symscrew.dynamics import (
@@ -14,6 +13,7 @@ from symscrew.dynamics import (
     Reactions,
     Setting,
     balance,
+    balances,
     bars,
     generalised_forces,
     joint_wrenches,
@@ -121,8 +121,7 @@ class Equations:
         either = setting.drives and setting.cuts and counts_all_ways(self.system)
         if not either:
             return balance(setting, wrench, self.forces.loads)
-        orders = product((False, True), repeat=2)
-        ways = [balance(setting, wrench, self.forces.loads, drives_last=k, blocks=m) for k, m in orders]
+        ways = [way for last in (False, True) for way in balances(setting, wrench, self.forces.loads, drives_last=last)]
 
         def found(way: Balance) -> list[Node]:
             multipliers = [entry for affine in way.multipliers.values() for entry in affine.values()]

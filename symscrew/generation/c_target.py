@@ -7,7 +7,6 @@ type float, they differ from double by errors of the size that the header states
 from __future__ import annotations
 
 import shutil
-import subprocess
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -15,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
+from symscrew import runtime
 from symscrew.export import DOUBLE, print_c, print_cmake, print_cpp, print_example, rounded, single_errors
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import Evaluate, Results, compare_values, evaluated, relative_difference
 from symscrew.model import Model
 from symscrew.program import Iteration, Program
-from symscrew.runtime import find_compiler, load
 
 STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Werror")
 SINGLE_FACTOR = 8.0  # times the stated error: sines, roundings and contractions differ by compiler, a mistake by more
@@ -51,7 +50,7 @@ def _noted(model: Model, measured: Sequence[Mapping[str, Any]]) -> Model:
 def compare(case: Case) -> Iterator[Finding]:
     """Compiles without a warning, header as C++ too, and agrees by number."""
     yield from _compile(case.fresh, case.model.name)
-    if find_compiler():
+    if runtime.find_compiler():
         if case.precision is DOUBLE:
             yield compare_values("C", case.model, case.expected, _results(case.fresh))
         else:
@@ -59,7 +58,7 @@ def compare(case: Case) -> Iterator[Finding]:
 
 
 def _results(directory: Path) -> Evaluate:
-    compiled = load(directory, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
+    compiled = runtime.load(directory, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]
@@ -70,7 +69,7 @@ def _results(directory: Path) -> Evaluate:
 
 def _compare_single(directory: Path, model: Model) -> Finding:
     """C of type float against double on the same numbers: errors of the size that the header states."""
-    compiled, worst, where = load(directory, backend="c", trusted=True), 0.0, ""
+    compiled, worst, where = runtime.load(directory, backend="c", trusted=True), 0.0, ""
     for name, (_, stated) in single_errors(model).items():
         inputs = [rounded(np.atleast_2d(x)) for x in model.test_inputs[name]]
         exact, status = model(name, *inputs)
@@ -106,9 +105,12 @@ def _compile(directory: Path, name: str) -> Iterator[Finding]:
 
 
 def _run(command: Sequence[str], directory: Path, what: str) -> Finding:
-    result = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
     compiler = Path(command[0]).name
-    if result.returncode == 0:
+    try:
+        outcome, said = runtime.run_tool(command, directory.name, folder=directory)
+    except runtime.CompileError as error:
+        return False, str(error)
+    if outcome == 0:
         return True, f"{compiler} {what}"
-    first = next((line for line in result.stderr.splitlines() if "error" in line), result.stderr[:200])
+    first = next((line for line in said.splitlines() if "error" in line), said[:200])
     return False, f"{compiler} refuses: {first.strip()}"

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
+from symscrew import runtime
 from symscrew.export import casadi_functions
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import Results, compare_values, evaluated
-from symscrew.runtime import casadi_evaluator
 
 
 def files(order: Order) -> Mapping[str, bytes]:
@@ -21,8 +23,23 @@ def files(order: Order) -> Mapping[str, bytes]:
         for name, function in casadi_functions(order.model).items():
             path = Path(temporary) / f"{name}.casadi"
             function.save(str(path))
+            _whole(path)
             made[path.name] = path.read_bytes()
     return made
+
+
+def _whole(path: Path) -> None:
+    """CasADi says nothing where a disk is full, and leaves a part of the file; what it cannot read is one.
+
+    Raises:
+        OSError: it is.
+    """
+    import casadi
+
+    try:
+        casadi.Function.load(str(path))
+    except RuntimeError as error:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path)) from error
 
 
 def compare(case: Case) -> Iterator[Finding]:
@@ -31,6 +48,8 @@ def compare(case: Case) -> Iterator[Finding]:
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = casadi.Function.load(str(case.fresh / f"{name}.casadi"))
-        return evaluated(casadi_evaluator(function), [p.size for p in case.model.programs[name].outputs], inputs)
+        return evaluated(
+            runtime.casadi_evaluator(function), [p.size for p in case.model.programs[name].outputs], inputs
+        )
 
     yield compare_values("CasADi", case.model, case.expected, evaluate)

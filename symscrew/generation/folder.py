@@ -4,8 +4,8 @@
     beside them          README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
     with hashes only     *.h  manifest.json  ops.json  mechanism.toml  hashes.json in place of the others
 
-Equal input gives equal bytes. Everything is written to a folder of its own first and moved into place at the
-end, and no file is replaced that the tool did not write.
+Equal input gives equal bytes. All files are replaced at once (`symscrew.whole_files`), and none that the tool did not
+write.
 """
 
 from __future__ import annotations
@@ -13,9 +13,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import re
-import secrets
-import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -25,9 +22,11 @@ import numpy as np
 from symscrew.description import to_toml
 from symscrew.export import (
     HASHES,
+    MANIFEST,
     PRECISIONS,
     OutputError,
     manifest,
+    own_files,
     print_hashes,
     print_readme,
     read_hashes,
@@ -35,11 +34,11 @@ from symscrew.export import (
 )
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
-from symscrew.model import Model
+from symscrew.model import Model, nothing_to_collect
+from symscrew.whole_files import PENDING, is_staging, put_files
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
 READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
-_PLAIN_FILE = re.compile(r"[A-Za-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", re.ASCII)
 
 
 def generate(
@@ -74,10 +73,15 @@ def generate(
     foreign = sorted(f for f in files if f not in earlier and (directory / f).exists())
     if foreign:
         raise OutputError(f"{directory}: {foreign[0]} was not written by this tool; move it or use another directory")
-    _write(directory, files, stale=earlier - set(files))
+    try:
+        put_files(directory, files, last=MANIFEST, owned=own_files)
+    except OSError as error:
+        what = error.strerror or error
+        raise OutputError(f"{directory}: cannot be written ({what}); nothing was, use another place") from error
     return tuple(directory / file for file in sorted(files))
 
 
+@nothing_to_collect()
 def render(
     model: Model,
     targets: Sequence[str] = USUAL,
@@ -160,39 +164,15 @@ def _earlier_files(directory: Path) -> set[str]:
         return set()
     if not directory.is_dir():
         raise OutputError(f"{directory}: expected a directory, found a file; use another place")
-    if not any(directory.iterdir()):
+    names = {path.name for path in directory.iterdir() if not is_staging(path.name)}
+    if not names:
         return set()
-    if not (directory / "manifest.json").is_file():
+    if not names & {MANIFEST, PENDING}:
         raise OutputError(f"{directory}: holds files that this tool did not write; use an empty directory")
     try:
-        listed = read_manifest(directory).get("files", [])
+        read_manifest(directory)
+        read_hashes(directory)
     except OutputError as error:  # which says to generate again: that is what this is
         reason = str(error).rpartition(";")[0] or str(error)
         raise OutputError(f"{reason}; remove the directory, or use another one") from error
-    written = {f for f in listed if isinstance(f, str) and _PLAIN_FILE.fullmatch(f)} | {"manifest.json"}
-    hashed = set(read_hashes(directory))  # in the manifest's list, but not written
-    return (written - hashed) | {HASHES} if hashed else written
-
-
-def _write(directory: Path, files: Mapping[str, bytes], *, stale: set[str]) -> None:
-    """Write in `directory` or, if there is none, beside its place, then move into place; the manifest goes last."""
-    staging = (directory if directory.is_dir() else directory.parent) / f".{directory.name}.{secrets.token_hex(6)}"
-    try:
-        directory.parent.mkdir(parents=True, exist_ok=True)
-        staging.mkdir()
-        for name, content in files.items():
-            (staging / name).write_bytes(content)
-    except OSError as error:
-        shutil.rmtree(staging, ignore_errors=True)
-        what = error.strerror or error
-        raise OutputError(f"{directory}: cannot be written ({what}); nothing was, use another place") from error
-    try:
-        if directory.exists():
-            for name in sorted(files, key=lambda name: (name == "manifest.json", name)):
-                os.replace(staging / name, directory / name)
-            for name in sorted(stale):
-                (directory / name).unlink(missing_ok=True)
-        else:
-            os.replace(staging, directory)
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)  # our own staging directory
+    return own_files(directory)

@@ -13,6 +13,7 @@ from symscrew.export import print_javascript
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import Results, compare_values
 
+LIMIT = 120  # seconds for the functions of a model at their test states, which take milliseconds
 NODE = """
 const model = require(process.argv[1]);
 const calls = JSON.parse(require("fs").readFileSync(process.argv[2], "utf8"));
@@ -42,7 +43,13 @@ def compare(case: Case) -> Iterator[Finding]:
     ]
     (directory / "calls.json").write_text(json.dumps(calls))
     command = [node, "-e", NODE, str(directory / f"{model.name}.js"), str(directory / "calls.json")]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(
+            command, capture_output=True, encoding="utf-8", errors="replace", check=False, timeout=LIMIT
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        yield False, f"Node does not run {model.name}.js: {error}"
+        return
     if done.returncode:
         yield False, f"Node refuses {model.name}.js: {done.stderr.strip()[:300]}"
         return

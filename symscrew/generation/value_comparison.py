@@ -6,11 +6,14 @@ for every output array:   max |evaluator - target| / max(max |evaluator|, 1e-3) 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from symscrew.model import Model
-from symscrew.runtime import Evaluator
+
+if TYPE_CHECKING:
+    from symscrew.runtime import Evaluator
 
 TOLERANCE = 1e-12  # rounding of up to some thousand operations; a term left out or a wrong sign is far above
 FLOOR = 1e-3  # below it an array's errors count in absolute terms: of entries that ought to be 0, only rounding is left

@@ -63,6 +63,10 @@ class Geometry:
             self._scalars[expression] = self.tape.settle(node)
         return self._scalars[expression]
 
+    def known(self, expression: object) -> Node | None:
+        """The node of a number that was asked for before; nothing is made."""
+        return self._scalars.get(expression)
+
     def vector(self, values: Sequence[object]) -> Vector:
         """A vector of the description as nodes."""
         x, y, z = (self.scalar(v) for v in values)

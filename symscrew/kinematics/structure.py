@@ -34,7 +34,7 @@ from symscrew.kinematics.link_quantities import Frame, Inertia, Placement
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.pairs import Turn
 from symscrew.kinematics.tree import Coordinate, Link, Tree, spanning_tree
-from symscrew.program import Function, Limbs, Port, evaluate, lower
+from symscrew.program import Function, Limbs, Port, Program, evaluate, lower
 
 Array = np.ndarray[Any, Any]
 
@@ -62,6 +62,7 @@ class Structure:
         self.tree: Tree = spanning_tree(mechanism, read)
         self.frames: tuple[Frame, ...] = link_frames(mechanism, self.tree, self.geometry)
         self.inputs = self._inputs()
+        self._lowered: dict[tuple[tuple[int, ...], ...], Program] = {}  # by results and inputs: Newton asks for many
 
     def _inputs(self) -> Coordinates:
         def make(prefix: str, coordinates: Sequence[Coordinate], unit: str, what: str) -> tuple[Node, ...]:
@@ -177,16 +178,22 @@ class Structure:
     def numeric(self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array]) -> Array:
         """Values of `nodes` for arrays (samples, n) of the given input nodes; run-time parameters default."""
         pairs = [*inputs, (self.parameters, self.parameter_values)] if self.parameters else list(inputs)
-        ports = tuple(Port(f"x{i}", (len(n),), (), (), "") for i, (n, _) in enumerate(pairs))
+        key = (tuple(n.index for n in nodes), *(tuple(n.index for n in given) for given, _ in pairs))
+        if key not in self._lowered:
+            self._lowered[key] = self._lower(nodes, [given for given, _ in pairs])
+        return evaluate(self._lowered[key], [a for _, a in pairs])[0][0]
+
+    def _lower(self, nodes: Sequence[Node], inputs: Sequence[Sequence[Node]]) -> Program:
+        ports = tuple(Port(f"x{i}", (len(n),), (), (), "") for i, n in enumerate(inputs))
         function = Function(
             "numeric",
             "",
             ports,
             (Port("y", (len(nodes),), (), (), ""),),
-            tuple(tuple(n) for n, _ in pairs),
+            tuple(tuple(n) for n in inputs),
             (tuple(nodes),),
         )
-        return evaluate(lower(function), [a for _, a in pairs])[0][0]
+        return lower(function)
 
 
 def _name(here: Placement, link: Link, part: str) -> None:

@@ -4,10 +4,13 @@
               --configuration--> the same, elsewhere: parameters and joint coordinates that were asked for
     Network   --screw_systems, instantaneous--> freedoms, constraints of limbs, overconstraint: self-stresses
               --finite/--> what really moves: smooth, isolated, or branches of some dimensions
+              --field_counts--> Kutzbach, modified Kutzbach, Gogu, groups of loops, Waldron
               --rank_evidence--> every rank again over an exact field (symbols/), or why not
     Mechanism --symbols/--> screws, rates and degenerations in the parameters
     System    --margins/--> numbers of q that vanish at singularities --singularities--> their values
     all of it --analysis--> Mobility --findings/--> words, documents, JSON;  --checks--> every claim again
+    Mobility  --motions/--> every branch: tangents, screw systems, joints at rest
+    Mobility  --proofs/--> a file of exact numbers that a checker judges alone
 
 Away from these stands nothing: a stranger starts at `analysis`, whose last function is the pipeline.
 """
@@ -32,19 +35,26 @@ if TYPE_CHECKING:
     )
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
+    from symscrew.mobility.motions import BranchRow, BranchTable, ScrewClass, screw_class
+    from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
 
 __all__ = [
     "FORMS",
     "BodyFreedoms",
+    "BranchRow",
+    "BranchTable",
     "Check",
     "LimbMobility",
     "Margin",
     "Margins",
     "Mobility",
+    "ScrewClass",
     "ScrewSystem",
+    "Verdict",
     "actuation_margins",
     "analyse_mobility",
+    "check_proof",
     "constraint_margins",
     "formulas",
     "key_figures",
@@ -53,11 +63,14 @@ __all__ = [
     "mobility_latex",
     "mobility_markdown",
     "mobility_page",
+    "mobility_proof",
     "mobility_text",
     "mobility_values",
+    "screw_class",
     "sections",
     "verified",
     "verify",
+    "write_proof",
 ]
 
 __getattr__ = doors(__name__)

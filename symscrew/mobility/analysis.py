@@ -14,12 +14,20 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
 from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
+from symscrew.errors import DescriptionError
+from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
 from symscrew.mobility.configuration import displaced, with_parameters
-from symscrew.mobility.finite import FiniteMobility, finite_mobility, nearest_special, smooth_mobility, without_spins
+from symscrew.mobility.field_counts import FieldCounts, field_counts
+from symscrew.mobility.finite import (
+    FiniteMobility,
+    finite_mobility,
+    nearest_special,
+    rank_claims,
+    smooth_mobility,
+    without_spins,
+)
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
     Instantaneous,
@@ -31,11 +39,15 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
     moved_body,
 )
 from symscrew.mobility.joint_network import Network, network_of
+from symscrew.mobility.margin_ranks import Ranks, with_rank
+from symscrew.mobility.motion_verdicts import confirmed, why_complete, with_proof
+from symscrew.mobility.motions import BranchTable, branches_through
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
+from symscrew.mobility.proofs import MotionProof, motion_proof
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
-from symscrew.mobility.screw_systems import ScrewSystem, unit_rows
-from symscrew.mobility.screw_text import describe_twist, describe_type, describe_wrench
-from symscrew.mobility.singularities import MarginValue, Singularities, singularities
+from symscrew.mobility.screw_systems import ScrewSystem
+from symscrew.mobility.screw_text import describe_twist, describe_wrench
+from symscrew.mobility.singularities import Singularities, singularities
 from symscrew.mobility.symbols import (
     LimbPose,
     Locus,
@@ -52,9 +64,6 @@ from symscrew.mobility.symbols import (
 WELL_ABOVE = 1e-20
 """A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
 has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
-NEARLY_SINGULAR = 1e-4
-"""Singular value of the closure below which its rank is said to be almost lost: numbers of six digits leave 1e-6 of
-what vanishes as meant. The rank itself is what it is as typed."""
 WITHDRAWN = {
     "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
     "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
@@ -62,6 +71,7 @@ WITHDRAWN = {
     "finite": "undecided: another route does not confirm how the configuration was judged",
 }
 """Statement that falls with a failed check -> what is said instead of it."""
+AS_MEANT = "no symbols: the geometry meant was solved for in numbers of 60 digits"
 
 
 @dataclass(frozen=True)
@@ -80,6 +90,7 @@ class Mobility:
         closed_to: closure residual of the configuration, in units of the mechanism's size.
         coordinates: joint coordinates that were asked for [rad, m].
         withdrawn: statements whose check failed (keys of `WITHDRAWN`); they are not made.
+        taken: this is special geometry, taken for the one typed; None for what was typed itself.
     """
 
     mechanism: Mechanism
@@ -93,6 +104,7 @@ class Mobility:
     closed_to: float = 0.0
     coordinates: Mapping[str, Any] = field(default_factory=dict)
     withdrawn: frozenset[str] = frozenset()
+    taken: Taken | None = None
 
     def __repr__(self) -> str:
         finite = "not decided" if self.finite.dof is None else self.finite.dof
@@ -114,13 +126,32 @@ class Mobility:
         """Whether no joint coordinate was given."""
         return not self.coordinates
 
+    @property
+    def verdict(self) -> tuple[object, ...]:
+        """What it says in numbers: freedoms, branches, the platform's type, what drives hold, what limbs constrain."""
+        finite, limbs = self.finite, tuple(len(limb.constraints.basis) for limb in self.limbs)
+        real = (finite.dof, finite.smooth, finite.branches)
+        return (self.dof, *real, self.platform.dof, self.platform.type, self.dof_drives_locked, limbs)
+
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        found = nearest_special(self.network, self.first_order.closure.rank)
-        if found is None:
+        if self.taken is not None:
             return None
-        network = found.network
+        claims = rank_claims(self.network, self.platform.body, [limb.joints for limb in self.limbs])
+        found = nearest_special(self.network, claims, moves=self.finite.smooth)
+        judged = [(self._meant(one.network), one) for one in found]
+        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
+        if not judged:  # less mobile than as typed is not what was meant
+            return None
+        meant, one = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance))
+        if meant.finite.dof is None or meant.verdict == self.verdict:
+            return None
+        length = float(self.network.length)
+        return Near(meant, one.distance * length, tuple((name, size * length) for name, size in one.changes))
+
+    def _meant(self, network: Network) -> Mobility:
+        """The result for special geometry that was solved for."""
         first_order = instantaneous_mobility(network)
         limbs = tuple(limb_mobility(network, limb.name, limb.joints) for limb in self.limbs)
         platform = body_freedoms(network, first_order, self.platform.body)
@@ -128,44 +159,24 @@ class Mobility:
         reason = "the geometry meant was solved for in 60 digits"
         decisions = Decisions(None, (), reason, singular_values(first_order))
         finite = _judged(network, first_order, decisions)
-        meant = Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
-                         self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
-        if finite.dof is None or (meant.dof, finite.dof) == (self.dof, self.finite.dof):
-            return None
-        length = float(network.length)
-        return Near(meant, found.distance * length, tuple((name, size * length) for name, size in found.changes))
+        return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
+                        self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
-        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold."""
-        texts = []
-        length, basis = self.network.length, self.platform.freedoms.basis
-        twists = np.array([[float(c) for c in (*t[:3], *(x / length for x in t[3:]))] for t in basis])
-        if len(twists):
-            turning = np.linalg.svd(np.linalg.qr(twists.T)[0].T[:, :3], compute_uv=False)
-            clear = int((turning > NEARLY_SINGULAR).sum())
-            if clear < self.platform.rotations:
-                meant = describe_type(self.platform.dof, clear)
-                texts.append(f"Type {self.platform.type} of {self.platform.body} is as typed; it is almost {meant}")
-        if self.network.driven and self.dof:
-            motions = np.array([[float(c) for c in row] for row in unit_rows(self.first_order.motions)])
-            held = np.linalg.qr(motions.T)[0][list(self.network.driven)]
-            almost = self.dof - int((np.linalg.svd(held, compute_uv=False) > NEARLY_SINGULAR).sum())
-            if almost > (self.dof_drives_locked or 0):
-                texts.append(f"With all drives locked {almost} freedoms are almost left: near an actuation singularity")
-        return tuple(texts)
+        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold.
+
+        Empty where `near` says what was meant.
+        """
+        if self.near is not None:
+            return ()
+        return almost_lower(self.network, self.first_order, self.platform)
 
     @property
     def nearly_singular(self) -> str:
         """That the closure almost loses rank, in words; empty where it does not, or where `near` says what is there."""
         kept = self.decisions.singular_values[0]
-        if kept > NEARLY_SINGULAR or self.near is not None:
-            return ""
-        return (
-            f"That is as typed. The closure almost loses rank (singular value {kept:.1e}): special geometry or a "
-            f"singular pose is near, about {kept * float(self.network.length):.0e} m to first order; what moves there "
-            "is undecided"
-        )
+        return "" if kept > NEARLY_SINGULAR or self.near is not None else almost_singular(self.network, kept)
 
     @property
     def method(self) -> str:
@@ -225,6 +236,8 @@ class Mobility:
             return None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
+        if self.taken is not None:
+            return AS_MEANT
         if "symbols" in self.withdrawn:
             return WITHDRAWN["symbols"]
         try:
@@ -241,7 +254,7 @@ class Mobility:
         if not self.network.chords:
             return "no loops"
         if "loops" in self.withdrawn:
-            return WITHDRAWN["loops"]
+            return WITHDRAWN["loops"] if self.taken is None else AS_MEANT
         if rounded := rounded_axis(self.mechanism.joints.values(), self.mechanism):
             return rounded
         return symbolic_loops(self.mechanism, self.platform.body)
@@ -251,8 +264,27 @@ class Mobility:
         """Limb -> its constraints in symbols for the displacements of its own joints, or why they are not given."""
         named = [limb.name for limb in self.limbs if limb.constraints.basis]
         if "poses" in self.withdrawn:
-            return dict.fromkeys(named, WITHDRAWN["poses"])
+            return dict.fromkeys(named, WITHDRAWN["poses"] if self.taken is None else AS_MEANT)
         return {name: limb_pose(self.mechanism, name) for name in named}
+
+    @cached_property
+    def branches(self) -> BranchTable | None:
+        """What moves along each branch through the configuration; None where the finite mobility is not decided."""
+        if self.finite.dof is None:
+            return None
+        complete = why_complete(self.finite, self.motion_proof)
+        table = branches_through(self.network, self.finite, self.platform.body, complete=complete)
+        return with_proof(table, self.finite, self.motion_proof)
+
+    @cached_property
+    def motion_proof(self) -> MotionProof | None:
+        """What is proved of the real motion, by evidence that a checker can judge; None where it is not as a whole."""
+        return motion_proof(self.mechanism, self.network, self.platform.body) if self.in_reference else None
+
+    @cached_property
+    def counts(self) -> FieldCounts:
+        """The counts of the field: Kutzbach and modified, Gogu's, groups of the loops, Waldron's orders."""
+        return field_counts(self.network, self.first_order, self.platform, self.limbs)
 
     @cached_property
     def redundant(self) -> Overconstraints:
@@ -263,24 +295,11 @@ class Mobility:
     def singularities(self) -> Singularities:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
         found = singularities(self.mechanism, self.coordinates)
-        return found if found.margins is None else replace(found, margins=tuple(map(self._with_rank, found.margins)))
-
-    def _with_rank(self, margin: MarginValue) -> MarginValue:
-        """The margin with what the ranks of this configuration say that it does not: freedoms lost all along."""
-        if margin.kind == "limb":
-            for limb in self.limbs:
-                most = min(6, len(limb.screws))
-                if limb.name == margin.name and limb.constraints.rank < most:
-                    joints = [self.mechanism.joints[name].type for name in limb.joints]
-                    why = " (a passive spin between its spherical joints)" if joints.count("S") > 1 else ""
-                    return replace(margin, note=f"{limb.constraints.rank} of {most} screws are independent here{why}")
-        left = self.dof_drives_locked
-        if margin.kind == "actuation" and margin.name == "all drives" and left:
-            spins = without_spins(self.network)[1]
-            if left > spins:
-                text = f"{left} freedom{'s' * (left > 1)} left with all drives locked here"
-                return replace(margin, note=f"{text}, {spins} of them passive spins" if spins else text)
-        return margin
+        if found.margins is None:
+            return found
+        joints = {name: joint.type for name, joint in self.mechanism.joints.items()}
+        ranks = Ranks(self.limbs, joints, self.dof_drives_locked, without_spins(self.network)[1])
+        return replace(found, margins=tuple(with_rank(margin, ranks) for margin in found.margins))
 
     @property
     def not_tried(self) -> tuple[str, ...]:
@@ -342,7 +361,36 @@ class Near:
         return found
 
 
-def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mapping[str, Any] | None = None) -> Mobility:
+@dataclass(frozen=True)
+class Taken:
+    """What was typed, where special geometry within `tolerance` [m] of it is taken instead."""
+
+    typed: Mobility
+    distance: float
+    tolerance: float
+
+
+def as_meant(typed: Mobility, tolerance: float) -> Mobility:
+    """The result for the special geometry within `tolerance` [m] of the one typed; without such, the result as typed.
+
+    Raises:
+        DescriptionError: the tolerance is no positive length.
+    """
+    if not 0 < tolerance < float("inf"):
+        raise DescriptionError(f"tolerance: expected a positive length [m], got {tolerance:g}")
+    near = typed.near
+    if near is None or near.distance > tolerance:
+        return typed
+    return replace(near.meant, taken=Taken(typed, near.distance, tolerance))
+
+
+def analyse_mobility(
+    mechanism: Mechanism,
+    *,
+    body: str | None = None,
+    at: Mapping[str, Any] | None = None,
+    tolerance: float | None = None,
+) -> Mobility:
     """Mobility of the mechanism in its reference configuration, or in the one that `at` says.
 
     Args:
@@ -350,9 +398,11 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
         body: whose freedoms to report; default the platform, without one the body farthest from the ground.
         at: values of parameters, and of joint coordinates (`joint`, `joint.i`; [rad], [m]) that the loops are
             assembled to from the reference configuration.
+        tolerance: special geometry within this of the one typed [m; axes times the mechanism's size] is taken for it,
+            and the result says so (`Mobility.taken`); default none is.
 
     Raises:
-        DescriptionError: unknown body, parameter or coordinate, or no assembly there.
+        DescriptionError: unknown body, parameter or coordinate, no assembly there, or a tolerance that is no length.
 
     >>> from symscrew import catalogue
     >>> found = analyse_mobility(catalogue.load("bennett"))
@@ -367,18 +417,12 @@ def analyse_mobility(mechanism: Mechanism, *, body: str | None = None, at: Mappi
     constraints = limb_constraints(limbs, network.length) if limbs and mechanism.platform is not None else None
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
-    return Mobility(
-        mechanism,
-        network,
-        first_order,
-        _judged(network, first_order, decisions),
-        platform,
-        limbs,
-        constraints,
-        decisions,
-        residual,
-        coordinates,
-    )
+    finite = _judged(network, first_order, decisions)
+    if not coordinates and not finite.proved and finite.dof is not None:
+        finite = confirmed(finite, motion_proof(mechanism, network, platform.body))
+    found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
+                     coordinates)  # fmt: skip
+    return found if tolerance is None else as_meant(found, tolerance)
 
 
 def _judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:

@@ -61,6 +61,10 @@ def verify(found: Mobility) -> tuple[Check, ...]:
     checks = [_rank(found), _closure(found), _reciprocity(found)]
     count = found.kutzbach + found.overconstraints == found.dof
     checks.append(Check("Kutzbach + overconstraints = dof", count, f"{found.kutzbach} + {found.overconstraints}"))
+    if found.counts.by_limbs is not None:
+        numbers = f"{found.counts.by_limbs} by the limbs' constraints, {found.counts.redundant} by the closure"
+        same = found.counts.by_limbs == found.counts.redundant
+        checks.append(Check("redundant constraints by limbs as by loops", same, numbers))
     if found.finite.dof is not None:
         bounded = found.finite.dof <= found.dof and (not found.finite.smooth or found.finite.dof == found.dof)
         checks.append(Check("finite mobility at most the instantaneous", bounded, f"{found.finite.dof} <= {found.dof}"))

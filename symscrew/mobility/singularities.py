@@ -9,7 +9,7 @@ configuration (`symscrew.mobility.symbols`, drive_loci).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -17,12 +17,22 @@ from numpy.typing import NDArray
 
 from symscrew.description import Mechanism, exact
 from symscrew.kinematics import System
-from symscrew.mobility.margins import FORMS, Margin, actuation_margins, constraint_margins, limb_margins
+from symscrew.mobility.margins import (
+    FORMS,
+    Displaced,
+    Margin,
+    actuation_margins,
+    constraint_margins,
+    find_zeros,
+    limb_margins,
+    size_of,
+)
 from symscrew.mobility.symbols import ActuationLoci, Locus, actuation_loci
 
 SINGULAR = 1e-9
-"""A margin below this is said to be zero: seven digits above what rounding leaves of a determinant of six screws
-without unit, and far below any configuration that is meant to be regular. The value itself is in the JSON."""
+"""A margin below this, of its size over the sample states, is said to be zero: seven digits above what rounding leaves
+of a determinant of six screws, and far below any configuration that is meant to be regular. The value itself is in the
+JSON. Where the rank in 60 digits is full all the same, it is said to be almost zero."""
 STEPS = 24
 """Steps from the reference configuration to the given coordinates: a turn by pi in steps of 7.5 degrees, from
 which Newton's method stays on the assembly branch. Where it fails, the margins are said not to be known."""
@@ -46,14 +56,25 @@ class MarginValue:
     form: str
     value: float
     meaning: str
+    size: float = 1.0
+    """The largest value at the sample states, with which it is compared."""
+    nearest: Displaced | None = None
+    """Where it is zero along its gradient; None where no zero was found, or it is zero here."""
     note: str = ""
     """What a rank of the configuration says that the value does not: it is the volume of the rank that there is on
     the whole branch, and stays above zero where rank is lost all along it. Empty where both agree."""
+    regular: bool = False
+    """Whether the rank was decided to be full here, so that a small value is not zero."""
+
+    @property
+    def vanishes(self) -> bool:
+        """Whether the value is rounding of its size."""
+        return abs(self.value) < SINGULAR * self.size
 
     @property
     def singular(self) -> bool:
         """Whether the configuration is singular in this sense."""
-        return abs(self.value) < SINGULAR or bool(self.note)
+        return bool(self.note) or (self.vanishes and not self.regular)
 
 
 @dataclass(frozen=True)
@@ -97,8 +118,12 @@ def _values(system: System, margins: Sequence[Margin], q: Array) -> tuple[Margin
     if not margins:
         return ()
     values = system.numeric([m.value for m in margins], (system.inputs.q, q[None]))[0]
+    sizes = [size_of(system, m, q) for m in margins]
+    away = [m for m, value, size in zip(margins, values, sizes, strict=True) if abs(value) >= SINGULAR * size]
+    nearest = {(m.kind, m.name): found for m, found in zip(away, find_zeros(system, away, q), strict=True)}
     return tuple(
-        MarginValue(m.kind, m.name, m.form, float(value), m.meaning) for m, value in zip(margins, values, strict=True)
+        MarginValue(m.kind, m.name, m.form, float(value), m.meaning, size, nearest.get((m.kind, m.name)))
+        for m, value, size in zip(margins, values, sizes, strict=True)
     )
 
 
@@ -152,7 +177,7 @@ def as_values(found: Singularities) -> dict[str, Any]:
     for kind in ("limb", "constraint", "actuation"):
         result[kind] = None if found.margins is None else [
             {"name": m.name, "margin": m.value, "form": FORMS[m.form], "singular": m.singular, "meaning": m.meaning,
-             "note": m.note}
+             "note": m.note, "nearest": None if m.nearest is None else asdict(m.nearest)}
             for m in found.margins
             if m.kind == kind
         ]  # fmt: skip
@@ -160,15 +185,33 @@ def as_values(found: Singularities) -> dict[str, Any]:
 
 
 def as_lines(found: Singularities) -> list[str]:
-    """One line a margin."""
+    """One line for margins that say the same of several limbs or drives."""
     if found.margins is None:
         return [f"Margins are not known here: {found.unknown}"]
     if not found.margins:
         return []
     lines = [f"Volumes of screws and wrenches with lengths divided by {found.length:g} m, without unit"]
+    alike: dict[tuple[str, ...], list[MarginValue]] = {}
     for m in found.margins:
-        value = "SINGULAR here" if m.singular else f"{m.value:.6g}"
-        if m.note and abs(m.value) >= SINGULAR:
-            value = f"SINGULAR all along: {m.note}, so this is the volume of what is left, {m.value:.6g}"
-        lines.append(f"{m.kind} ({m.name}): {value}, {m.meaning}")
+        by = "" if m.nearest is None else m.nearest.size
+        alike.setdefault((m.kind, m.form, _value(m), by), []).append(m)
+    for (kind, _, value, _), group in alike.items():
+        names = ", ".join(m.name for m in group)
+        likewise = " (likewise the others)" if len(group) > 1 else ""
+        lines.append(f"{kind} ({names}): {value}, {_near(group[0])}{group[0].meaning}{likewise}")
     return lines
+
+
+def _value(m: MarginValue) -> str:
+    if m.note and not m.vanishes:
+        lost = "architecturally SINGULAR" if m.kind == "actuation" else "SINGULAR all along"
+        return f"{lost}: {m.note}, so this is the volume of what is left, {m.value:.6g}"
+    if m.singular:
+        return "SINGULAR here"
+    return f"{m.value:.6g}" + (", almost SINGULAR" if m.vanishes else "")
+
+
+def _near(m: MarginValue) -> str:
+    if m.nearest is not None:
+        return f"0 along its gradient with {m.nearest.words}, "
+    return "" if m.vanishes or m.note else "no zero found along its gradient, "

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import csv
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,9 +15,6 @@ from symscrew.display import TIME, Curve, draw_curves, empty_figure, save_figure
 from symscrew.optimisation.followed_motion import Replay
 from symscrew.optimisation.result import Trajectory
 from symscrew.whole_files import replaced
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 FINE = 501  # samples of a file without a rate
 
@@ -85,10 +81,6 @@ def _table(trajectory: Trajectory, path: Path, rate: float | None) -> None:
             writer.writerow([repr(float(value)) for value in row])
 
 
-def _saved(made: Figure, path: Path) -> None:
-    save_figure(made, path, tight=True)
-
-
 def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None) -> Path:
     """A figure of the motion: coordinates, their rates, drives with bounds, and the replay where there is one.
 
@@ -121,4 +113,4 @@ def plot_plan(trajectory: Trajectory, path: Path, replayed: Replay | None = None
     bounds = {b for label in trajectory.drive_labels for b in trajectory.model.drive_range(label) if np.isfinite(b)}
     for bound in sorted(bounds):
         axes[2].axhline(bound, color="0.6", linewidth=0.8, linestyle="--")
-    return replaced(path, lambda temporary: _saved(made, temporary))
+    return save_figure(made, path, tight=True)

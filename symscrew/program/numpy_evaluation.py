@@ -28,7 +28,7 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         is not 0 the results are NaN.
 
     Raises:
-        TypeError: more or fewer arguments than inputs.
+        TypeError: more or fewer arguments than inputs, or not real numbers.
         ValueError: an array of another size than its input.
     """
     if len(arguments) != len(program.inputs):
@@ -50,12 +50,24 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
     return tuple(results), status
 
 
+def real_array(argument: object, where: str) -> np.ndarray:
+    """An argument as an array of doubles.
+
+    Raises:
+        TypeError: complex numbers, of which NumPy would take the real part and only warn.
+    """
+    array = np.asarray(argument)
+    if array.dtype.kind == "c":
+        raise TypeError(f"{where}: expected real numbers, got {array.dtype}; take x.real if its imaginary part is zero")
+    return np.asarray(array, dtype=float)
+
+
 def _loaded(program: Program, arguments: Sequence[object]) -> tuple[list[Any], tuple[int, ...]]:
     """A value per slot, those of the inputs filled in, and the shape of the batch."""
     values: list[Any] = [None] * program.slots
     slot, batch = 0, tuple[int, ...]()
     for port, argument in zip(program.inputs, arguments, strict=True):
-        array = np.asarray(argument, dtype=float)
+        array = real_array(argument, f"{program.name}, {port.name}")
         if array.shape[-1:] != (port.size,) and port.size != 1:
             raise ValueError(
                 f"{program.name}: {port.name} has {port.size} entries, got an array of shape {array.shape}"
@@ -89,7 +101,7 @@ def evaluate_iteration(iteration: Iteration, arguments: Sequence[object]) -> tup
     Returns:
         q as the only array (*batch, n), and the status (*batch). Where the status is not 0, q is NaN.
     """
-    arrays = [np.atleast_1d(np.asarray(a, dtype=float)) for a in arguments]
+    arrays = [np.atleast_1d(real_array(a, f"{iteration.step.name}, argument {k + 1}")) for k, a in enumerate(arguments)]
     batch = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
     count = int(np.prod(batch))
     full = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(count, a.shape[-1]) for a in arrays]

@@ -10,7 +10,9 @@ from dataclasses import dataclass, field
 from importlib import resources
 from pathlib import Path
 from typing import TypeAlias
+from urllib.parse import quote
 
+from symscrew.description import markdown_text
 from symscrew.errors import DescriptionError, shorten
 from symscrew.whole_files import replaced
 
@@ -137,7 +139,7 @@ def _anchor(title: str) -> str:
 
 def _with_formulas(text: str, formulas: Mapping[str, str], words: Callable[[str], str]) -> str:
     pieces = re.split(r"\$(.*?)\$", text)
-    return "".join(formulas.get(p, words(p)) if k % 2 else words(p) for k, p in enumerate(pieces))
+    return "".join(formulas.get(p, words(f"${p}$")) if k % 2 else words(p) for k, p in enumerate(pieces))
 
 
 def _html_block(block: Block, formulas: Mapping[str, str]) -> str:
@@ -182,27 +184,32 @@ def _html_table(table: Table, inline: Callable[[str], str]) -> str:
 
 
 def markdown(document: Document, stem: str) -> tuple[str, dict[str, bytes]]:
-    """(Markdown text, file name -> data of its pictures)."""
-    lines, pictures = [f"# {document.title}", "", document.subtitle, ""], {}
+    """(Markdown text, file name -> data of its pictures); texts stand as they are, formulas between dollar signs."""
+
+    def inline(text: str) -> str:
+        return _with_formulas(text, {latex: f"${latex}$" for latex in document.formulas}, markdown_text)
+
+    lines, pictures = [f"# {inline(document.title)}", "", inline(document.subtitle), ""], {}
     for section in document.sections:
-        lines += ["#" * section.level + f" {section.title}", ""]
+        lines += ["#" * section.level + f" {inline(section.title)}", ""]
         for block in section.blocks:
             if isinstance(block, Text):
-                lines += [block.text, ""]
+                lines += [inline(block.text), ""]
             elif isinstance(block, Bullets):
-                lines += [*(f"- {line}" for line in block.lines), ""]
+                lines += [*(f"- {inline(line)}" for line in block.lines), ""]
             elif isinstance(block, Picture):
                 name = f"{stem}_{block.name}{block.suffix}"
                 pictures[name] = block.data
-                lines += [f"![{block.caption}]({name})", "", f"*{block.caption}*", ""]
+                lines += [f"![{inline(block.caption)}]({quote(name)})", "", f"*{inline(block.caption)}*", ""]
             else:
-                lines += [*([block.caption, ""] if block.caption else []), *_markdown_table(block), ""]
-    return "\n".join([*lines, document.footer, ""]), pictures
+                caption = [inline(block.caption), ""] if block.caption else []
+                lines += [*caption, *_markdown_table(block, inline), ""]
+    return "\n".join([*lines, inline(document.footer), ""]), pictures
 
 
-def _markdown_table(table: Table) -> list[str]:
+def _markdown_table(table: Table, inline: Callable[[str], str]) -> list[str]:
     def row(cells: Sequence[str]) -> str:
-        return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+        return "| " + " | ".join(re.sub(r"(?<!\\)\|", r"\\|", inline(cell)) for cell in cells) + " |"
 
     rule = "|" + "|".join("---:" if k in table.numbers else "---" for k in range(len(table.header))) + "|"
     return [row(table.header), rule, *(row(cells) for cells in table.rows)]

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from symscrew.description import read_text
+from symscrew.description import check_name, read_text
 from symscrew.errors import DescriptionError, shorten
 from symscrew.report.blocks import Block, Bullets, Picture, Section, Table, Text
 from symscrew.studies import BILLED_FUNCTIONS, Bill
@@ -32,7 +32,7 @@ def accuracy_section(directory: Path) -> list[Section]:
             Section("Accuracy against time", (Text(_head(content)),)),
             *(_study(s, directory) for s in content["studies"]),
         ]
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OSError, RecursionError) as error:
         if isinstance(error, DescriptionError):
             raise
         raise DescriptionError(f"{file}: not a result of symscrew accuracy ({shorten(str(error))})") from error
@@ -48,7 +48,7 @@ def _study(study: dict[str, Any], directory: Path) -> Section:
     facts = [
         f"Reference: {study['reference']}" + ("" if own is None else f"; its own error {own:.1e}"),
         f"Error: {study['error_label']}. Cost: {study['cost_label']}, median with quartiles.",
-        *study["notes"],
+        *map(str, study["notes"]),
         *(f"Left out: {what}" for what in study["left_out"]),
     ]
     unit = study["cost_unit"] if study["cost_unit"] in COSTS else "ns"
@@ -58,16 +58,17 @@ def _study(study: dict[str, Any], directory: Path) -> Section:
         error = error or ("-" if point["error"] is None else f"{point['error']:.1e}")
         cost = point["cost"]
         text = "-" if cost is None else f"{_cost(cost, unit)}"
-        rows.append((point["curve"], point["setting"], error, text))
+        rows.append((str(point["curve"]), str(point["setting"]), error, text))
     blocks: list[Block] = [Bullets(tuple(facts))]
-    picture = directory / f"{study['name']}.png"
+    name = check_name(study["name"], "accuracy.json, study")  # it becomes the name of a file
+    picture = directory / f"{name}.png"
     if picture.is_file():
-        blocks.append(Picture(study["name"], picture.read_bytes(), study["title"], ".png"))
+        blocks.append(Picture(name, picture.read_bytes(), str(study["title"]), ".png"))
     header = ("method", "setting", "error", f"cost [{unit}]")
     blocks.append(Table(header, tuple(rows), frozenset({2, 3})))
     for title, (head, lines) in study["tables"].items():
         blocks.append(Table(tuple(map(str, head)), tuple(tuple(map(str, line)) for line in lines), caption=title))
-    return Section(study["title"], tuple(blocks), level=3)
+    return Section(str(study["title"]), tuple(blocks), level=3)
 
 
 def _cost(cost: dict[str, float], unit: str) -> str:

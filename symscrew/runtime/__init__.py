@@ -7,7 +7,7 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.runtime.compiled import CompiledModel, casadi_evaluator, load
     from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
-    from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler
+    from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
     from symscrew.runtime.origin import model_of, version
     from symscrew.runtime.user_cache import CacheState, entry, key_of
     from symscrew.runtime.user_cache import clear as clear_cache
@@ -31,6 +31,7 @@ __all__ = [
     "key_of",
     "load",
     "model_of",
+    "run_tool",
     "version",
     "without_cache",
 ]

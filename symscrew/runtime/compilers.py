@@ -90,7 +90,7 @@ def _compile(source: Path, library: Path, command: str, tried: Sequence[Sequence
     said = ""
     for options in tried:
         library.unlink(missing_ok=True)
-        outcome, said = _run([command, *options, str(source), "-o", str(library), "-lm"], source.name)
+        outcome, said = run_tool([command, *options, str(source), "-o", str(library), "-lm"], source.name)
         if outcome == 0:
             made = library.read_bytes() if library.is_file() else b""
             if not loadable(made):
@@ -100,12 +100,23 @@ def _compile(source: Path, library: Path, command: str, tried: Sequence[Sequence
     raise CompileError(f"{command} refused {source.name}:\n{said}")
 
 
-def _run(arguments: Sequence[str], name: str) -> tuple[int, str]:
-    """Exit status of a compiler, and the end of what it said; with all that it started, it is ended at the limit."""
+def run_tool(arguments: Sequence[str], name: str, *, folder: Path | None = None) -> tuple[int, str]:
+    """Exit status of a compiler or another tool, and the end of what it said, in whatever encoding.
+
+    With all that it started, it is ended at the limit.
+
+    Args:
+        arguments: the command.
+        name: what it is about, for the error.
+        folder: where it runs.
+
+    Raises:
+        CompileError: it cannot be run, or does not end.
+    """
     with tempfile.TemporaryFile(prefix="symscrew_") as said:
         try:
             process = subprocess.Popen(
-                arguments, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True
+                arguments, stdin=subprocess.DEVNULL, stdout=said, stderr=said, cwd=folder, start_new_session=True
             )
         except OSError as error:
             raise CompileError(f"{arguments[0]} cannot be run: {error.strerror or error}") from error

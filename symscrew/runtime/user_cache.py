@@ -81,6 +81,8 @@ class Entry:
             return
         part = self._path.with_name(f"{self._path.name}.part-{secrets.token_hex(6)}")
         try:
+            for left in self._path.parent.glob(f"{self._path.name}.part-*"):  # of a killed process: this one holds it
+                left.unlink()
             file = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o600)
             with os.fdopen(file, "wb") as stream:
                 stream.write(_head(self._path.name, content) + b"\n" + content)

@@ -25,6 +25,15 @@ TOUCHING = 1e-9
 # A rebound slower than this part of the largest rate ends the bouncing: the contact stays closed. At 0 the impacts of
 # a ball accumulate without end; larger, rebounds are lost.
 SOFT = 1e-6
+# Sets of pushing contacts that are tried per contact; each is better than the one before, so that few are met twice.
+MOST_SETS = 10
+# Rates below the first part of the largest are rounding of it; a solution whose rates are off by more than the second
+# is none. Between: contacts that depend on each other leave what their least squares cut off.
+ROUNDING, OBEYED = 1e-13, 1e-9
+
+
+class UndecidedError(ArithmeticError):
+    """Rates behind an impact that obey its law were not found; the message says by how much they fail."""
 
 
 @dataclass(frozen=True)
@@ -131,14 +140,20 @@ def complementary(gain: np.ndarray, offset: np.ndarray) -> np.ndarray:
     """p >= 0 with w = gain p + offset >= 0 and p w = 0, for a symmetric gain that has no negative eigenvalues.
 
     That is the least of p gain p/2 + offset p over p >= 0, by the active sets of Lawson and Hanson (Solving Least
-    Squares Problems, 1974, chapter 23).
+    Squares Problems, 1974, chapter 23), each contact in units of its own answer to a unit force.
+
+    Raises:
+        UndecidedError: what was found does not obey these conditions.
     """
     count = len(offset)
+    answers = np.sqrt(np.maximum(np.diag(gain), 0.0))
+    units = np.where(answers > 0, answers, 1.0)  # a contact that its own force does not move answers nothing
+    gain, offset = gain / np.outer(units, units), offset / units
     p, pushing = np.zeros(count), np.zeros(count, dtype=bool)
-    small = 1e-13 * float(np.abs(offset).max(initial=0.0))  # rounding of the rates
-    for _ in range(10 * count + 10):
+    largest = float(np.abs(offset).max(initial=0.0))
+    for _ in range(MOST_SETS * (count + 1)):
         w = gain @ p + offset
-        free = np.flatnonzero(~pushing & (w < -small))
+        free = np.flatnonzero(~pushing & (w < -ROUNDING * largest))
         if not len(free):
             break
         pushing[free[np.argmin(w[free])]] = True
@@ -152,7 +167,14 @@ def complementary(gain: np.ndarray, offset: np.ndarray) -> np.ndarray:
             part = float((p[pulling] / (p[pulling] - trial[pulling])).min())
             p = p + part * (trial - p)
             pushing &= p > 0
-    return p
+    w = gain @ p + offset
+    wrong = max(float(-w.min(initial=0.0)), float(np.abs(w[p > 0]).max(initial=0.0)))
+    if not wrong <= OBEYED * largest:
+        raise UndecidedError(
+            f"the impulses of {count} stops that are met at one instant were not found: rates are "
+            f"{wrong / largest:.2g} of the largest one off what the law of impact asks for"
+        )
+    return p / units
 
 
 def onto_stops(at: ContactState, modes: Sequence[int], q: np.ndarray) -> np.ndarray:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 import numpy as np
 
@@ -25,7 +24,7 @@ from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
-from symscrew.simulation.verdict import verdict
+from symscrew.simulation.verdict import estimated, verdict
 
 Progress = Callable[[float], None]
 
@@ -37,8 +36,8 @@ class Run:
     t (n,), q (n, nq), v (n, nv), u (n, drives), x (n, states; the last is the work of drives and effects where there
     are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
     energy_balance (n,) energy - energy at the start - work + what impacts took [J], `losses`: the latter in all by
-    the joint's name, `estimate` of its error by another run, `verdict`: the status with what was judged, `accurate`:
-    whether that is good, reactions (n, 6 joints) or None.
+    the joint's name, `estimate` of its error by another run, `doubts`: what the integrator has no treatment of,
+    `verdict`: the status with what was judged, `accurate`: whether that is good, reactions (n, 6 joints) or None.
     """
 
     scene: Scene
@@ -62,6 +61,7 @@ class Run:
     inputs: Mapping[str, np.ndarray] = field(default_factory=dict)
     losses: Mapping[str, float] = field(default_factory=dict)
     estimate: Estimate | None = None
+    doubts: tuple[str, ...] = ()
     accurate: bool = True
     verdict: str = ""
 
@@ -162,7 +162,7 @@ def judged(run: Run) -> Run:
     if not run.ok:
         return replace(run, accurate=False, verdict=run.status)
     opening = float(run.closure_error.max(initial=0.0))
-    accurate, text = verdict(run.scene, run.estimate or Estimate(), opening, run.unbalanced)
+    accurate, text = verdict(run.scene, run.estimate or Estimate(), opening, run.unbalanced, doubts=run.doubts)
     return replace(run, accurate=accurate, verdict=text)
 
 
@@ -180,7 +180,16 @@ def _integrated(
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
         raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
-    further = partial(integrate, scene, programs, start, contacts=contacts, controller=controller, progress=progress)
+
+    def further(*, compiled: bool) -> History:
+        def run(other: Scene, progress: Progress | None = None) -> History:
+            return integrate(
+                other, programs, start, contacts=contacts, controller=controller, compiled=compiled, progress=progress
+            )
+
+        found = run(scene, progress)
+        return replace(found, estimate=estimated(scene, programs.system, found, run))
+
     try:
         if chosen == "c" and own:
             return integrate_natively(scene, programs, start, progress)
@@ -250,4 +259,5 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
         scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
         history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
         {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
+        history.doubts,
     )  # fmt: skip

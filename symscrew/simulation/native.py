@@ -141,6 +141,7 @@ ENDINGS = {
     4: "the loops could not be closed again",
     5: "the accelerations are not defined",
     9: f"more than {MOST_EVENTS} changes of contact",
+    10: "the law of impact of the stops that are met there has no solution that was found",
     6: "at rest in a singular configuration, where several motions begin: none of them is singled out",
 }
 PORTION = 20_000  # steps between two looks at the progress, some milliseconds to a second

@@ -5,6 +5,7 @@ loop --EVENT--> state, contact --mode_changes--> rates, modes --> loop
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -12,12 +13,12 @@ import numpy as np
 from symscrew.errors import DescriptionError
 from symscrew.scene import Scene
 from symscrew.simulation.contacts import ContactState, Law, Modes, forces, laws, start_modes
-from symscrew.simulation.mode_changes import Change, beginning, change, onto_stops
+from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
 from symscrew.simulation.recording import State, shown_time
 from symscrew.simulation.state_programs import Plant
 
 MOST_EVENTS = 10_000  # a run with more changes of contact is stopped and says so: chattering, not motion
-OVERRUN, BROKEN = 9, 5  # outcomes: too many changes, or accelerations that are not defined at one
+OVERRUN, BROKEN, UNDECIDED = 9, 5, 10  # outcomes: too many changes, no accelerations at one, no rates behind one
 
 
 class Loop(Protocol):
@@ -69,14 +70,22 @@ class NativeContacts:
         if not self.rules:
             return going_on
         self.modes = start_modes(self.at(0.0, self.start))
-        return self._adopted(0.0, self.start, beginning(self.at(0.0, self.start), self.modes), going_on)
+        return self._behind(0.0, self.start, lambda at: beginning(at, self.modes), going_on)
 
     def met(self, going_on: int) -> int:
         """What follows the end of a mode, handed to the loop; the outcome."""
         t, state, counters = self.library.report()
         if len(self.course) > MOST_EVENTS:
             return OVERRUN
-        return self._adopted(t, state, change(self.at(t, state), self.modes, int(counters["event"])), going_on)
+        return self._behind(t, state, lambda at: change(at, self.modes, int(counters["event"])), going_on)
+
+    def _behind(self, t: float, state: State, law: Callable[[ContactState], Change], going_on: int) -> int:
+        try:
+            found = law(self.at(t, state))
+        except UndecidedError as error:
+            self.events += (f"t = {shown_time(t)} s: {error}",)
+            return UNDECIDED
+        return self._adopted(t, state, found, going_on)
 
     def _adopted(self, t: float, state: State, found: Change, going_on: int) -> int:
         if not np.isfinite(found.v).all():

@@ -13,7 +13,6 @@ import numpy as np
 from symscrew.display import TIME, Curve, curve_style, draw_curves, empty_figure, save_figure
 from symscrew.simulation.motion import Run
 from symscrew.simulation.run_file import labels
-from symscrew.whole_files import replaced
 
 # what curves of a unit are called, by q, v and u
 NAMES = {
@@ -48,7 +47,7 @@ def plot_run(run: Run, path: Path) -> Path:
     crossed = "; dotted: singular configuration passed" if run.crossings else ""
     with curve_style():
         made.suptitle(f"{run.scene.name}: {run.status}{crossed}", fontsize=9)
-    return replaced(path, lambda target: save_figure(made, target))
+    return save_figure(made, path)
 
 
 Frame = tuple[str, str, Sequence[Curve], bool]

@@ -17,11 +17,12 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
-from symscrew.simulation.mode_changes import Change, beginning, change
+from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change
 from symscrew.simulation.native_contacts import MOST_EVENTS
 from symscrew.simulation.recording import History, State, shown_time
 from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
+from symscrew.simulation.singular_watch import singular_watch
 from symscrew.simulation.state_programs import Plant
 
 Controller = Callable[[float, np.ndarray, np.ndarray], object]
@@ -92,6 +93,7 @@ class _Marching:
         self.events: list[str] = []
         self.losses: list[tuple[float, str, float]] = []  # energy that impacts take
         self.steps = 0
+        self.watch = singular_watch(functions)
 
     # -- slopes -----------------------------------------------------------------------------------------------
 
@@ -132,18 +134,29 @@ class _Marching:
         q, v, _ = self.f.settle(q, v)
         return np.concatenate([q, v, x])
 
+    def arrived(self, t: float, y: np.ndarray) -> np.ndarray:
+        """The state after a step to t, on the loops, looked at for singular configurations."""
+        q, v, x = self.parts(y)
+        q, v, smallest = self.f.settle(q, v)
+        if self.watch is not None:
+            self.watch.seen(t, smallest)
+        return np.concatenate([q, v, x])
+
     # -- the run ------------------------------------------------------------------------------------------------
 
     def run(self, start: State) -> History:
         times, status, ok = self.scene.times, "completed", True
         y = self.settled(np.concatenate(start))
-        if self.rules:
-            self.modes = contact.start_modes(self.contacts_at(0.0, y))
-            y = self.adopted(0.0, y, beginning(self.contacts_at(0.0, y), self.modes))
-        self.sample(0.0, y)
         try:
+            if self.rules:
+                self.modes = contact.start_modes(self.contacts_at(0.0, y))
+                y = self.adopted(0.0, y, beginning(self.contacts_at(0.0, y), self.modes))
+            self.sample(0.0, y)
             MARCHES[self.method.marching](self, y, times)
-        except (RunError, FloatingPointError) as error:
+        except (RunError, UndecidedError, FloatingPointError) as error:
+            if not self.samples:
+                self.samples.append((0.0, y))
+                self.contact_forces.append(np.zeros(len(self.rules)))
             ok, status = False, f"stopped at t = {self.samples[-1][0]:.9g} s: {error}"
         return self.history(ok, status)
 
@@ -165,7 +178,7 @@ class _Marching:
         counters = {"steps": float(self.steps), "evaluations": float(self.f.evaluations)}
         return History(
             t, q, v, x, ok, status, "library", (), (*self.features.notices, *self.events), counters, u, forces,
-            tuple(self.losses))  # fmt: skip
+            tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts)  # fmt: skip
 
     def solver(self, t: float, y: np.ndarray, end: float) -> Any:
         """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for."""
@@ -201,7 +214,7 @@ class _Marching:
                 if found is not None:
                     y = self.changed(found, self.settled(dense(t)))
                     break
-                y = self.settled(solver.y)
+                y = self.arrived(solver.t, solver.y)
                 solver.y = y
                 if self.method.stable is not None:  # explicit: its next step begins with the slope at the end of this
                     solver.f = self.slopes(solver.t, y)
@@ -272,7 +285,7 @@ class _Marching:
                     self.count()
                 if solver.status == "failed":
                     raise RunError(f"the integrator gave up: {message}")
-                t, y = solver.t, self.settled(solver.y)
+                t, y = solver.t, self.arrived(solver.t, solver.y)
             self.sample(float(right), y)
 
     def fixed_steps(self, y: np.ndarray, times: np.ndarray) -> None:
@@ -287,7 +300,7 @@ class _Marching:
                 h = (until - t) / count
                 for i in range(count):
                     self.count()
-                    y = self.settled(advance(self, t + i * h, y, h))
+                    y = self.arrived(t + (i + 1) * h, advance(self, t + i * h, y, h))
                 t = until
             self.sample(float(right), y)
 

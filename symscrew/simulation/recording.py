@@ -41,7 +41,7 @@ class History:
     """Samples t (n,), q (n, nq), v (n, nv), x (n, nx); u (n, drives) where they came from outside.
 
     `contact_forces` (n, contacts): inputs of effects that the integrator determined itself. `losses`: time [s], joint
-    and energy [J] of every impact.
+    and energy [J] of every impact. `doubts`: what the integrator met that it has no treatment of, in words.
     """
 
     t: np.ndarray
@@ -58,6 +58,7 @@ class History:
     contact_forces: np.ndarray | None = None
     losses: tuple[tuple[float, str, float], ...] = ()
     estimate: Estimate | None = None
+    doubts: tuple[str, ...] = ()
 
     @property
     def forces(self) -> np.ndarray:

@@ -25,14 +25,19 @@ KERNELS = Path(__file__).parent / "kernels"
 # Distances from singular configurations, as parts of the smallest pivot that the closure has in regular ones.
 PIVOTS = {
     "PIVOT": 1.0,
-    "ZONE": 0.02,  # nearer, nothing is corrected or evaluated, for it would be noise: interpolated from both sides
+    # Nearer, nothing is corrected or evaluated, for it would be noise: interpolated from both sides. At 0.02 crossings
+    # leave ten times the noise, at 0.05 the interpolation's own error shows (1e-9).
+    "ZONE": 0.03,
     "CAREFUL": 0.25,  # nearer, steps follow the branch on charts; farther, they are projected, which is cheaper
     "LOOK": 1e-3,  # a least pivot below it is a crossing that is reported, and rows with such pivots are its lost rows
 }
 # Without units: lengths are divided by the characteristic length.
 THRESHOLDS = {
     "RANK_FLOOR": 1e-10,  # what is left of a row below it depends on the rows before; above, it is a row of its own
-    "CLOSED": 1e-14,  # opening of the loops at which corrections end: what rounding leaves
+    # Opening of the loops from which one more correction leaves nothing but rounding; it is always made. Where openings
+    # below 1e-14 are left as they are, they are the same to the same side for many steps: errors of 1e-12 came of it.
+    "CLOSED": 1e-13,
+    "SETTLED": 1e-9,  # rates that miss the loops by less, of the largest one, need one correction, others a second one
     "NEARLY_CLOSED": 1e-12,  # an opening that no longer halves is good enough below it; above it the run stops
     "STRIDE": 0.05,  # of a chart's scale: longest stride along a branch between two corrections
     # Of a chart's scale: least distance of the places between which the zone is interpolated. Closer together they
@@ -43,7 +48,7 @@ THRESHOLDS = {
     # polynomial's error. A margin that is off zero by less at the start of its new mode counts as zero.
     "MOST_MOVED": 1e-5,
     "REACH": 0.6,  # longest step in local coordinates: a chart is a good one within about half a radian
-    "CAREFUL_TOLERANCE": 4e-12,  # least local tolerance of careful steps: near the zone accelerations are noise
+    "CAREFUL_TOLERANCE": 4e-13,  # least local tolerance of careful steps: near the zone accelerations are noise
     # A repeated step whose error does not fall, as that of a smooth motion would, is rounding of the accelerations: its
     # local tolerance is raised from the first to at most the second, tenfold each time. Without, steps shrink without
     # end and a tighter tolerance ends in a stopped run (governor at 1e-11); the second is what a run may lose there.

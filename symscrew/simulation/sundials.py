@@ -15,6 +15,7 @@ from symscrew.export import program_function
 from symscrew.scene import Scene, Table
 from symscrew.simulation.recording import History, State
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
+from symscrew.simulation.singular_watch import singular_watch
 from symscrew.simulation.state_programs import Plant
 
 LEAST = 1e-13  # tolerance of single steps: below it CVODES gives up, for its Newton steps cannot reach it in doubles
@@ -38,6 +39,7 @@ def integrate(
     solver = ca.integrator("run", "cvodes", ode, 0.0, 1.0, options)
     times = scene.times
     q, v, _ = functions.settle(start[0], start[1])
+    watch = singular_watch(functions)
     states = [np.concatenate([q, v, start[2]])]
     status, ok = "completed", True
     for left, right in itertools.pairwise(times):
@@ -45,7 +47,9 @@ def integrate(
             found = np.asarray(solver(x0=states[-1], p=[left, right - left])["xf"], dtype=float).ravel()
             if not np.isfinite(found).all():
                 raise RunError("the state is not finite")
-            q, v, _ = functions.settle(found[:nq], found[nq : nq + nv])
+            q, v, smallest = functions.settle(found[:nq], found[nq : nq + nv])
+            if watch is not None:
+                watch.seen(float(right), smallest)
         except (RuntimeError, RunError) as error:
             reason = str(error).splitlines()[-1][:200]
             status, ok = f"stopped at t = {left:.9g} s: {reason}", False
@@ -55,7 +59,8 @@ def integrate(
             progress(right / scene.duration)
     y_all = np.array(states)
     parts = y_all[:, :nq], y_all[:, nq : nq + nv], y_all[:, nq + nv :]
-    return History(times[: len(states)], *parts, ok, status, "cvodes")
+    doubts = () if watch is None else watch.doubts
+    return History(times[: len(states)], *parts, ok, status, "cvodes", doubts=doubts)
 
 
 def whole_run(scene: Scene, plant: Plant, tolerance: float, most_steps: int) -> Callable[[State], np.ndarray]:

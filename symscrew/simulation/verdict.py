@@ -1,11 +1,12 @@
 """Whether a run that came to its end is good: by a second run with other steps, by its energy and its loops.
 
-run --another tolerance or step--> estimate of its error --energy, closure--> completed | accuracy not reached | failed
+run --another tolerance or step--> estimate of its error --energy, closure, doubts-->
+    completed | accuracy not reached | not judged | failed
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -59,7 +60,9 @@ def _difference(system: System, found: History, other: History) -> Estimate:
     return Estimate(error, error / early if early > 0 else np.nan)
 
 
-def verdict(scene: Scene, estimate: Estimate, opening: float, unbalanced: float) -> tuple[bool, str]:
+def verdict(
+    scene: Scene, estimate: Estimate, opening: float, unbalanced: float, *, doubts: Sequence[str] = ()
+) -> tuple[bool, str]:
     """Whether a run that came to its end is as accurate as asked for, and its status.
 
     Args:
@@ -67,14 +70,19 @@ def verdict(scene: Scene, estimate: Estimate, opening: float, unbalanced: float)
         estimate: of the run's error.
         opening: largest opening of the loops, without units.
         unbalanced: largest energy out of balance, as a part of the energies that were moved.
+        doubts: what the integrator met that it has no treatment of.
     """
     if opening > OPEN:
         return False, f"failed: the loops are open by {opening:.2g} (lengths by the characteristic length)"
     fixed, tolerance = scene.integrator.step is not None, scene.integrator.tolerance
     if not fixed and unbalanced > max(UNBALANCED, RATES * min(tolerance, 1e-4)):
         return False, f"failed: the energy is out of balance by {unbalanced:.2g} of the energies moved"
+    if doubts:
+        return False, f"completed, not judged: {'; '.join(doubts)}"
     if fixed:
         return True, "completed"
+    if np.isnan(estimate.error):
+        return False, "completed, not judged: there is no other run to compare with"
     grown = f", and differences grew by a factor of {estimate.growth:.2g}" if estimate.growth > 1e3 else ""
     if estimate.error > tolerance:
         text = f"an error of about {estimate.error:.2g} is estimated, {tolerance:g} was asked for{grown}"

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from symscrew.runtime import FLAGS, find_compiler
 
+ANSWER = 20  # seconds to say a version: an installed compiler takes some milliseconds
 PACKAGES = ("symscrew", "sympy", "numpy", "scipy", "casadi", "matplotlib")
 
 
@@ -34,8 +35,10 @@ def machine(*packages: str) -> dict[str, str]:
 
 def _first_line(command: list[str]) -> str:
     try:
-        answer = subprocess.run(command, capture_output=True, text=True, check=True)
-    except (OSError, subprocess.CalledProcessError):
+        answer = subprocess.run(
+            command, capture_output=True, encoding="utf-8", errors="replace", check=True, timeout=ANSWER
+        )
+    except (OSError, subprocess.SubprocessError):
         return "unknown"
     return answer.stdout.splitlines()[0] if answer.stdout else "unknown"
 

@@ -11,14 +11,13 @@ import dataclasses
 import os
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from symscrew.errors import shorten
 from symscrew.export import (
     HASHES,
     PRECISIONS,
@@ -31,8 +30,9 @@ from symscrew.export import (
 )
 from symscrew.generation import EMBEDDED, TARGETS, Case, Results, by_value, compare_values, render, with_brought
 from symscrew.model import Model
-from symscrew.runtime import model_of
+from symscrew.runtime import CompileError, model_of
 from symscrew.verification.embedded import CORES, measure, missing_tools
+from symscrew.workers import pool
 
 VECTORS = "test_vectors.json"
 FIGURES = {"flash", "frame", "stack", "instructions"}  # of a measured function, in ops.json
@@ -76,8 +76,8 @@ def check(directory: str | Path) -> CheckResult:
     if len(found) == 1:
         results = [_check_all(found[0])]
     else:  # a directory is mostly its compilers' time: as many at a time as there are cores
-        with ProcessPoolExecutor(min(len(found), os.cpu_count() or 1), get_context("spawn")) as pool:
-            results = list(pool.map(_check_all, found))
+        with pool(min(len(found), os.cpu_count() or 1), "spawn") as processes:
+            results = list(processes.map(_check_all, found))
     lines = [
         f"{path.name}: {'ok' if passed else 'FAILED'}: {text}"
         for path, result in zip(found, results, strict=True)
@@ -112,7 +112,10 @@ def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
             (fresh / name).write_bytes(data)
         case = Case(model, expected, fresh, directory, PRECISIONS[precision])
         for target in sorted(with_brought(targets), key=_place):
-            yield from TARGETS[target].compare(case)
+            try:
+                yield from TARGETS[target].compare(case)
+            except CompileError as error:
+                yield False, f"{target}: {shorten(str(error), 300)}"
 
 
 def _place(target: str) -> int:

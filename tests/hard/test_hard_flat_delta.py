@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+import pytest
 from support.model_states import relative
 
 from hard import precise
@@ -20,6 +21,7 @@ def flat() -> Model:
     )
 
 
+@pytest.mark.slow
 def test_flat_delta() -> None:
     """All rods in the platform's plane: six lines of rank 3. Accelerations with status -2, drives refused.
 

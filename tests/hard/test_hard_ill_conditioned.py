@@ -89,6 +89,7 @@ def test_mass_ratios_through_singular_positions(ratio: str) -> None:
     assert max(errors) < 1e-8, errors
 
 
+@pytest.mark.slow
 def test_nearly_massless_limbs() -> None:
     """Limbs of the seed with 1e-12 of their masses: no digit lost beyond the first four."""
     model = derive(_lighter(catalogue.load("three_ups_upu_s_physical"), "1e-12"))

@@ -87,7 +87,7 @@ def marched(name: str, steps_per_output: int) -> tuple[float, set[int]]:
 @pytest.mark.parametrize(
     "name, steps, bound, scale",
     [
-        ("bricard", 10, 5e-6, 1.0),
+        slow("bricard", 10, 5e-6, 1.0),
         ("spatial_slider_crank", 60, 2e-4, 1.0),
         slow("delta", 10, 2e-6, 1.0),
         pytest.param(

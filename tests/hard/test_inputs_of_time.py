@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.samples import some_quickly
 
 from hard.mechanisms import chain
@@ -27,7 +28,7 @@ def pushed(force: str, duration: float, *, tables: dict[str, Table] | None = Non
 
 
 @pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
-@pytest.mark.parametrize("width", [1e-1, 1e-3, 1e-5])
+@pytest.mark.parametrize("width", [slow(1e-1), 1e-3, slow(1e-5)])
 def test_a_pulse_in_a_long_time(width: float, backend: str) -> None:
     """A Gaussian anywhere in 100 s gives sqrt(pi) width; stepped over it gave 0."""
     for middle in (1.234, 50.0, 77.7):

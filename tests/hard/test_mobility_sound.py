@@ -38,10 +38,12 @@ def test_planar_loops_are_proved_by_their_group_and_others_sampled() -> None:
     assert bennett.decisions.groups == (6,) and bennett.finite.judgement == "sampled"
 
 
-def test_a_change_point_in_doubles_is_near_singular_and_moves() -> None:
+def test_a_change_point_in_doubles_moves_as_typed_and_is_beside_a_singular_point() -> None:
     posed = reference("parallelogram-change_point", seed=3, digits="double", unit="m")
-    assert posed.failed == () and posed.found is not None
-    assert posed.found.finite.dof == 1 and posed.found.finite.judgement == "proved" and posed.found.nearly_singular
+    assert posed.failed == () and posed.found is not None and posed.found.near is not None
+    assert posed.found.finite.dof == 1 and posed.found.finite.judgement == "proved"
+    meant = posed.found.near.meant
+    assert (meant.dof, meant.finite.branches) == (2, (1,)) and posed.found.near.distance < 1e-14
 
 
 def test_margins_carry_the_ranks_beside_them() -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+from dataclasses import replace
 
 import pytest
 import sympy
@@ -87,3 +89,26 @@ def test_a_coordinate_of_a_joint_that_closes_a_loop_gives_no_margins() -> None:
     assert found.singularities.margins is None
     assert findings.mobility_values(found)["singularities"]["limb"] is None
     assert "not known here" in findings.mobility_text(found)
+
+
+def test_the_nearest_zero_of_a_margin_is_where_the_rank_is_lost() -> None:
+    """The slider-crank's slider rests for an instant where crank and rod are in line: by ranks in 60 digits as well."""
+    found = analyse_mobility(catalogue.load("slider_crank"))
+    assert found.singularities.margins is not None and found.platform.dof == 1
+    (limb,) = [m for m in found.singularities.margins if m.kind == "limb"]
+    near = limb.nearest
+    assert near is not None and near.coordinate == "crank_R" and near.value < 1e-9 and near.closure < 1e-9
+    assert not limb.singular and abs(near.by - math.atan2(4, 3)) < 1e-6
+    there = analyse_mobility(catalogue.load("slider_crank"), at={"crank_R": "atan(4/3)"})
+    assert (there.dof, there.platform.dof) == (1, 0)
+    lines = "\n".join(findings.in_words.as_lines(found.singularities))
+    assert f"0 along its gradient with crank_R displaced by {near.size}" in lines and "deg" in near.size
+
+
+def test_a_margin_of_full_rank_is_almost_singular_whatever_its_size() -> None:
+    found = analyse_mobility(catalogue.load("planar_3rrr"))
+    assert found.singularities.margins is not None
+    margin = next(m for m in found.singularities.margins if m.kind == "actuation")
+    small = replace(margin, value=1e-12 * margin.size)
+    assert small.vanishes and not small.singular and small.regular
+    assert replace(small, regular=False).singular

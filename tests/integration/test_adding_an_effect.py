@@ -11,35 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.magnetic_brake import MAGNETIC_BRAKE
 
 import symscrew
-
-MAGNETIC_BRAKE = '''
-"""A brake of eddy currents."""
-
-from dataclasses import dataclass
-
-from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Effect, Number
-
-
-@dataclass(frozen=True, repr=False)
-class MagneticBrake(Effect):
-    """A torque -c w / (1 + (w / w0)^2) [N m] on a joint."""
-
-    joint: str
-    c: Number = "0.2"
-    w0: Number = 3
-
-    def act(self, acting: Acting) -> None:
-        """Brake the joint, and say what power that takes."""
-        c, w0 = acting.number(self.c, "c", least=0), acting.number(self.w0, "w0", above=0)
-        rate = acting.rate(self.joint, 0)
-        ratio = rate / w0
-        force = -c * rate / (acting.system.tape.one + ratio * ratio)
-        acting.drive(self.joint, 0, force)
-        acting.feed(f"magnetic_brake_{self.joint}", force * rate)
-'''
 
 SLOW_INERTIA = '''
 """A simplification of one's own: accelerations count, centrifugal and gyroscopic moments of spin do not."""
@@ -122,6 +96,7 @@ def test_its_force_is_that_of_the_formula(found: dict) -> None:
     assert braked - plain == pytest.approx(0.5 * rate / (1 + (rate / 3) ** 2), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_it_slows_the_simulated_scene_down(found: dict) -> None:
     assert found["ok"]
     rates = np.array(found["v"])[:, 0]
@@ -129,11 +104,13 @@ def test_it_slows_the_simulated_scene_down(found: dict) -> None:
     assert abs(rates[-1]) < 3
 
 
+@pytest.mark.slow
 def test_it_is_written_to_the_manifest_and_read_back_by_check(found: dict) -> None:
     assert found["manifest"]["effects"] == [{"type": "MagneticBrake", "joint": "A", "c": "0.5"}]
     assert any("same bytes" in line for line in found["checked"])
     assert not [line for line in found["checked"] if "FAILED" in line]
 
 
+@pytest.mark.slow
 def test_a_simplification_is_found_by_what_it_says_of_itself(found: dict) -> None:
     assert found["simplifications"] == ["massless limbs", "no gyroscopic terms", "quasi-static", "slow inertia"]

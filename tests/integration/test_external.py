@@ -94,6 +94,7 @@ def test_a_failed_state_is_a_failed_evaluation(four_bar):
         function([np.nan], [0, 0, 0])
 
 
+@pytest.mark.slow
 def test_the_jacobian_is_sparse_and_can_be_mapped(four_bar):
     function = ca.external("four_bar_casadi_acceleration", str(four_bar))
     by_rate = function.jacobian().sparsity_out("jac_a_y_ddot")

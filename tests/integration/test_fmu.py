@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import shutil
 import subprocess
 import zipfile
@@ -193,3 +194,96 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
             raise SystemExit(main(arguments))
         assert stopped.value.code == 2 and said in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+LIFE = {  # of an instance: what brings it on, per standard; what each may be called in between is in the tables below
+    2: ("EnterInitializationMode", "ExitInitializationMode", "Terminate"),
+    3: ("EnterInitializationMode", "ExitInitializationMode", "Terminate"),
+}
+CO, EXCHANGE = True, False
+REFUSED = {  # stage of the life: functions that must be refused there, of both standards
+    0: ("ExitInitializationMode", "Terminate", "DoStep", "GetReal", "EnterEventMode", "SetTime"),
+    1: ("EnterInitializationMode", "Terminate", "DoStep", "EnterEventMode", "CompletedIntegratorStep"),
+    2: ("EnterInitializationMode", "ExitInitializationMode"),
+    3: ("EnterInitializationMode", "DoStep", "SetReal", "Terminate", "EnterContinuousTimeMode"),
+}
+OTHER_KIND = {CO: ("EnterEventMode", "SetTime", "CompletedIntegratorStep"), EXCHANGE: ("DoStep",)}
+WELL = {1: ("SetReal", "GetReal"), 2: ("SetReal", "GetReal"), 3: ("GetReal",)}
+
+
+class Instance:
+    """An instance of a unit's binary, called as C is."""
+
+    def __init__(self, folder: Path, unit: Path, version: int, *, steps_itself: bool) -> None:
+        described = fmpy.read_model_description(str(unit))
+        place = folder / "binaries" / {2: "linux64", 3: "x86_64-linux"}[version] / "swinging.so"
+        self.library, self.version, self.said = ctypes.CDLL(str(place)), version, list[str]()
+        none, no = None, ctypes.c_bool(False)
+        references = [v.valueReference for v in described.modelVariables if v.name == "u.A"]
+        self.arrays = ((ctypes.c_uint * 1)(*references), ctypes.c_size_t(1), (ctypes.c_double * 1)())
+        token = (described.guid or described.instantiationToken).encode()
+        if version == 2:
+            make = self.library.fmi2Instantiate
+            given = (b"one", ctypes.c_int(steps_itself), token, b"", none, 0, 0)
+        else:
+            make = getattr(self.library, f"fmi3Instantiate{'CoSimulation' if steps_itself else 'ModelExchange'}")
+            rest = (no, no, none, ctypes.c_size_t(0), none, none, none) if steps_itself else (none, none)
+            given = (b"one", token, b"", no, no, *rest)
+        make.restype = ctypes.c_void_p
+        self.own = ctypes.c_void_p(make(*given))
+        assert self.own
+
+    def call(self, name: str) -> int:
+        """The status of a function with arguments that fit it."""
+        no, zero, step = ctypes.c_bool(False), ctypes.c_double(0), ctypes.c_double(0.01)
+        places = [ctypes.byref(ctypes.c_double()) for _ in range(4)]
+        size = (ctypes.c_size_t(1),) if self.version == 3 else ()
+        given: dict[str, tuple[Any, ...]] = {
+            "EnterInitializationMode": (no, zero, zero, no, zero) if self.version == 3 else (),
+            "DoStep": (zero, step, no, *(places if self.version == 3 else ())),
+            "GetReal": (*self.arrays, *size), "SetReal": (*self.arrays, *size), "SetTime": (zero,),
+            "CompletedIntegratorStep": (no, *places[:2]),
+        }  # fmt: skip
+        real = {"GetReal": "GetFloat64", "SetReal": "SetFloat64"} if self.version == 3 else {}
+        return int(getattr(self.library, f"fmi{self.version}{real.get(name, name)}")(self.own, *given.get(name, ())))
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("steps_itself", [CO, EXCHANGE])
+def test_calls_in_the_wrong_state_are_refused(
+    units: dict[int, Path], tmp_path: Path, version: int, steps_itself: bool
+) -> None:
+    with zipfile.ZipFile(units[version]) as archive:
+        archive.extractall(tmp_path)
+    one = Instance(tmp_path, units[version], version, steps_itself=steps_itself)
+    for stage in range(4):
+        for name in (*REFUSED[stage], *OTHER_KIND[steps_itself]):
+            assert one.call(name) == 3, (stage, name)
+        for name in WELL.get(stage, ()):
+            assert one.call(name) == 0, (stage, name)
+        if stage == 2 and steps_itself:
+            assert one.call("DoStep") == 0
+        if stage == 2 and not steps_itself:
+            path = ("SetTime", "EnterContinuousTimeMode", "SetTime", "CompletedIntegratorStep", "EnterEventMode")
+            assert [one.call(name) for name in path] == [0] * 5
+            assert one.call("CompletedIntegratorStep") == 3
+        if stage < 3:
+            assert one.call(LIFE[version][stage]) == 0
+    assert one.call("Reset") == 0 and one.call("EnterInitializationMode") == 0
+    assert one.call("SetReal") == 0
+    nobody = ctypes.c_void_p(None)
+    assert getattr(one.library, f"fmi{version}Terminate")(nobody) == 3
+    assert getattr(one.library, f"fmi{version}SetFMU{'state' if version == 2 else 'State'}")(one.own, None) == 3
+    getattr(one.library, f"fmi{version}FreeInstance")(one.own)
+
+
+@pytest.mark.parametrize("length", [0.0, -1.0, float("nan"), float("inf"), 1e300])
+def test_steps_that_do_not_end_are_refused(units: dict[int, Path], tmp_path: Path, length: float) -> None:
+    with zipfile.ZipFile(units[2]) as archive:
+        archive.extractall(tmp_path)
+    one = Instance(tmp_path, units[2], 2, steps_itself=True)
+    assert one.call("EnterInitializationMode") == one.call("ExitInitializationMode") == 0
+    step, zero = one.library.fmi2DoStep, ctypes.c_double(0)
+    assert step(one.own, zero, ctypes.c_double(length), 0) == 3
+    assert step(one.own, zero, ctypes.c_double(0.01), 0) == 0
+    one.library.fmi2FreeInstance(one.own)

@@ -27,3 +27,25 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
         path = tmp_path / f"seed{suffix}"
         assert main(["mobility", SEED, "--out", str(path)]) == 0
         assert piece in path.read_text()
+
+
+def test_the_proof_file_of_a_command_is_judged_by_its_checker(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from symscrew.mobility.proofs import proof_checker
+
+    path = tmp_path / "proof.json"
+    assert main(["mobility", "four_bar", "--proof", str(path)]) == 0
+    assert f"{path}: " in capsys.readouterr().err
+    assert proof_checker.main([str(path)]) == 0
+    assert "proved: finite mobility 1" in capsys.readouterr().out
+    assert main(["mobility", "four_bar", "--proof", str(tmp_path / "no" / "proof.json")]) == 2
+    assert "--proof" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_a_displaced_configuration_is_not_proved(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "proof.json"
+    assert main(["mobility", "four_bar", "--at", "A=0.2", "--proof", str(path)]) == 0
+    values = json.loads(path.read_text())
+    assert all(entry["claim"].startswith("displaced") for entry in values["not proved"]) and values["not proved"]

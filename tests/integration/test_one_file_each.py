@@ -11,34 +11,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+from support.magnetic_brake import MAGNETIC_BRAKE
+
 import symscrew
 
 PACKAGE = Path(symscrew.__file__).parent
-
-EFFECT = '''
-"""A magnetic brake: force -c rate / (1 + (rate / w0)^2) along a joint."""
-
-from dataclasses import dataclass
-
-from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Effect, Number
-
-
-@dataclass(frozen=True, repr=False)
-class MagneticBrake(Effect):
-    """Brake of a joint: coefficient c [N s/m] and the rate w0 [m/s] of the largest force."""
-
-    joint: str
-    c: Number = "0.2"
-    w0: Number = 3
-
-    def act(self, acting: Acting) -> None:
-        """Brake the joint."""
-        c, w0 = acting.number(self.c, "c", least=0), acting.number(self.w0, "w0", least=0)
-        rate = acting.rate(self.joint, 0)
-        ratio = rate / w0
-        acting.drive(self.joint, 0, -c * rate / (acting.system.tape.one + ratio * ratio))
-'''
 
 TARGET = '''
 """Target "counts": operations of every function."""
@@ -136,7 +113,7 @@ ADDED = {
             '    "T": JointType("T", "table", 2, (translation(0), translation(1))),',
         )
     },
-    "effect": {"effects/magnetic_brake.py": EFFECT},
+    "effect": {"effects/magnetic_brake.py": MAGNETIC_BRAKE},
     "target": {
         "generation/counts_target.py": TARGET,
         "generation/targets.py": ('    "c": Target(', '    "counts": Target(f"{ROOM}.counts_target", "counts"),'),

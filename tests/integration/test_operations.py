@@ -106,8 +106,8 @@ def count_c(source: str, symbol: str) -> int:
     """
     bodies = re.findall(rf"^BODY\({symbol}\)\([^;{{]*\n?\{{\n(.*?)^\}}", source, re.M | re.S)
     assert len(bodies) == 1, f"no body {symbol}"
-    count = 0
-    for statement in re.sub(r"\(void\)\w+;", "", bodies[0]).split(";"):
+    count, constants = 0, set(re.findall(r"^    (\w+) = [\d.e+-]+[,;] /\*", source, re.M))
+    for statement in re.sub(r"\(void\)\w+;|/\*.*?\*/", "", bodies[0], flags=re.S).split(";"):
         right = statement.split(" = ", 1)[-1]
         before = "="
         tokens = [m for m in TOKEN.finditer(right) if not m[0].isspace()]
@@ -117,7 +117,7 @@ def count_c(source: str, symbol: str) -> int:
             if token["name"]:
                 count += COUNTS.get(token["name"], 0)
             elif token[0] in "+-" and unary:
-                count += not re.match(r"[\d.]", following)
+                count += not (re.match(r"[\d.]", following) or following in constants)
             elif token[0] in ("+", "-", "*", "/"):
                 count += 1
             before = token[0]

@@ -60,6 +60,7 @@ def test_everything_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert {p.name for p in tmp_path.iterdir()} == {"problem.toml", "motion.npz", "motion.png"}
 
 
+@pytest.mark.slow
 def test_table_for_a_controller(tmp_path: Path) -> None:
     problem, out = tmp_path / "problem.toml", tmp_path / "motion.csv"
     problem.write_text(FIVE_BAR)

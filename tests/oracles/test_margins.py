@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 import sympy
 from support import reference_mechanisms
+from support.marks import slow
 from support.model_states import model as complete_model
 from support.model_states import output
 
@@ -387,7 +388,7 @@ def test_hexapod_is_singular_turned_by_ninety_degrees() -> None:
     "name, factors",
     [
         ("stewart_6ups", ["leg1", "leg2", "leg3", "leg4", "leg5", "leg6"]),
-        ("delta", ["rod1a_S", "rod1b_S", "rod2a_S", "rod2b_S", "rod3a_S", "rod3b_S"]),
+        slow("delta", ["rod1a_S", "rod1b_S", "rod2a_S", "rod2b_S", "rod3a_S", "rod3b_S"]),
         ("andrews", ["E3", "E4", "E6"]),
     ],
 )
@@ -509,7 +510,7 @@ def moved(mechanism: Mechanism, rotation: np.ndarray, shift: Sequence, factor: o
     )
 
 
-@pytest.mark.parametrize("name", ["three_ups_upu_s", "ur5", "delta", "sarrus"])
+@pytest.mark.parametrize("name", [slow("three_ups_upu_s"), "ur5", slow("delta"), "sarrus"])
 def test_margins_know_neither_the_place_nor_the_unit(name: str) -> None:
     third = sympy.Rational(1, 3)
     rotation = [[2 * third, -third, 2 * third], [2 * third, 2 * third, -third], [-third, 2 * third, 2 * third]]

@@ -66,7 +66,7 @@ def test_platform_functions_equal_those_of_the_tree(name: str) -> None:
         assert relative(drives, expected) < 1e-9
 
 
-@pytest.mark.parametrize("name", ["delta", "hexapod"])
+@pytest.mark.parametrize("name", ["delta", slow("hexapod")])
 def test_angles_enter_by_cosine_and_sine(name: str) -> None:
     operations = {function: model(name).programs[function].operations for function in PLATFORM}
     angles = sum(c.kind == "angle" for c in model(name).system.tree.q)
@@ -86,7 +86,7 @@ def test_out_of_reach_is_reported(name: str) -> None:
         assert np.all(status == 2) and np.isnan(got).all()
 
 
-@pytest.mark.parametrize("name", ["delta", "hexapod", slow("hexapod_inwards")])
+@pytest.mark.parametrize("name", [slow("delta"), "hexapod", slow("hexapod_inwards")])
 def test_a_guess_beyond_the_dead_centre_gives_the_other_elbow(name: str) -> None:
     """A constant guess: the reference's elbow; a guess of nodes: the guess's own, and q itself where that is closed."""
     found = model(name)

@@ -84,6 +84,7 @@ def test_assembly_follows_the_guess_to_its_own_branch(found: Model) -> None:
     assert np.abs(q - expected).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_an_optimiser_closes_what_limbs_leave_open_across_their_planes(found: Model) -> None:
     """Three rows across the planes, and the quaternion's length, for what is left of the platform's coordinates."""
     equations = PointEquations(found.mechanism, (Gravity(),))

@@ -35,6 +35,7 @@ def followers(found: Model) -> set[str]:
     return set(note.split(" determine ")[1].split(";")[0].split(", "))
 
 
+@pytest.mark.slow
 def test_a_delta_s_platform_does_not_turn_and_its_rods_stay_parallel() -> None:
     expected = {f"rod{k}b_U.{i}" for k in (1, 2, 3) for i in (0, 1)} | {f"platform_pose.q{c}" for c in "wxyz"}
     assert followers(models("delta")[0]) == expected
@@ -73,6 +74,7 @@ def test_on_the_mode_both_are_equal(name: str) -> None:
     assert compared >= 6
 
 
+@pytest.mark.slow
 def test_the_mode_takes_a_part_of_the_operations_of_a_delta() -> None:
     general, alone = models("delta")
     shares = {"inverse_dynamics": 0.3, "velocity": 0.3, "acceleration": 0.33, "forward_dynamics": 0.3}

@@ -133,8 +133,10 @@ def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, caps
 # -- what code for such machines must not do ---------------------------------------------------------------
 
 
-def sources(folder: Path, name: str, precision: str, **options: bool) -> Path:
-    for file, text in print_c(model(name), precision=PRECISIONS[precision], **options).items():
+def sources(folder: Path, name: str, precision: str, *functions: str, **options: bool) -> Path:
+    """The printed C in a folder, of these functions or all."""
+    found = model(name).only(functions) if functions else model(name)
+    for file, text in print_c(found, precision=PRECISIONS[precision], **options).items():
         (folder / file).write_text(text)
     return folder / f"{name}.c"
 
@@ -178,7 +180,7 @@ def test_the_analyzer_of_gcc_finds_nothing_in_the_seed(tmp_path: Path) -> None:
 @needs("cppcheck")
 def test_both_would_say_something(tmp_path: Path) -> None:
     """The same commands on the same file are not silent about a function that reads what was never written."""
-    source = sources(tmp_path, "four_bar", "double", batches=False)
+    source = sources(tmp_path, "four_bar", "double", "inverse_dynamics", batches=False)
     wrong = "double four_bar_wrong(int k);\ndouble four_bar_wrong(int k)\n"
     wrong += "{\n    double x[3];\n    return k > 0 ? x[2] : 0.0;\n}\n"
     source.write_text(source.read_text() + wrong)

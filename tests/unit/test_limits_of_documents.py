@@ -13,7 +13,6 @@ from matplotlib.figure import Figure
 from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.display.shape import FLAT, body_points, plate
-from symscrew.display.view import motion_file
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
@@ -113,17 +112,6 @@ def test_a_function_with_more_arrays_than_the_loops_pass_is_refused(monkeypatch:
     with pytest.raises(DescriptionError, match="inverse_dynamics: expected at most 3 arrays to be timed, got 4"):
         function_times.single(Compiled(), "inverse_dynamics")  # type: ignore[arg-type]
     assert timed_code.MOST_ARRAYS == 8
-
-
-@pytest.mark.parametrize("limit", [3, 2])
-def test_an_array_that_would_fill_the_memory_is_refused(limit: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(motion_file, "MAX_ENTRIES", limit)
-    arrays = {"t": np.arange(3.0)}
-    if limit == 3:
-        assert motion_file._numbers("run.npz", "t", arrays, (-1,)) is not None
-    else:
-        with pytest.raises(DescriptionError, match=r"`t` must hold numbers, any \(at most 2\)"):
-            motion_file._numbers("run.npz", "t", arrays, (-1,))
 
 
 def test_points_nearer_than_the_limit_are_one_and_flat_triangles_span_no_plate() -> None:

@@ -59,3 +59,19 @@ def test_programs_introduce_themselves_in_a_line() -> None:
     ports = Port("y", (1,), ("1",), (), ""), Port("q", (3,), ("1",) * 3, (), "")
     iteration = Iteration("assemble", "", ports, ports[1:], program, (0,))
     assert repr(iteration) == "Iteration(assemble(y[1], q[3]) -> q[3], 8 operations per step)"
+
+
+def test_small_differences_of_squares_keep_their_digits() -> None:
+    """c - k cos(x)^2 with c = k + 1e-6: six digits are lost near x = 0 without the pass, none with it."""
+    tape = Tape()
+    x = tape.symbol("x", "rad", "input")
+    sine, cosine = tape.function("sin", x), tape.function("cos", x)
+    whole = tape.constant("2.000001")
+    results = (whole - 2 * (cosine * cosine), sine)
+    ports = Port("x", (1,), ("rad",), (), ""), Port("r", (2,), ("1",) * 2, (), "")
+    program = lower(Function("f", "", ports[:1], ports[1:], ((x,),), (results,)))
+    angles = np.geomspace(1e-6, 1.5, 50)[:, None]
+    (got,), _ = evaluate(program, [angles])
+    expected = 1e-6 + 2 * np.sin(angles[:, 0]) ** 2
+    np.testing.assert_allclose(got[:, 0], expected, rtol=1e-15)
+    assert sorted(operations(program)) == ["add", "mul", "mul", "sin"]  # no cosine at all

@@ -7,30 +7,25 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
+from support.sources import FILES, name_of, nodes, parsed
 
-import symscrew
-
-PACKAGE = Path(symscrew.__file__).parent
-FILES = sorted(PACKAGE.rglob("*.py"))
 POSITIONAL = 4  # more than these cannot be read at the place of a call
 LINES = 65  # of a function; most have fewer than 20
 
 
-def name_of(path: Path) -> str:
-    return str(path.relative_to(PACKAGE))
+def test_functions_take_few_positional_arguments_and_fit_a_screen() -> None:
+    assert [fault for path in FILES for fault in faults_of_functions(path)] == []
 
 
-def functions(path: Path) -> Iterator[ast.FunctionDef]:
-    yield from (node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.FunctionDef))
-
-
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_functions_take_few_positional_arguments_and_fit_a_screen(path: Path) -> None:
-    for node in functions(path):
+def faults_of_functions(path: Path) -> Iterator[str]:
+    for node in nodes(path):
+        if not isinstance(node, ast.FunctionDef):
+            continue
         taken = [a.arg for a in (*node.args.posonlyargs, *node.args.args) if a.arg not in ("self", "cls")]
-        assert len(taken) <= POSITIONAL, f"{name_of(path)}: {node.name}({', '.join(taken)}): what can be a keyword?"
-        assert (node.end_lineno or 0) - node.lineno < LINES, f"{name_of(path)}: {node.name} is several functions"
+        if len(taken) > POSITIONAL:
+            yield f"{name_of(path)}: {node.name}({', '.join(taken)}): what can be a keyword?"
+        if (node.end_lineno or 0) - node.lineno >= LINES:
+            yield f"{name_of(path)}: {node.name} is several functions"
 
 
 def is_number(node: ast.expr | None) -> bool:
@@ -41,14 +36,17 @@ def is_number(node: ast.expr | None) -> bool:
     return isinstance(node, ast.Constant) and type(node.value) in (int, float)
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_every_number_has_its_reason_beside_it(path: Path) -> None:
+def test_every_number_has_its_reason_beside_it() -> None:
+    assert [number for path in FILES for number in numbers_without_a_reason(path)] == []
+
+
+def numbers_without_a_reason(path: Path) -> Iterator[str]:
     """A constant of a module, one number or several at once, has a comment on its line or a text below it.
 
     Or a comment stands above it, or above the lines of constants that it is one of.
     """
     lines = path.read_text().splitlines()
-    body = ast.parse(path.read_text()).body
+    body = parsed(path).body
     for node, below in zip(body, [*body[1:], None], strict=True):
         if not isinstance(node, ast.Assign | ast.AnnAssign):
             continue
@@ -64,4 +62,5 @@ def test_every_number_has_its_reason_beside_it(path: Path) -> None:
         text = (
             isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant) and isinstance(below.value.value, str)
         )
-        assert said or text, f"{name_of(path)}, line {node.lineno}: {lines[node.lineno - 1]}  (why this number?)"
+        if not (said or text):
+            yield f"{name_of(path)}, line {node.lineno}: {lines[node.lineno - 1]}  (why this number?)"

@@ -14,20 +14,19 @@ Other arrays are ignored.
 
 from __future__ import annotations
 
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from symscrew import catalogue
+from symscrew.array_archives import read_archive
 from symscrew.description import Mechanism, parse_description
 from symscrew.errors import DescriptionError, shorten
 from symscrew.model import Model
 
 Array = np.ndarray
 NEEDED = ("t", "q", "v", "mechanism", "q_labels")
-MAX_ENTRIES = 50_000_000  # of an array, 400 MB; a larger one is refused before it fills the memory
 
 
 @dataclass(frozen=True)
@@ -83,23 +82,10 @@ def read_motion(path: str | Path) -> RecordedMotion:
         DescriptionError: the file cannot be read, lacks an array, or its arrays do not fit together.
     """
     file = Path(path)
-    try:
-        with np.load(file, allow_pickle=False) as archive:
-            if not isinstance(archive, np.lib.npyio.NpzFile):
-                raise DescriptionError(f"{file.name}: expected an archive of arrays (.npz), got a single array")
-            missing = [name for name in NEEDED if name not in archive.files]
-            if missing:
-                raise DescriptionError(
-                    f"{file.name}: expected the arrays {', '.join(NEEDED)}; missing: {', '.join(missing)}"
-                )
-            known = (*NEEDED, "u", "u_labels", "reactions")
-            arrays = {name: archive[name] for name in known if name in archive.files}
-    except OSError as error:
-        raise DescriptionError(f"{file.name}: the file cannot be read: {error.strerror or error}") from error
-    except (zipfile.BadZipFile, ValueError, EOFError, KeyError) as error:
-        if isinstance(error, DescriptionError):
-            raise
-        raise DescriptionError(f"{file.name}: expected an archive of arrays (.npz): {shorten(str(error))}") from error
+    arrays = read_archive(file, (*NEEDED, "u", "u_labels", "reactions"))
+    missing = [name for name in NEEDED if name not in arrays]
+    if missing:
+        raise DescriptionError(f"{file.name}: expected the arrays {', '.join(NEEDED)}; missing: {', '.join(missing)}")
     return _motion(file.name, arrays)
 
 
@@ -126,11 +112,9 @@ def _numbers(name: str, key: str, arrays: dict[str, Array], shape: tuple[int, ..
         return None
     array = arrays[key]
     fits = array.ndim == len(shape) and all(want in (-1, n) for want, n in zip(shape, array.shape, strict=True))
-    if array.dtype.kind not in "fiu" or not fits or array.size > MAX_ENTRIES:
+    if array.dtype.kind not in "fiu" or not fits:
         wanted = " x ".join("any" if n < 0 else str(n) for n in shape)
-        raise DescriptionError(
-            f"{name}: `{key}` must hold numbers, {wanted} (at most {MAX_ENTRIES}), got {array.dtype} {array.shape}"
-        )
+        raise DescriptionError(f"{name}: `{key}` must hold numbers, {wanted}, got {array.dtype} {array.shape}")
     if not np.isfinite(array).all():
         raise DescriptionError(f"{name}: `{key}` holds values that are not finite")
     return np.asarray(array, dtype=float)

@@ -31,6 +31,9 @@ typedef struct {
 #endif
 #define CHECK(expression) return (expression) == 0 ? fmi2OK : fmi2Error;
 #define NOT_PROVIDED(name, arguments) EXPORT fmi2Status name arguments { return fmi2Error; }
+#define CO_SIMULATION 1 /* fmi2CoSimulation of fmi2Type */
+#define ALLOWED(modes) if (!allowed(c, modes, __func__)) { return fmi2Error; }
+#define EXCHANGE(modes) if (!allowed_if(0, c, modes, __func__)) { return fmi2Error; }
 
 static void report(void *instance, int is_error, const char *message)
 {
@@ -49,7 +52,6 @@ EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
 EXPORT fmi2Component fmi2Instantiate(fmi2String name, int type, fmi2String guid, fmi2String resources,
                                      const fmi2CallbackFunctions *callbacks, fmi2Boolean visible, fmi2Boolean logging)
 {
-    (void)type;
     (void)resources;
     (void)visible;
     Instance *m = calloc(1, sizeof *m);
@@ -64,6 +66,7 @@ EXPORT fmi2Component fmi2Instantiate(fmi2String name, int type, fmi2String guid,
     strcpy(m->name, name);
     m->report = report;
     m->logging = logging;
+    m->steps_itself = type == CO_SIMULATION;
     if (callbacks != NULL) {
         m->environment = callbacks->componentEnvironment;
         memcpy(&m->logger, &callbacks->logger, sizeof m->logger);
@@ -91,6 +94,7 @@ EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t n,
 {
     (void)n;
     (void)categories;
+    ALLOWED(~0)
     ((Instance *)c)->logging = on;
     return fmi2OK;
 }
@@ -102,17 +106,28 @@ EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean tolerance_def
     (void)tolerance;
     (void)stop_defined;
     (void)stop;
+    ALLOWED(INSTANTIATED)
     ((Instance *)c)->state.t = start;
+    return isfinite(start) ? fmi2OK : fmi2Error;
+}
+
+EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) { ALLOWED(INSTANTIATED) CHECK(enter_mode(c, INITIALISING)) }
+EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c)
+{
+    ALLOWED(INITIALISING)
+    CHECK(close_state(c) || enter_mode(c, ((Instance *)c)->steps_itself ? STEPPING : EVENT))
+}
+EXPORT fmi2Status fmi2Terminate(fmi2Component c) { ALLOWED(STARTED) CHECK(enter_mode(c, TERMINATED)) }
+EXPORT fmi2Status fmi2Reset(fmi2Component c)
+{
+    ALLOWED(~0)
+    initialise(c);
     return fmi2OK;
 }
 
-EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) { (void)c; return fmi2OK; }
-EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) { CHECK(close_state(c)) }
-EXPORT fmi2Status fmi2Terminate(fmi2Component c) { (void)c; return fmi2OK; }
-EXPORT fmi2Status fmi2Reset(fmi2Component c) { initialise(c); return fmi2OK; }
-
 EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Real value[])
 {
+    ALLOWED(READABLE)
     int failed = 0;
     for (size_t k = 0; k < n; ++k) {
         failed |= get_value(c, vr[k], value + k);
@@ -122,6 +137,7 @@ EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], si
 
 EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2Real value[])
 {
+    ALLOWED(WRITABLE)
     int failed = 0;
     for (size_t k = 0; k < n; ++k) {
         failed |= set_value(c, vr[k], value[k]);
@@ -146,6 +162,7 @@ NONE_OF(String, fmi2String)
 
 EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
 {
+    ALLOWED(~0)
     if (*state == NULL) {
         *state = malloc(sizeof(State));
     }
@@ -157,6 +174,10 @@ EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
 }
 EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state)
 {
+    ALLOWED(~0)
+    if (state == NULL) {
+        return fmi2Error;
+    }
     memcpy(&((Instance *)c)->state, state, sizeof(State));
     return fmi2OK;
 }
@@ -177,8 +198,11 @@ EXPORT fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state
 EXPORT fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
 {
     (void)c;
-    memcpy(bytes, state, size < sizeof(State) ? size : sizeof(State));
-    return size < sizeof(State) ? fmi2Error : fmi2OK;
+    if (state == NULL || size < sizeof(State)) {
+        return fmi2Error;
+    }
+    memcpy(bytes, state, sizeof(State));
+    return fmi2OK;
 }
 EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state)
 {
@@ -191,11 +215,12 @@ EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[
 
 /* -- model exchange -- */
 
-EXPORT fmi2Status fmi2EnterEventMode(fmi2Component c) { (void)c; return fmi2OK; }
-EXPORT fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c) { (void)c; return fmi2OK; }
+EXPORT fmi2Status fmi2EnterEventMode(fmi2Component c) { EXCHANGE(CONTINUOUS) CHECK(enter_mode(c, EVENT)) }
+EXPORT fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c) { EXCHANGE(EVENT) CHECK(enter_mode(c, CONTINUOUS)) }
 
 EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info)
 {
+    EXCHANGE(EVENT)
     memset(info, 0, sizeof *info);
     if (drifted(c)) {
         info->valuesOfContinuousStatesChanged = 1;
@@ -208,6 +233,7 @@ EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean no_se
                                               fmi2Boolean *terminate)
 {
     (void)no_set;
+    EXCHANGE(CONTINUOUS)
     *event = drifted(c);
     *terminate = 0;
     return fmi2OK;
@@ -216,6 +242,10 @@ EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean no_se
 EXPORT fmi2Status fmi2SetTime(fmi2Component c, fmi2Real t)
 {
     Instance *m = c;
+    EXCHANGE(EVENT | CONTINUOUS)
+    if (!isfinite(t)) {
+        return fmi2Error;
+    }
     m->state.derived = m->state.derived && m->state.t == t;
     m->state.t = t;
     return fmi2OK;
@@ -223,6 +253,7 @@ EXPORT fmi2Status fmi2SetTime(fmi2Component c, fmi2Real t)
 
 EXPORT fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n)
 {
+    EXCHANGE(CONTINUOUS)
     int failed = n != NQ + NV + NX;
     for (unsigned int k = 0; k < NQ + NV + NX && !failed; ++k) {
         failed |= set_value(c, VR_Q + k, x[k]);
@@ -238,17 +269,25 @@ static int slice(fmi2Component c, unsigned int from, double out[], size_t n)
     }
     return failed;
 }
-EXPORT fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t n) { CHECK(slice(c, VR_Q, x, n)) }
-EXPORT fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real x[], size_t n) { CHECK(slice(c, VR_Q_RATE, x, n)) }
+EXPORT fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t n)
+{
+    EXCHANGE(READABLE)
+    CHECK(slice(c, VR_Q, x, n))
+}
+EXPORT fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real x[], size_t n)
+{
+    EXCHANGE(READABLE)
+    CHECK(slice(c, VR_Q_RATE, x, n))
+}
 EXPORT fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real z[], size_t n)
 {
-    (void)c;
     (void)z;
+    EXCHANGE(READABLE)
     return n == 0 ? fmi2OK : fmi2Error;
 }
 EXPORT fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[], size_t n)
 {
-    (void)c;
+    EXCHANGE(INSTANTIATED | READABLE)
     for (size_t k = 0; k < n; ++k) {
         x[k] = 1.0;
     }
@@ -260,7 +299,7 @@ EXPORT fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[
 EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real t, fmi2Real h, fmi2Boolean no_set)
 {
     (void)no_set;
-    return h > 0.0 && communicate(c, t, h) == 0 ? fmi2OK : fmi2Error;
+    return allowed_if(1, c, STEPPING, __func__) && communicate(c, t, h) == 0 ? fmi2OK : fmi2Error;
 }
 NOT_PROVIDED(fmi2GetDirectionalDerivative, (fmi2Component c, const fmi2ValueReference unknown[], size_t m,
              const fmi2ValueReference known[], size_t n, const fmi2Real seed[], fmi2Real sensitivity[]))

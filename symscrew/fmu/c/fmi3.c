@@ -19,7 +19,8 @@ typedef void (*fmi3LogMessageCallback)(fmi3InstanceEnvironment, fmi3Status, fmi3
 #endif
 #define CHECK(expression) return (expression) == 0 ? fmi3OK : fmi3Error;
 #define NOT_PROVIDED(name, arguments) EXPORT fmi3Status name arguments { return fmi3Error; }
-#define NOTHING(name, arguments) EXPORT fmi3Status name arguments { return fmi3OK; }
+#define ALLOWED(modes) if (!allowed(m, modes, __func__)) { return fmi3Error; }
+#define EXCHANGE(modes) if (!allowed_if(0, m, modes, __func__)) { return fmi3Error; }
 
 static void report(void *instance, int is_error, const char *message)
 {
@@ -34,7 +35,7 @@ static void report(void *instance, int is_error, const char *message)
 EXPORT const char *fmi3GetVersion(void) { return "3.0"; }
 
 static fmi3Instance instantiate(fmi3String token, bool logging, fmi3InstanceEnvironment environment,
-                                fmi3LogMessageCallback logger)
+                                fmi3LogMessageCallback logger, int steps_itself)
 {
     Instance *m = calloc(1, sizeof *m);
     if (m == NULL) {
@@ -42,6 +43,7 @@ static fmi3Instance instantiate(fmi3String token, bool logging, fmi3InstanceEnvi
     }
     m->report = report;
     m->logging = logging;
+    m->steps_itself = steps_itself;
     m->environment = environment;
     memcpy(&m->logger, &logger, sizeof m->logger);
     if (token == NULL || strcmp(token, TOKEN) != 0) {
@@ -60,7 +62,7 @@ EXPORT fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String tok
     (void)name;
     (void)resources;
     (void)visible;
-    return instantiate(token, logging, environment, logger);
+    return instantiate(token, logging, environment, logger, 0);
 }
 
 EXPORT fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, bool visible,
@@ -77,7 +79,7 @@ EXPORT fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String toke
     (void)intermediate;
     (void)n;
     (void)update;
-    return instantiate(token, logging, environment, logger);
+    return instantiate(token, logging, environment, logger, 1);
 }
 
 EXPORT fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources,
@@ -96,6 +98,7 @@ EXPORT fmi3Status fmi3SetDebugLogging(fmi3Instance m, bool on, size_t n, const f
 {
     (void)n;
     (void)categories;
+    ALLOWED(~0)
     ((Instance *)m)->logging = on;
     return fmi3OK;
 }
@@ -107,22 +110,33 @@ EXPORT fmi3Status fmi3EnterInitializationMode(fmi3Instance m, bool tolerance_def
     (void)tolerance;
     (void)stop_defined;
     (void)stop;
+    ALLOWED(INSTANTIATED)
     ((Instance *)m)->state.t = start;
-    return fmi3OK;
+    CHECK(!isfinite(start) || enter_mode(m, INITIALISING))
 }
 
-EXPORT fmi3Status fmi3ExitInitializationMode(fmi3Instance m) { CHECK(close_state(m)) }
-EXPORT fmi3Status fmi3Reset(fmi3Instance m) { initialise(m); return fmi3OK; }
-NOTHING(fmi3Terminate, (fmi3Instance m))
-NOTHING(fmi3EnterEventMode, (fmi3Instance m))
-NOTHING(fmi3EnterContinuousTimeMode, (fmi3Instance m))
-NOTHING(fmi3EnterStepMode, (fmi3Instance m))
-NOTHING(fmi3EnterConfigurationMode, (fmi3Instance m))
-NOTHING(fmi3ExitConfigurationMode, (fmi3Instance m))
-NOTHING(fmi3EvaluateDiscreteStates, (fmi3Instance m))
+EXPORT fmi3Status fmi3ExitInitializationMode(fmi3Instance m)
+{
+    ALLOWED(INITIALISING)
+    CHECK(close_state(m) || enter_mode(m, ((Instance *)m)->steps_itself ? STEPPING : EVENT))
+}
+EXPORT fmi3Status fmi3Reset(fmi3Instance m)
+{
+    ALLOWED(~0)
+    initialise(m);
+    return fmi3OK;
+}
+EXPORT fmi3Status fmi3Terminate(fmi3Instance m) { ALLOWED(STARTED) CHECK(enter_mode(m, TERMINATED)) }
+EXPORT fmi3Status fmi3EnterEventMode(fmi3Instance m) { EXCHANGE(CONTINUOUS) CHECK(enter_mode(m, EVENT)) }
+EXPORT fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance m) { EXCHANGE(EVENT) CHECK(enter_mode(m, CONTINUOUS)) }
+EXPORT fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance m) { ALLOWED(INITIALISING | EVENT) return fmi3OK; }
+NOT_PROVIDED(fmi3EnterStepMode, (fmi3Instance m)) /* of units with events in co-simulation */
+NOT_PROVIDED(fmi3EnterConfigurationMode, (fmi3Instance m)) /* of units with structural parameters */
+NOT_PROVIDED(fmi3ExitConfigurationMode, (fmi3Instance m))
 
 EXPORT fmi3Status fmi3GetFloat64(fmi3Instance m, const fmi3ValueReference vr[], size_t n, double values[], size_t size)
 {
+    ALLOWED(READABLE)
     int failed = n != size;
     for (size_t k = 0; k < n && !failed; ++k) {
         failed |= get_value(m, vr[k], values + k);
@@ -133,6 +147,7 @@ EXPORT fmi3Status fmi3GetFloat64(fmi3Instance m, const fmi3ValueReference vr[], 
 EXPORT fmi3Status fmi3SetFloat64(fmi3Instance m, const fmi3ValueReference vr[], size_t n, const double values[],
                                  size_t size)
 {
+    ALLOWED(WRITABLE)
     int failed = n != size;
     for (size_t k = 0; k < n && !failed; ++k) {
         failed |= set_value(m, vr[k], values[k]);
@@ -175,6 +190,7 @@ NOT_PROVIDED(fmi3GetVariableDependencies, (fmi3Instance m, fmi3ValueReference de
 
 EXPORT fmi3Status fmi3GetFMUState(fmi3Instance m, fmi3FMUState *state)
 {
+    ALLOWED(~0)
     if (*state == NULL) {
         *state = malloc(sizeof(State));
     }
@@ -186,6 +202,10 @@ EXPORT fmi3Status fmi3GetFMUState(fmi3Instance m, fmi3FMUState *state)
 }
 EXPORT fmi3Status fmi3SetFMUState(fmi3Instance m, fmi3FMUState state)
 {
+    ALLOWED(~0)
+    if (state == NULL) {
+        return fmi3Error;
+    }
     memcpy(&((Instance *)m)->state, state, sizeof(State));
     return fmi3OK;
 }
@@ -206,8 +226,11 @@ EXPORT fmi3Status fmi3SerializedFMUStateSize(fmi3Instance m, fmi3FMUState state,
 EXPORT fmi3Status fmi3SerializeFMUState(fmi3Instance m, fmi3FMUState state, uint8_t bytes[], size_t size)
 {
     (void)m;
-    memcpy(bytes, state, size < sizeof(State) ? size : sizeof(State));
-    return size < sizeof(State) ? fmi3Error : fmi3OK;
+    if (state == NULL || size < sizeof(State)) {
+        return fmi3Error;
+    }
+    memcpy(bytes, state, sizeof(State));
+    return fmi3OK;
 }
 EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance m, const uint8_t bytes[], size_t size, fmi3FMUState *state)
 {
@@ -223,6 +246,7 @@ EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance m, const uint8_t bytes[],
 EXPORT fmi3Status fmi3UpdateDiscreteStates(fmi3Instance m, bool *again, bool *terminate, bool *nominals, bool *values,
                                            bool *next_defined, double *next)
 {
+    EXCHANGE(EVENT)
     *again = *terminate = *nominals = *next_defined = false;
     *next = 0.0;
     *values = drifted(m) != 0;
@@ -235,6 +259,7 @@ EXPORT fmi3Status fmi3UpdateDiscreteStates(fmi3Instance m, bool *again, bool *te
 EXPORT fmi3Status fmi3CompletedIntegratorStep(fmi3Instance m, bool no_set, bool *event, bool *terminate)
 {
     (void)no_set;
+    EXCHANGE(CONTINUOUS)
     *event = drifted(m) != 0;
     *terminate = false;
     return fmi3OK;
@@ -243,6 +268,10 @@ EXPORT fmi3Status fmi3CompletedIntegratorStep(fmi3Instance m, bool no_set, bool 
 EXPORT fmi3Status fmi3SetTime(fmi3Instance instance, double t)
 {
     Instance *m = instance;
+    EXCHANGE(EVENT | CONTINUOUS)
+    if (!isfinite(t)) {
+        return fmi3Error;
+    }
     m->state.derived = m->state.derived && m->state.t == t;
     m->state.t = t;
     return fmi3OK;
@@ -250,6 +279,7 @@ EXPORT fmi3Status fmi3SetTime(fmi3Instance instance, double t)
 
 EXPORT fmi3Status fmi3SetContinuousStates(fmi3Instance m, const double x[], size_t n)
 {
+    EXCHANGE(CONTINUOUS)
     int failed = n != NQ + NV + NX;
     for (unsigned int k = 0; k < NQ + NV + NX && !failed; ++k) {
         failed |= set_value(m, VR_Q + k, x[k]);
@@ -265,20 +295,25 @@ static int slice(fmi3Instance m, unsigned int from, double out[], size_t n)
     }
     return failed;
 }
-EXPORT fmi3Status fmi3GetContinuousStates(fmi3Instance m, double x[], size_t n) { CHECK(slice(m, VR_Q, x, n)) }
+EXPORT fmi3Status fmi3GetContinuousStates(fmi3Instance m, double x[], size_t n)
+{
+    EXCHANGE(READABLE)
+    CHECK(slice(m, VR_Q, x, n))
+}
 EXPORT fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance m, double x[], size_t n)
 {
+    EXCHANGE(READABLE)
     CHECK(slice(m, VR_Q_RATE, x, n))
 }
 EXPORT fmi3Status fmi3GetEventIndicators(fmi3Instance m, double z[], size_t n)
 {
-    (void)m;
     (void)z;
+    EXCHANGE(READABLE)
     return n == 0 ? fmi3OK : fmi3Error;
 }
 EXPORT fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance m, double x[], size_t n)
 {
-    (void)m;
+    EXCHANGE(INSTANTIATED | READABLE)
     for (size_t k = 0; k < n; ++k) {
         x[k] = 1.0;
     }
@@ -286,13 +321,13 @@ EXPORT fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance m, double x[], 
 }
 EXPORT fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance m, size_t *n)
 {
-    (void)m;
+    EXCHANGE(INSTANTIATED | READABLE)
     *n = 0;
     return fmi3OK;
 }
 EXPORT fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance m, size_t *n)
 {
-    (void)m;
+    EXCHANGE(INSTANTIATED | READABLE)
     *n = NQ + NV + NX;
     return fmi3OK;
 }
@@ -304,8 +339,11 @@ EXPORT fmi3Status fmi3DoStep(fmi3Instance instance, double t, double h, bool no_
 {
     Instance *m = instance;
     (void)no_set;
+    if (!allowed_if(1, m, STEPPING, __func__)) {
+        return fmi3Error;
+    }
     *event = *terminate = *early = false;
-    const int failed = !(h > 0.0) || communicate(m, t, h) != 0;
+    const int failed = communicate(m, t, h) != 0;
     *last = m->state.t;
     CHECK(failed)
 }

@@ -7,11 +7,19 @@
 
 #define OPEN_ENOUGH 1e-10 /* opening of the loops, without units, from which a model exchange asks for an event */
 
+/* Where an instance is in its life, one bit each; which functions may be called there, both standards say in tables. */
+enum { INSTANTIATED = 1, INITIALISING = 2, EVENT = 4, CONTINUOUS = 8, STEPPING = 16, TERMINATED = 32 };
+#define STARTED (EVENT | CONTINUOUS | STEPPING)
+#define READABLE (INITIALISING | STARTED | TERMINATED)
+#define WRITABLE (INSTANTIATED | INITIALISING | STARTED)
+
+#define MOST_STEPS 1e9 /* of a communication step: with more it does not end, and cannot be counted */
+
 typedef struct {
     double t, start_time, step;
     double q[NQ1], v[NV1], x[NX1], u[NU + 1], outside[NO + 1], p[NP + 1];
     double a[NV1], x_dot[NX1]; /* derivatives at the present state */
-    int derived;
+    int derived, mode;
 } State;
 
 typedef void (*Report)(void *instance, int is_error, const char *message);
@@ -21,8 +29,49 @@ typedef struct {
     void *environment, *logger;
     char *name;
     Report report;
-    int logging;
+    int logging, steps_itself; /* co-simulation; else model exchange */
 } Instance;
+
+/* Whether a function may be called now; if not, why is reported. */
+static int allowed(void *instance, int modes, const char *function)
+{
+    Instance *m = instance;
+    if (m == NULL) {
+        return 0;
+    }
+    if ((m->state.mode & modes) == 0) {
+        char text[160];
+        const char *now = m->state.mode == INSTANTIATED ? "before it is initialised"
+                          : m->state.mode == INITIALISING ? "in initialization mode"
+                          : m->state.mode == EVENT ? "in event mode"
+                          : m->state.mode == CONTINUOUS ? "in continuous-time mode"
+                          : m->state.mode == STEPPING ? "in step mode"
+                                                      : "after it is terminated";
+        snprintf(text, sizeof text, "%s cannot be called %s", function, now);
+        m->report(m, 1, text);
+        return 0;
+    }
+    return 1;
+}
+
+/* The same for functions of model exchange alone, or of co-simulation alone. */
+static int allowed_if(int steps_itself, void *instance, int modes, const char *function)
+{
+    Instance *m = instance;
+    if (m != NULL && m->steps_itself != steps_itself) {
+        char text[160];
+        snprintf(text, sizeof text, "%s is not for %s", function, m->steps_itself ? "co-simulation" : "model exchange");
+        m->report(m, 1, text);
+        return 0;
+    }
+    return allowed(m, modes, function);
+}
+
+static int enter_mode(void *instance, int mode)
+{
+    ((Instance *)instance)->state.mode = mode;
+    return 0;
+}
 
 static void initialise(Instance *m)
 {
@@ -34,6 +83,7 @@ static void initialise(Instance *m)
     memcpy(s->x, x, sizeof x);
     memcpy(s->p, p, sizeof p);
     s->step = FMU_STEP;
+    s->mode = INSTANTIATED;
 }
 
 static void load(const State *s)
@@ -192,6 +242,10 @@ static int drifted(Instance *m)
 static int communicate(Instance *m, double t, double h)
 {
     State *s = &m->state;
+    if (!(h > 0.0) || !isfinite(h) || !isfinite(t) || !(h / s->step <= MOST_STEPS)) {
+        m->report(m, 1, "expected a finite time and a positive communication step of at most 1e9 steps");
+        return 1;
+    }
     load(s);
     s->derived = 0;
     const long count = h > s->step ? (long)ceil(h / s->step - 1e-9) : 1;

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from symscrew.description import markdown_text
 from symscrew.mobility.findings.in_words import NOT_TRIED, key_figures, sections
 from symscrew.mobility.findings.typeset import formulas, typed_formulas
 
@@ -39,7 +40,7 @@ def mobility_markdown(found: Mobility) -> str:
     """A Markdown document with formulas between dollar signs."""
     lines = [f"# Mobility of {found.mechanism.name}", ""]
     if found.mechanism.source:
-        lines += [found.mechanism.source, ""]
+        lines += [markdown_text(found.mechanism.source), ""]
     lines += ["| | |", "|---|---|", *(f"| {what} | {value} |" for what, value in key_figures(found)), ""]
     for heading, facts in sections(found):
         lines += [f"## {heading}", "", *(f"- {fact}" for fact in facts), ""]

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING
 
 import sympy
 
+from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.typeset import inline
+from symscrew.mobility.finite import named_spins
+from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
 
@@ -42,6 +45,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     if found.without_symbols:
         lines.append(found.without_symbols)
     result.append((f"Freedoms of {found.platform.body}", lines))
+    if found.branches is not None:
+        result.append(("Branches through the configuration", branch_lines(found.branches, found.network)))
     if not found.limbs and found.network.chords:
         result.append(("Motions of the loops in symbols", _motions(found)))
     if found.loci:
@@ -49,6 +54,7 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         result.append(("Where it degenerates", lines))
     if lines := as_lines(found.singularities):
         result.append(("How far from singularities (0 at one)", lines))
+    result.append(("In the field's words", counts_in_words(found.counts)))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
     if found.nearly_parallel:
@@ -91,6 +97,8 @@ def _summary(found: Mobility) -> list[str]:
         )
     if found.internal_freedoms:
         lines.append(f"{_count(found.internal_freedoms, 'freedom')} with {found.platform.body} at rest (internal)")
+    if spins := named_spins(found.network):
+        lines.append("Passive spins about the lines between " + ", ".join(f"{a} and {b}" for a, b in spins))
     if found.dof and not found.platform.dof and finite.dof:
         lines.append(
             f"{found.platform.body} is at rest for an instant while the mechanism moves (a dead point for it), "
@@ -110,8 +118,15 @@ def _summary(found: Mobility) -> list[str]:
             f"Finite mobility {finite.dof}, {finite.judgement}: a singular point ({finite.kind}); "
             "dimensions of the branches through it: " + ", ".join(map(str, finite.branches))
         )
+    if found.taken is not None:
+        typed, size = found.taken.typed, found.taken.distance
+        lines.append(
+            f"That is special geometry within {size:.1e} m of the one typed, taken as meant (tolerance "
+            f"{found.taken.tolerance:g} m). As typed: {_count(typed.dof, 'instantaneous freedom')}, finite mobility "
+            f"{'undecided' if typed.finite.dof is None else typed.finite.dof}, {typed.finite.judgement}"
+        )
     if found.near is not None:
-        lines += _near(found.near)
+        lines += _near(found, found.near)
     if found.nearly_singular:
         lines.append(found.nearly_singular)
     lines += found.nearly_special
@@ -120,12 +135,21 @@ def _summary(found: Mobility) -> list[str]:
     return lines
 
 
-def _near(near: Near) -> list[str]:
+def _near(found: Mobility, near: Near) -> list[str]:
     """Both verdicts, how far apart, and which joints differ."""
-    finite, first = near.meant.finite, near.changes[:MOST_CHANGES]
+    meant, first = near.meant, near.changes[:MOST_CHANGES]
+    finite = meant.finite
+    facts = [f"mobility {finite.dof} ({meant.dof} instantaneous, {meant.overconstraints} redundant constraints; "
+             f"{finite.judgement})"]  # fmt: skip
+    if finite.branches:
+        facts.append("branches of dimension " + ", ".join(map(str, finite.branches)) + " through it")
+    if meant.platform.type != found.platform.type:
+        facts.append(f"type {meant.platform.type} of {meant.platform.body} (as typed {found.platform.type})")
+    if meant.dof_drives_locked != found.dof_drives_locked:
+        left = f"{_count(meant.dof_drives_locked or 0, 'freedom')} left with all drives locked"
+        facts.append(f"{left} (as typed {found.dof_drives_locked})")
     return [
-        f"That is as typed. Within {near.distance:.1e} m of a special geometry with mobility {finite.dof} "
-        f"({near.meant.dof} instantaneous, {near.meant.overconstraints} redundant constraints; {finite.judgement})",
+        f"That is as typed. Within {near.distance:.1e} m of a special geometry with " + ", ".join(facts),
         "Largest changes to it: " + ", ".join(f"{name} {size:.1e} m" for name, size in first)
         + "; the numbers to type instead are in the JSON (`near`)",
     ]  # fmt: skip

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from symscrew.mobility.finite import named_spins
+from symscrew.mobility.motions import branch_values
 from symscrew.mobility.singularities import as_values
 
 if TYPE_CHECKING:
@@ -23,6 +26,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "branches": None if finite.branches is None else list(finite.branches),
         "overconstraints": found.overconstraints,
         "internal_freedoms": found.internal_freedoms,
+        "passive_spins": [list(pair) for pair in named_spins(found.network)],
         "platform": {
             "body": platform.body,
             "dof": platform.dof,
@@ -47,6 +51,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "singularities": as_values(found.singularities),
         "motions_exact": _rates(found),
         "overconstraint_joints": list(found.redundant.statically_indeterminate),
+        "counts": _counts(found),
         "method": found.method,
         "exact": found.decisions.exact,
         "field": found.decisions.field,
@@ -56,7 +61,9 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "evidence": list(finite.evidence),
         "proved": finite.proved,
         "judgement": finite.judgement,
+        "branch_table": None if found.branches is None else branch_values(found.branches, found.network),
         "near": _near(found),
+        "taken": _taken(found),
         "nearly_singular": found.nearly_singular or None,
         "nearly_special": list(found.nearly_special),
         "withdrawn": sorted(found.withdrawn),
@@ -76,11 +83,52 @@ def _near(found: Mobility) -> dict[str, Any] | None:
         "branches": None if meant.finite.branches is None else list(meant.finite.branches),
         "overconstraints": meant.overconstraints,
         "platform": meant.platform.type,
+        "dof_drives_locked": meant.dof_drives_locked,
         "changes": dict(found.near.changes),
         "type_instead": {
             name: {"point": list(point), "axes": [list(axis) for axis in axes]}
             for name, (point, axes) in found.near.places().items()
         },
+    }
+
+
+def _counts(found: Mobility) -> dict[str, Any]:
+    """The numbers of the field's formulas; letters as in `symscrew.mobility.field_counts`."""
+    counts = found.counts
+    return {
+        "n": counts.links,
+        "g": counts.joints,
+        "sum_f": counts.freedoms,
+        "q": len(counts.loops),
+        "r": counts.rank,
+        "kutzbach": counts.kutzbach,
+        "lambda": counts.common,
+        "d": counts.order,
+        "nu": counts.redundant,
+        "zeta": counts.isolated,
+        "modified_kutzbach": counts.modified,
+        "M": counts.mobility,
+        "S_F": counts.platform,
+        "N": counts.overconstraint,
+        "T": counts.redundancy,
+        "limbs": [{"name": m.name, "f": m.freedoms, "S_G": m.connectivity} for m in counts.limbs],
+        "loops": [asdict(loop) for loop in counts.loops],
+        "by_groups": counts.by_groups,
+        "by_orders": counts.by_orders,
+    }
+
+
+def _taken(found: Mobility) -> dict[str, Any] | None:
+    """What was typed, where special geometry was taken for it: how far it is [m] and its mobility as typed."""
+    if found.taken is None:
+        return None
+    typed = found.taken.typed
+    return {
+        "distance": found.taken.distance,
+        "tolerance": found.taken.tolerance,
+        "dof_as_typed": typed.dof,
+        "dof_finite_as_typed": typed.finite.dof,
+        "platform_as_typed": typed.platform.type,
     }
 
 

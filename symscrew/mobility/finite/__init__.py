@@ -11,16 +11,28 @@
     reduced_closure  the redundant equations g(u) = 0 that are left once the others are solved
     quadric_cone     directions in which g vanishes to second order: where branches are looked for
     branches         dimensions of the branches through a singular configuration
-    near_geometry    the nearest geometry in which loops keep closed that do not as typed
+    almost_ranks     ranks of closure, platform, drives and limbs that are almost lower as typed
+    joint_changes    places and axes of joints, changed a little
+    near_geometry    the nearest geometry in which these ranks are lost and loops keep closed that almost do
     witnesses        what every claim rests on, checked again by another of these routes
 """
 
+from symscrew.mobility.finite.almost_ranks import RankClaim, rank_claims
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
-from symscrew.mobility.finite.local_solutions import CLOSED
+from symscrew.mobility.finite.local_solutions import (
+    CLOSED,
+    Local,
+    definite_stress,
+    local_at,
+    quadratic_forms,
+    solve_dependent,
+)
 from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
-from symscrew.mobility.finite.passive_spins import without_spins
+from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
+from symscrew.mobility.finite.quadric_cone import cone_directions
+from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
-from symscrew.mobility.finite.witnesses import recheck
+from symscrew.mobility.finite.witnesses import Witness, recheck
 
 __all__ = [
     "CLOSED",
@@ -28,11 +40,24 @@ __all__ = [
     "Array",
     "ClosureVariety",
     "FiniteMobility",
+    "Local",
     "NearGeometry",
+    "RankClaim",
+    "ReducedClosure",
+    "Witness",
+    "cone_directions",
+    "definite_stress",
     "finite_mobility",
+    "is_zero",
+    "local_at",
     "moved",
+    "named_spins",
     "nearest_special",
+    "quadratic_forms",
+    "rank_claims",
     "recheck",
+    "rotation_vector",
     "smooth_mobility",
+    "solve_dependent",
     "without_spins",
 ]

@@ -243,3 +243,26 @@ def _spanned(zeros: Array, there: Local, radius: float) -> int:
     directions = (zeros - there.q) @ there.kernel / radius
     spread = np.linalg.svd(directions, compute_uv=False) / np.sqrt(len(zeros))
     return int((spread > SPREAD).sum())
+
+
+def zeros_nearby(coarse: ClosureVariety, here: Local, forms: Array, off: float) -> list[Array]:
+    """Displacements of zeros of the reduced closure on the larger sphere, far apart; zeros may be `off` by so much.
+
+    Whether their branches lead to the configuration is not looked at.
+    """
+    reduced = ReducedClosure(coarse, here)
+    starts, _ = _starts(here.dof, forms)
+    radius = RADII[0]
+    scale = _scale(reduced, starts, radius)
+    if not scale > off:
+        return []
+    values = reduced.zeros_on_sphere(radius * starts, radius, scale)
+    index = list(is_zero(values, radius, scale, off / scale))
+    chosen: list[Array] = []
+    while index and len(chosen) < KEPT:
+        distance = [min((float(np.linalg.norm(values.q[i] - q)) for q in chosen), default=np.inf) for i in index]
+        farthest = int(np.argmax(distance))
+        if distance[farthest] < APART * radius:
+            break
+        chosen.append(values.q[index[farthest]])
+    return chosen

@@ -158,6 +158,11 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
     text = _missed(trials)
     if dof == 1:
         arc = continued(network, motions[0], ORDERS)
+        if arc.order is not None and arc.obstruction < RESOLVED:
+            raise UndecidedError(
+                f"the one instantaneous motion stops at order {arc.order} by {arc.obstruction:.0e} only, which is not "
+                "zero as typed: finite motions in double precision do not tell it from zero, so nothing is concluded"
+            )
         if arc.order is not None:
             return _infinitesimal(
                 network,

@@ -11,9 +11,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from symscrew.algebra import CONTEXT, IDENTITY, Vector, cross, dot, revolute, scale, subtract
 from symscrew.description import rotation
 from symscrew.mobility.finite.independent_parts import shifted
+from symscrew.mobility.finite.variety import Array
 from symscrew.mobility.joint_network import Edge, Network
 
 COINCIDE = CONTEXT.mpf(10) ** -12
@@ -29,18 +32,34 @@ def without_spins(network: Network) -> tuple[Network, int]:
     edges: dict[str, Edge] = {}
     start = 0
     for name, edge in network.edges.items():
-        edges[name] = _across(edge, spins[name], start) if name in spins else shifted(edge, start)
+        edges[name] = _across(edge, spins[name][0], start) if name in spins else shifted(edge, start)
         start += len(edges[name].screws)
     return replace(network, edges=edges, driven=()), len(spins)
 
 
-def _spins(network: Network) -> dict[str, Vector]:
-    """Spherical joint -> direction of the line about which the chain of links behind it spins."""
+def named_spins(network: Network) -> tuple[tuple[str, str], ...]:
+    """The spherical joints at both ends of every chain of links that spins about the line between them."""
+    return tuple((name, end) for name, (_, end) in _spins(network).items())
+
+
+def rotation_vector(edge: Edge, angles: Array) -> Array:
+    """The rotation vector of a ball joint that turns by two angles, one after the other, across its line of spin."""
+    w, vector = 1.0, np.zeros(3)
+    for screw, angle in zip(edge.screws, angles, strict=True):
+        axis = np.sin(angle / 2) * np.array([float(c) for c in screw[:3]])
+        c = np.cos(angle / 2)
+        w, vector = w * c - vector @ axis, w * axis + c * vector + np.cross(vector, axis)
+    size = float(np.linalg.norm(vector))
+    return np.asarray(vector * (2 * np.arctan2(size, w) / size) if size else vector)
+
+
+def _spins(network: Network) -> dict[str, tuple[Vector, str]]:
+    """Spherical joint -> direction of the line about which the chain of links behind it spins, joint at its end."""
     at: dict[str, list[Edge]] = {body: [] for body in network.bodies}
     for edge in network.edges.values():
         at[edge.parent].append(edge)
         at[edge.child].append(edge)
-    spins: dict[str, Vector] = {}
+    spins: dict[str, tuple[Vector, str]] = {}
     done: set[str] = set()
     for edge in network.edges.values():
         if not _spherical(edge):
@@ -52,7 +71,7 @@ def _spins(network: Network) -> dict[str, Vector]:
             line = subtract(end.point, edge.point)
             size = CONTEXT.sqrt(dot(line, line))
             if size > COINCIDE:
-                spins[edge.name] = scale(1 / size, line)
+                spins[edge.name] = scale(1 / size, line), end.name
                 done |= passed
     return spins
 

@@ -134,6 +134,17 @@ class ClosureVariety:
             return np.array(self._fixed(list(q)), dtype=object)
         return np.asarray(self.evaluate(q[None])[0][0])
 
+    def stations(self, q: Array) -> dict[str, list[Pose]]:
+        """Joint -> displacements, about the centre, before, between and after its motions, at the points q."""
+        poses, result = self.forward(q)[1], {}
+        for name, edge in self.network.edges.items():
+            found = [poses[edge.parent]]
+            for motion in self._motions[name]:
+                rotation, translation, _ = self._step(motion, q)
+                found.append(_product(found[-1], (rotation, translation)))
+            result[name] = found
+        return result
+
     def _jacobian(self, screws: Array) -> Array:
         result = self._zeros(len(screws), self.rows, self.columns)
         for k, loop in enumerate(self.network.loops()):

@@ -12,8 +12,8 @@ What is not of reasonable size is given up with a sentence (`EliminationTooLongE
 """
 
 from symscrew.mobility.symbols.drive_loci import ActuationLoci, actuation_loci
-from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError
-from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors
+from symscrew.mobility.symbols.exact_numbers import Exact, Generator, NotDecidableError, generator_itself, terms_of
+from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, reduced
 from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, exact_system, loop_rows
 from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
@@ -32,6 +32,7 @@ __all__ = [
     "ActuationLoci",
     "Exact",
     "ExactSystem",
+    "Generator",
     "LimbPose",
     "Locus",
     "NotDecidableError",
@@ -43,13 +44,16 @@ __all__ = [
     "actuation_loci",
     "exact_rank",
     "exact_system",
+    "generator_itself",
     "group_dimensions",
     "limb_pose",
     "loop_rows",
     "null_vectors",
     "numbers_at",
+    "reduced",
     "rounded_axis",
     "symbolic_loops",
     "symbolic_mobility",
     "symbolic_screws",
+    "terms_of",
 ]

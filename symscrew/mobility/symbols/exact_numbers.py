@@ -7,7 +7,7 @@ because a generator is adjoined only where the numbers below have no such root (
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -192,3 +192,20 @@ def generators_of(numbers: Iterable[Exact]) -> set[Generator]:
                 found.add(x.generator)
                 stack += x.generator.modulus
     return found
+
+
+def generator_itself(generator: Generator) -> Number:
+    """The generator as a number."""
+    return Number(generator, (Fraction(0), Fraction(1), *[Fraction(0)] * (generator.degree - 2)))
+
+
+def terms_of(x: Exact, generators: Sequence[Generator]) -> dict[tuple[int, ...], Fraction]:
+    """The number as a polynomial in the generators: exponents -> coefficient."""
+    if not isinstance(x, Number):
+        return {(0,) * len(generators): Fraction(x)} if x else {}
+    place = generators.index(x.generator)
+    terms: dict[tuple[int, ...], Fraction] = {}
+    for power, c in enumerate(x.coefficients):
+        for key, value_below in terms_of(c, generators).items():
+            terms[(*key[:place], power, *key[place + 1 :])] = value_below
+    return terms

@@ -50,17 +50,18 @@ class _Padding:
         }
         self.copies: dict[int, int | float] = {}
         self.free = free
-        self.model = [self._most_joined(row) for row in rows]  # the member of each row that the others follow
+        size = [len(row) - row.count(None) for row in rows]
+        joined = {a: size[i] for a, (i, _) in self.place.items()}
+        self.model = [self._most_joined(row, joined) for row in rows]  # the member of each row that the others follow
         order = sorted(range(len(rows)), key=lambda i: -self.model[i])
         self.open = [self.place[s] for i in order for s in rows[i] if s is not None and s != self.model[i]]
 
-    def _most_joined(self, row: Row) -> int:
+    def _most_joined(self, row: Row, joined: Mapping[int, int]) -> int:
+        """The member whose operands are in the largest rows; `joined` says how large the row of a slot is."""
         members = [slot for slot in row if slot is not None]
-        return max(members, key=lambda s: sum(self._members(a) for a, _ in self.operations[s].args))
-
-    def _members(self, operand: int | float) -> int:
-        at = self.place.get(operand) if isinstance(operand, int) else None
-        return sum(slot is not None for slot in self.rows[at[0]]) if at else 0
+        args = [[a for a, _ in self.operations[slot].args if isinstance(a, int)] for slot in members]
+        sizes = [sum([joined.get(a, 0) for a in own]) for own in args]
+        return members[sizes.index(max(sizes))]
 
     def run(self) -> None:
         """Members with one best order of operands are settled first: what they settle may decide about others."""
@@ -75,11 +76,14 @@ class _Padding:
         """Put in what the operands of a member need, if it is clear which of them are which."""
         row, lane = at
         model = self.operations[self.model[row]].args
-        ways = [(self._fit(way, model, at), way) for way in self._ways(at)]
-        best = max(fit for fit, _ in ways)
-        found = list({repr(way): way for fit, way in ways if fit == best}.values())  # slot 0 is not 0.0
-        if len(found) > 1 and not anyhow and any(self._opens(way, model, at) for way in found):
-            return False
+        ways = list(self._ways(at))
+        fits = [self._fit(way, model, at) for way in ways]
+        best = max(fits)
+        found = [way for way, fit in zip(ways, fits, strict=True) if fit == best]
+        if len(found) > 1 and not anyhow:
+            found = list({repr(way): way for way in found}.values())  # slot 0 is not 0.0
+            if len(found) > 1 and any(self._opens(way, model, at) for way in found):
+                return False
         member = self.rows[row][lane]
         assert member is not None
         op = self.operations[member].op
@@ -117,7 +121,7 @@ class _Padding:
         return self.rows[at[0]][lane] if at else slot
 
     def _fit(self, args: Args, model: Args, at: Place) -> int:
-        return sum(self._fits(a, b, at) for (a, _), (b, _) in zip(args, model, strict=True))
+        return sum([self._fits(a, b, at) for (a, _), (b, _) in zip(args, model, strict=True)])
 
     def _opens(self, args: Args, model: Args, at: Place) -> bool:
         return any(self._fits(a, b, at) == LIKELY for (a, _), (b, _) in zip(args, model, strict=True))

@@ -10,8 +10,8 @@ first, and each new one votes for its own neighbours, so that rows grow from the
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterator, Mapping
-from heapq import heappop, heappush
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from heapq import heapify, heappop, heappush
 from itertools import combinations
 
 from symscrew.program.lanes.limb_lanes import LimbLanes
@@ -42,9 +42,11 @@ class _Pairing:
         self.op: dict[int, str] = {}
         self.beside: dict[int, tuple[dict[str, list[int]], dict[str, list[int]]]] = {}
         self.row: dict[int, list[int | None]] = {}
-        self.votes: dict[tuple[int, int], int] = {}
-        self.heap: list[tuple[int, int, int]] = []
         self._neighbours()
+        # a pair x < y is the number x * base + y; in the heap that less its votes times base * base: most come first
+        self.base = 1 + max(self.op, default=0)
+        self.votes: dict[int, int] = {}
+        self.heap: list[int] = []
         self.taken = {slot: 1 << self.lane[slot] for slot in self.op}  # limbs with a member in the row of a slot
         self.made, self.pure = self._made()
         self.outer = self._read_outside()
@@ -122,17 +124,22 @@ class _Pairing:
 
     def run(self) -> None:
         """Rows by name, then by votes."""
+        changed: set[int] = set()
         for row in list(self._named()):
             for x, y in combinations([s for s in row if s is not None], 2):
-                self._vote_beside(x, y)
+                self._vote_beside(x, y, changed)
         for group in self._groups():
             if len(group) <= MOST_ALIKE:
-                for x, y in combinations(group, 2):
-                    self._vote(x, y, 0)
-        heap, votes, taken = self.heap, self.votes, self.taken
+                for k, slot in enumerate(group):
+                    self._vote((slot,), group[k + 1 :], 0, changed)
+        heap, votes, taken, base = self.heap, self.votes, self.taken, self.base
+        square = base * base
+        heap += [pair - votes[pair] * square for pair in changed]
+        heapify(heap)
         while heap:
-            weight, x, y = heappop(heap)
-            if not taken[x] & taken[y] and -weight == votes[x, y]:
+            weight, pair = divmod(heappop(heap), square)
+            x, y = divmod(pair, base)
+            if not taken[x] & taken[y] and -weight == votes[pair]:
                 self._join(x, y)
 
     def _groups(self) -> Iterator[list[int]]:
@@ -176,38 +183,39 @@ class _Pairing:
     def _join(self, x: int, y: int) -> None:
         one, other = self._members(x), self._members(y)
         self._joined([b if a is None else a for a, b in zip(one, other, strict=True)])
+        changed: set[int] = set()
         for p in one:
             for q in other:
                 if p is not None and q is not None:
-                    self._vote_beside(p, q)
+                    self._vote_beside(p, q, changed)
+        heap, votes, square = self.heap, self.votes, self.base * self.base
+        for pair in changed:
+            heappush(heap, pair - votes[pair] * square)
 
     # -- votes ------------------------------------------------------------------------------------------------
 
-    def _vote_beside(self, p: int, q: int) -> None:
+    def _vote_beside(self, p: int, q: int, changed: set[int]) -> None:
         """What is beside two members of a row at the same places corresponds, too."""
         for mine, others in zip(self.beside[p], self.beside[q], strict=True):
             for op, some in mine.items():
                 more = others.get(op)
                 if more:
-                    amount = ALONE if len(some) == len(more) == 1 else AMONG
-                    for x in some:
-                        for y in more:
-                            self._vote(x, y, amount)
+                    self._vote(some, more, ALONE if len(some) == len(more) == 1 else AMONG, changed)
 
-    def _vote(self, x: int, y: int, amount: int) -> None:
-        if self.taken[x] & self.taken[y]:  # some limb has a member in the rows of both
-            return
-        pair = (x, y) if x < y else (y, x)
-        weight = self.votes.get(pair)
-        if weight is None:
-            weight = self._alike(x, y)
-        self.votes[pair] = weight = weight + amount
-        heappush(self.heap, (-weight, *pair))
-
-    def _alike(self, x: int, y: int) -> int:
-        """What two slots have in common by themselves."""
-        hints, made = self.lanes.hints, self.made
-        weight = HINT * (x in hints and hints[x] == hints.get(y))
-        if x in made:
-            weight += len(self.outer[x] & self.outer[y])
-        return weight
+    def _vote(self, some: Sequence[int], more: Sequence[int], amount: int, changed: set[int]) -> None:
+        """So many votes for each of some with each of others, but for pairs of which some limb has members in both."""
+        votes, taken, made, outer, base = self.votes, self.taken, self.made, self.outer, self.base
+        hints = self.lanes.hints
+        for x in some:
+            own = taken[x]
+            for y in more:
+                if own & taken[y]:
+                    continue
+                pair = x * base + y if x < y else y * base + x
+                weight = votes.get(pair)
+                if weight is None:  # what two slots have in common by themselves
+                    weight = HINT * (x in hints and hints[x] == hints.get(y))
+                    if x in made:
+                        weight += len(outer[x] & outer[y])
+                votes[pair] = weight + amount
+                changed.add(pair)

@@ -8,8 +8,9 @@ undone.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symscrew.program.lanes.signed_operations import SLOW, WIDEST, Operand, Operation, Row
 
@@ -19,8 +20,11 @@ TAKEN_OUT = 1.0  # an entry that is taken out of a vector
 ROUNDS_OF_UNDOING = 2  # over all packs, or fewer if one undoes nothing; a pack that would pay undone later stays
 
 Item = tuple[bool, int]  # (True, row) of a pack, (False, slot) of a single instruction
-Need = tuple[str, int | tuple[int | float, ...]]  # ("out", slot) to have on its own, ("in", entries) to gather
+Need = int | tuple[int | float, ...]  # a slot to have on its own, or entries to gather
 Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, and sign, in every lane
+# How well the first operands of two lanes fit each other, best first: in one row, the same slot, both constants,
+# entries of one array, both there from the start. Only their order counts, and their sum over operands.
+ROW, SAME, CONSTANTS, ARRAY, GIVEN, APART = 5, 4, 3, 2, 1, 0
 
 
 @dataclass(frozen=True)
@@ -57,56 +61,65 @@ class Plan:
         lanes = -(-len(found[0]) // parts)
         self.width = next(width for width in WIDTHS if width >= lanes)
         cut = [row[start : start + lanes] for row in found for start in range(0, len(row), lanes)]
-        self.rows = rows = [
-            (*row, *(None,) * (self.width - len(row))) for row in cut if sum(slot is not None for slot in row) > 1
-        ]
+        self.rows = rows = [(*row, *(None,) * (self.width - len(row))) for row in cut if len(row) - row.count(None) > 1]
         self.place = {slot: (i, k) for i, row in enumerate(rows) for k, slot in enumerate(row) if slot is not None}
         self.on = [True] * len(rows)
-        self.columns = [self._columns(row) for row in rows]
+        self.ops = [operations[next(slot for slot in row if slot is not None)].op for row in rows]
+        self.columns = [self._columns(row, op) for row, op in zip(rows, self.ops, strict=True)]
         self.shared = {a for a in self.copies.values() if isinstance(a, int) and a in operations}
         self.shared -= {*self.place, *code.wanted, *code.checked}
-        self.users: dict[int, list[int]] = {}
-        for slot, operation in operations.items():
+        self.needs: dict[Need, int] = {}
+        self._wanted: dict[Item, list[Need]] = {}
+        self.order()
+        self.cost = self._counted()
+
+    @cached_property
+    def users(self) -> dict[int, list[int]]:
+        """The slots of operations that read a slot, themselves or through a copy."""
+        found: dict[int, list[int]] = {}
+        for slot, operation in self.operations.items():
             for arg, _ in operation.args:
                 for read in (arg, self.copies.get(arg) if isinstance(arg, int) else None):
                     if isinstance(read, int):
-                        self.users.setdefault(read, []).append(slot)
-        self.needs: dict[Need, int] = {}
-        self.cost = 0.0
-        self._wanted: dict[Item, list[Need]] = {}
-        self.order()
-        for key in (key for slot in code.wanted for key in self._read(slot)):
-            self._need(key, 1)
-        for item in self._items():
-            self._account(item, 1)
+                        found.setdefault(read, []).append(slot)
+        return found
 
     # -- how operands of a row stand ------------------------------------------------------------------
 
-    def _columns(self, row: Row) -> tuple[Column, ...]:
+    def _columns(self, row: Row, op: str) -> tuple[Column, ...]:
         """The operands of a row, terms and factors in the order that fits those of the first lane best."""
-        filled = {k: self.operations[slot].args for k, slot in enumerate(row) if slot is not None}
-        first = next(iter(filled.values()))
-        op = next(self.operations[slot].op for slot in row if slot is not None)
-        if op in ("add", "mul"):
-            for k, args in filled.items():
-                straight, crossed = (
-                    self._fit(first[0][0], args[i][0]) + self._fit(first[1][0], args[1 - i][0]) for i in (0, 1)
-                )
-                filled[k] = args[::-1] if crossed > straight else args
-        lanes = range(self.width)
-        return tuple(tuple(filled[k][i] if k in filled else None for k in lanes) for i in range(len(first)))
+        operations = self.operations
+        found = [None if slot is None else operations[slot].args for slot in row]
+        first = next(args for args in found if args is not None)
+        if op not in ("add", "mul"):
+            return tuple([tuple([None if args is None else args[i] for args in found]) for i in range(len(first))])
+        (one, _), (other, _) = first
+        fit = self._fit
+        here: list[Operand | None] = []
+        there: list[Operand | None] = []
+        for args in found:
+            if args is None:
+                here.append(None)
+                there.append(None)
+                continue
+            (a, _), (b, _) = args
+            crossed = fit(one, b) + fit(other, a) > fit(one, a) + fit(other, b)
+            here.append(args[crossed])
+            there.append(args[not crossed])
+        return tuple(here), tuple(there)
 
     def _fit(self, a: int | float, b: int | float) -> int:
         if isinstance(a, float) or isinstance(b, float):
-            return 3 * (isinstance(a, float) and isinstance(b, float))
+            return CONSTANTS if isinstance(a, float) and isinstance(b, float) else APART
         if a == b:
-            return 4
+            return SAME
         one, other = self.place.get(a), self.place.get(b)
         if one and other:
-            return 5 * (one[0] == other[0])
+            return ROW if one[0] == other[0] else APART
         if one or other:
-            return 0
-        return 1 + (a in self.code.arrays and self.code.arrays[a] == self.code.arrays.get(b))
+            return APART
+        arrays = self.code.arrays
+        return ARRAY if a in arrays and arrays[a] == arrays.get(b) else GIVEN
 
     def at(self, slot: int | float) -> tuple[int, int] | None:
         """Row and lane of a slot that is packed."""
@@ -115,11 +128,12 @@ class Plan:
 
     def source(self, column: Column) -> int | None:
         """The row whose pack holds a column as it is."""
-        row = None
+        row, place, on = None, self.place, self.on
         for k, entry in enumerate(column):
             if entry is not None:
-                found = self.at(self._plain(entry[0]))
-                if found is None or found[1] != k or (row is not None and found[0] != row):
+                a = self._plain(entry[0]) if self.copies else entry[0]
+                found = place.get(a) if type(a) is int else None
+                if found is None or found[1] != k or (row is not None and found[0] != row) or not on[found[0]]:
                     return None
                 row = found[0]
         return row
@@ -132,24 +146,28 @@ class Plan:
 
     # -- cost -----------------------------------------------------------------------------------------
 
-    def _items(self) -> Iterator[Item]:
-        """(True, row) of packs and (False, slot) of single instructions."""
-        seen = set()
-        for slot in self.operations:
-            found = self.at(slot)
-            item = (False, slot) if found is None else (True, found[0])
-            if item not in seen:
-                seen.add(item)
-                yield item
+    def _counted(self) -> float:
+        """The cost of everything, with what is needed counted from the start."""
+        needs, wanted = self.needs, self._wanted
+        cost = 0.0
+        for key in (key for slot in self.code.wanted for key in self._read(slot)):
+            needs[key] = needs.get(key, 0) + 1
+        items: list[Item] = [(True, row) for row, on in enumerate(self.on) if on]
+        items += [(False, slot) for slot in self.operations if self.at(slot) is None]
+        for item in items:
+            wanted[item] = found = self._looked_up(item)
+            cost += self._own(item)
+            for key in found:
+                needs[key] = needs.get(key, 0) + 1
+        return cost + sum(map(self._price, needs))
 
-    def _price(self, key: Need) -> float:
-        _, what = key
-        if isinstance(what, int):
+    def _price(self, what: Need) -> float:
+        if type(what) is int:
             if what in self.shared:
                 return SLOW.get(self.operations[what].op, 1.0)
             return TAKEN_OUT if self.at(what) is not None else 0.0
-        different = len(set(what))
-        return GATHERED if different == 1 else GATHERED * different
+        assert isinstance(what, tuple)
+        return GATHERED * len(set(what))
 
     def _wants(self, item: Item) -> list[Need]:
         """What an item needs beside vectors that are there: slots taken out, vectors gathered; remembered."""
@@ -169,9 +187,10 @@ class Plan:
         for column in self.columns[number]:
             if self.source(column) is None:
                 entries = tuple([self._plain(entry[0]) for entry in column if entry is not None])
-                if not all(type(a) is float for a in entries):
-                    found.append(("in", entries))
-                    for a in dict.fromkeys(entries):
+                slots = [a for a in entries if type(a) is int]
+                if slots:
+                    found.append(entries)
+                    for a in dict.fromkeys(slots):
                         found += self._read(a)
         return found
 
@@ -180,122 +199,123 @@ class Plan:
         if type(operand) is not int:
             return []
         if operand not in self.shared:
-            return [("out", operand)]
-        behind: list[Need] = [("out", a) for a, _ in self.operations[operand].args if isinstance(a, int)]
-        return [("out", operand), *behind]
+            return [operand]
+        return [operand, *(a for a, _ in self.operations[operand].args if isinstance(a, int))]
 
     def _own(self, item: Item) -> float:
         packs, number = item
-        if not packs:
-            free = number in self.copies or number in self.shared
-            return 0.0 if free else SLOW.get(self.operations[number].op, 1.0)
-        op = next(self.operations[slot].op for slot in self.rows[number] if slot is not None)
-        return SLOW[op] * self.width / 2 if op in SLOW else 1.0
-
-    def _account(self, item: Item, sign: int) -> None:
-        self.cost += sign * self._own(item)
-        for key in self._wants(item):
-            self._need(key, sign)
-
-    def _need(self, key: Need, sign: int) -> None:
-        before = self.needs.get(key, 0)
-        self.needs[key] = after = before + sign
-        if not before or not after:
-            self.cost += sign * self._price(key)
-
-    def _toggle(self, row: int, known: Mapping[Item, list[Need]] | None = None) -> dict[Item, list[Need]]:
-        """Pack a row, or undo it, and account for it and for all that reads it; `known` takes a toggle back.
-
-        What all of these wanted before is returned.
-        """
-        members = [slot for slot in self.rows[row] if slot is not None]
-        around = {self._item(u) for slot in members for u in self.users.get(slot, ())}
-        packed, single = {(True, row)}, {(False, slot) for slot in members}
-        concerned = around | (packed if self.on[row] else single)
-        for item in concerned:
-            self._account(item, -1)
-        kept = [slot for slot in members if self.needs.get(("out", slot))]
-        self.cost -= sum(self._price(("out", slot)) for slot in kept)
-        before = {item: self._wanted.pop(item) for item in concerned}
-        self._wanted |= known or {}
-        self.on[row] = not self.on[row]
-        self.cost += sum(self._price(("out", slot)) for slot in kept)
-        for item in around | (packed if self.on[row] else single):
-            self._account(item, 1)
-        return before
+        if packs:
+            op = self.ops[number]
+            return SLOW[op] * self.width / 2 if op in SLOW else 1.0
+        free = number in self.copies or number in self.shared
+        return 0.0 if free else SLOW.get(self.operations[number].op, 1.0)
 
     def _item(self, slot: int) -> Item:
-        found = self.at(slot)
-        return (False, slot) if found is None else (True, found[0])
+        found = self.place.get(slot)
+        return (False, slot) if found is None or not self.on[found[0]] else (True, found[0])
 
     def improve(self) -> None:
         """Undo packs as long as that costs less."""
         for _ in range(ROUNDS_OF_UNDOING):
-            changed = False
-            for row in range(len(self.rows)):
-                if self.on[row] and self._at_edge(row):
-                    before = self.cost
-                    wanted = self._toggle(row)
-                    if self.cost < before:
-                        changed = True
-                    else:
-                        self._toggle(row, wanted)
-            if not changed:
+            undone = [row for row, on in enumerate(self.on) if on and self._at_edge(row) and self._undone(row)]
+            if not undone:
                 return
 
     def _at_edge(self, row: int) -> bool:
         """Whether something is gathered for a pack or taken out of it: undone among packs only, it would cost more."""
         if self._wants((True, row)):
             return True
-        return any(slot is not None and self.needs.get(("out", slot)) for slot in self.rows[row])
+        return any(slot is not None and self.needs.get(slot) for slot in self.rows[row])
+
+    def _undone(self, row: int) -> bool:
+        """Pack a row no longer, if that costs less: account for it and for all that reads it."""
+        needs, price, wanted = self.needs, self._price, self._wanted
+        members = [slot for slot in self.rows[row] if slot is not None]
+        around = {self._item(u) for slot in members for u in self.users.get(slot, ())}
+        singles: list[Item] = [(False, slot) for slot in members]
+        before = {item: self._wants(item) for item in [*around, (True, row)]}
+        counts: dict[Need, int] = {}  # as they were
+        change = sum(map(self._own, singles)) - self._own((True, row))
+        for key in (key for keys in before.values() for key in keys):
+            was = needs[key]
+            counts.setdefault(key, was)
+            needs[key] = was - 1
+            if was == 1:
+                change -= price(key)
+        kept = [slot for slot in members if needs.get(slot)]
+        change -= sum(map(price, kept))
+        self.on[row] = False
+        change += sum(map(price, kept))
+        after = {item: self._looked_up(item) for item in [*around, *singles]}
+        for key in (key for keys in after.values() for key in keys):
+            was = needs.get(key, 0)
+            counts.setdefault(key, was)
+            needs[key] = was + 1
+            if not was:
+                change += price(key)
+        if change < 0:
+            self.cost += change
+            wanted |= after
+            return True
+        self.on[row] = True
+        needs |= counts
+        return False
 
     # -- order ----------------------------------------------------------------------------------------
 
-    def _before(self, item: Item) -> Iterator[Item]:
-        packs, number = item
-        for slot in self.rows[number] if packs else (number,):
-            if slot is not None:
-                read = self.operations[slot].args
-                for arg in [self.copies[slot]] if not packs and slot in self.copies else [a for a, _ in read]:
-                    if isinstance(arg, int) and arg in self.operations:
-                        yield self._item(arg)
-
     def order(self) -> list[Item]:
         """Items in an order of evaluation; rows that wait for each other are packed no longer, one in each cycle."""
+        rows = len(self.rows)
+        number = {  # of the item that a slot is in: rows first, single slots behind them
+            slot: rows + slot if (at := self.place.get(slot)) is None or not self.on[at[0]] else at[0]
+            for slot in self.operations
+        }
+        before = {row: self._operands(some) for row, some in enumerate(self.rows) if self.on[row]}
+        before |= {item: self._operands([slot], alone=True) for slot, item in number.items() if item >= rows}
+        state = bytearray(rows + 1 + max(self.operations, default=0))  # 0 not come to, 1 on the way, 2 in the order
         order: list[Item] = []
-        done: dict[Item, bool] = {}
         for slot in self.operations:
-            while not done.get(start := self._item(slot)):
-                stack = [(start, self._before(start))]
+            while state[number[slot]] < 2:
+                stack = [number[slot]]
                 while stack:
-                    item, rest = stack[-1]
-                    done[item] = False
-                    following = next((x for x in rest if not done.get(x)), None)
+                    item = stack[-1]
+                    state[item] = 1
+                    following = next((a for a in before[item] if state[number[a]] < 2), None)
                     if following is None:
-                        done[item] = True
-                        order.append(item)
+                        state[item] = 2
+                        order.append((True, item) if item < rows else (False, item - rows))
                         stack.pop()
-                    elif following in done:
-                        self._undo(stack, done)
+                    elif state[number[following]] == 0:
+                        stack.append(number[following])
                     else:
-                        stack.append((following, self._before(following)))
+                        for single in self._undo_last(stack, state):
+                            number[single] = rows + single
+                            before[rows + single] = self._operands([single], alone=True)
         return order
 
-    def _undo(self, stack: list[tuple[Item, Iterator[Item]]], done: dict[Item, bool]) -> None:
-        """Pack the last row on the way no longer, and go back to what asked for it."""
-        packs = False
-        while not packs:
-            (packs, number), _ = stack.pop()
-            del done[packs, number]
-        self.on[number] = False
-        if stack:
-            item, _ = stack.pop()
-            stack.append((item, self._before(item)))
+    def _operands(self, slots: Iterable[int | None], *, alone: bool = False) -> list[int]:
+        """The operations that these slots read; `alone`, a copy reads what it is a copy of."""
+        operations, copies = self.operations, self.copies
+        found = []
+        for slot in slots:
+            if slot is not None:
+                args = [copies[slot]] if alone and slot in copies else [a for a, _ in operations[slot].args]
+                found += [a for a in args if type(a) is int and a in operations]
+        return found
+
+    def _undo_last(self, stack: list[int], state: bytearray) -> list[int]:
+        """Pack the last row on the way no longer, and go back to what asked for it: its slots, which are single now."""
+        item = len(self.rows)
+        while item >= len(self.rows):
+            item = stack.pop()
+            state[item] = 0
+        self.on[item] = False
+        return [slot for slot in self.rows[item] if slot is not None]
 
     def settled(self) -> Plan:
         """The same packs without copies that are in none, and without operations that nobody reads any more."""
         gone = {slot for slot in self.copies if self.at(slot) is None}
-        gone |= {slot for slot in self.shared if not self.needs.get(("out", slot))}
+        gone |= {slot for slot in self.shared if not self.needs.get(slot)}
         operations = {
             slot: Operation(o.op, tuple((self._plain(a), sign) for a, sign in o.args))
             for slot, o in self.operations.items()

@@ -13,11 +13,13 @@ from collections.abc import Callable, Sequence
 
 from symscrew.algebra import Node
 from symscrew.program.passes.common_factors import factored
+from symscrew.program.passes.complements import complemented
 from symscrew.program.passes.reciprocals import shared_reciprocals
 
 Pass = Callable[[Sequence[Node]], list[Node]]
 
 PASSES: tuple[Pass, ...] = (
+    complemented,  # before the digits that it saves are multiplied into something
     shared_reciprocals,  # first: the products that it makes may have factors in common
     factored,
 )

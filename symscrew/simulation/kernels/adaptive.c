@@ -60,7 +60,7 @@ static int state_within(Step *s, int method, double t, double *q, double *v, dou
     if (outcome != 0) {
         return outcome;
     }
-    const double part = (t - s->t) / s->h;
+    const double part = ((t - s->t) - s->rest) / s->h;
     double y[NY1];
     for (int i = 0; i < NY; ++i) {
         double value = 0.0;

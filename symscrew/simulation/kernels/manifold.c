@@ -108,8 +108,9 @@ static void closure_rates(const Opening *o, const double *v, double *rates)
     }
 }
 
-/* Puts q and v back onto the closure by steps of smallest weighted norm; the pivot found on the way tells how near
- * a singular configuration is. 0, or FAILED if the loops cannot be closed from here. */
+/* Puts q and v back onto the closure by steps of smallest weighted norm, down to rounding: what is left between would
+ * be left to the same side step after step. The pivot found on the way tells how near a singular configuration is.
+ * 0, or FAILED if the loops cannot be closed from here. */
 static int settle(double *q, double *v, double *smallest)
 {
     Opening o;
@@ -122,10 +123,7 @@ static int settle(double *q, double *v, double *smallest)
     *smallest = f.smallest;
     for (int step = 0; step < MOST_CORRECTIONS; ++step) {
         const double open = largest(o.residual, NR);
-        if (open < CLOSED || (open < NEARLY_CLOSED && open >= 0.5 * before)) {
-            break;
-        }
-        if (!(open < 1e299) || step == MOST_CORRECTIONS - 1) {
+        if (!(open < 1e299) || (open > NEARLY_CLOSED && open >= 0.5 * before)) {
             return FAILED;
         }
         if (open > 0.1 * before) {
@@ -142,18 +140,22 @@ static int settle(double *q, double *v, double *smallest)
         }
         retract(q, z, moved);
         memcpy(q, moved, sizeof(double) * NQ);
-        if (opening(q, &o) != 0) {
+        if (open < CLOSED) {
+            break;
+        }
+        if (step == MOST_CORRECTIONS - 1 || opening(q, &o) != 0) {
             return FAILED;
         }
     }
-    for (int step = 0; step < 3; ++step) {
+    for (int step = 0; step < 3; ++step) { /* the factors may be of a configuration nearby: each takes six digits */
         closure_rates(&o, v, rates);
-        if (largest(rates, NR) < CLOSED * (1.0 + largest(v, NV))) {
-            break;
-        }
+        const double open = largest(rates, NR);
         shortest(&f, rates, d);
         for (int k = 0; k < NV; ++k) {
             v[k] -= d[k] * UNIT[k];
+        }
+        if (open <= SETTLED * largest(v, NV)) {
+            break;
         }
     }
     return 0;

@@ -4,6 +4,7 @@ enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFIN
 
 typedef struct {
     double t, x[NX1], q[NQ1], v[NV1];
+    double rest;       /* of the time, by which t is rounded: many short steps would add it up */
     double pivot;      /* at t, and its rate there */
     double pivot_rate;
     double h;          /* the next step */
@@ -111,6 +112,7 @@ static int begin(const Simulation *s, Step *step, double h, int careful)
     memcpy(step->start + NV, s->v, sizeof(double) * NV);
     memcpy(step->start + 2 * NV, s->x, sizeof(double) * NX);
     step->t = s->t;
+    step->rest = s->rest;
     step->h = h;
     return 0;
 }
@@ -284,7 +286,7 @@ static double shortened(Simulation *s, double h, double limit, double left)
     }
     s->lands = limit;
     s->step.until = left;
-    return limit - s->t;
+    return (limit - s->t) - s->rest;
 }
 
 /* One accepted step of at most h (fixed methods: of exactly h), with retries. */
@@ -301,7 +303,7 @@ static int advance(Simulation *s, double target)
         s->lands = s->step.until = 0.0;
         if (!adaptive) { /* equal parts of the way to the next output or break */
             const int first = left > 0.0 && limit < target;
-            const double way = (first ? limit : target) - s->t;
+            const double way = ((first ? limit : target) - s->t) - s->rest;
             const double parts = fmax(1.0, ceil(way / h - 1e-9));
             h = way / parts;
             s->lands = first && parts == 1.0 ? limit : 0.0;
@@ -363,7 +365,7 @@ static int advance(Simulation *s, double target)
                 if (adaptive) { /* Gustafsson's control: Hairer, Wanner II, IV.2 */
                     const double error = fmax(step->error, 1e-8);
                     double factor = 0.9 * pow(error, -0.125 + 0.75 * 0.04) * pow(s->earlier_error, 0.04);
-                    factor = fmin(6.0, fmax(0.333, factor));
+                    factor = fmin(2.0, fmax(0.333, factor)); /* longer leaps are taken back as often as not */
                     const double next = h * (attempt > 0 ? fmin(1.0, factor) : factor);
                     s->h = attempt == 0 && h < whole ? fmax(next, whole) : next; /* time cut it short, not its error */
                     s->earlier_error = fmax(error, 1e-4);
@@ -425,8 +427,8 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             return outcome;
         }
         Step *step = &s->step;
-        double end = s->method == DOP853 || times[*written] - step->t - step->h > 1e-9 * step->h ? step->t + step->h
-                                                                                                : times[*written];
+        const double short_of = ((times[*written] - step->t) - step->rest) - step->h; /* the next output */
+        double end = s->method == DOP853 || short_of > 1e-9 * step->h ? step->t + step->h : times[*written];
         end = s->lands > 0.0 ? s->lands : end;
 #if CONTACTS
         Event event;
@@ -463,6 +465,7 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
                 return NOT_CLOSED;
             }
             s->t = end;
+            s->rest = 0.0;
             s->pivot_rate = pivot_rate(s->q, s->v);
             s->started = 0;
             s->evaluations += evaluations;
@@ -474,6 +477,7 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
 #endif
         s->fresh = 0;
         s->started = step->until > 0.0 ? 0 : s->started; /* behind a break the slope is another one */
+        s->rest = end == step->t + step->h ? ((step->t - end) + step->h) + step->rest : 0.0;
         s->t = end;
         memcpy(s->q, step->q, sizeof s->q);
         memcpy(s->v, step->v, sizeof s->v);

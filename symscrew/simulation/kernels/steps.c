@@ -9,7 +9,7 @@ typedef struct {
     Chart chart;
 #endif
     const double *u;      /* drives held by the caller, or NULL */
-    double t, h;
+    double t, h, rest;    /* the step begins at t + rest: what rounding left of the time */
     double until;         /* the step ends where inputs change at once: nothing is evaluated later than this; 0: it does not */
     double start[NY1], end[NY1];
     double k[16][NY1];    /* slopes; 12 is that at the end */

@@ -23,6 +23,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.description import read_text
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.model import Model
 from symscrew.studies.accuracy.measuring import Point
@@ -124,7 +125,7 @@ def read_reference(scene: Path) -> Reference | None:
     if not path.is_file():
         return None
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(read_text(path))
         stated = content.get("stated") or {}
         reference = Reference(
             str(content["problem"]),
@@ -139,7 +140,7 @@ def read_reference(scene: Path) -> Reference | None:
             _notes(content, stated),
             tuple({"text": str(p["text"]), **p} for p in content.get("published", ())),
         )
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OSError, RecursionError) as error:
         raise DescriptionError(f"{path.name}: not a reference history: {error}") from error
     if reference.values.shape != (len(reference.times), len(reference.columns)) or len(reference.times) < 2:
         raise DescriptionError(f"{path.name}: expected as many rows as times and as many columns as are named")

@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
+from symscrew.description import markdown_text
 from symscrew.display import aligned_table
 from symscrew.studies.accuracy.measuring import Point, Study
 from symscrew.studies.timing import Times
@@ -29,7 +30,7 @@ def study_markdown(
     left_out: Sequence[str] = (),
 ) -> str:
     """All points of all studies, with references, preparation, notes, the machine, and why studies are left out."""
-    lines = [f"# Accuracy against time: {name}", ""]
+    lines = [f"# Accuracy against time: {markdown_text(name)}", ""]
     for study in studies:
         lines += [f"## {study.title}", "", *about(study), "", points_table(study.points, study), ""]
         for title, (header, rows) in study.tables.items():
@@ -37,7 +38,7 @@ def study_markdown(
         lines += [f"![{study.title}]({p})" for p in pictures if p.startswith(study.name) and p.endswith(".png")]
         lines.append("")
     if left_out:
-        lines += ["## Left out", "", *(f"- {reason}" for reason in left_out), ""]
+        lines += ["## Left out", "", *(f"- {markdown_text(reason)}" for reason in left_out), ""]
     lines += ["## Machine", "", aligned_table(("part", "found"), list(machine.items())), ""]
     return "\n".join(lines)
 

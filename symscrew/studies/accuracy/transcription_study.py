@@ -15,10 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
+from symscrew.description import markdown_text
 from symscrew.display import COLOURS, aligned_table, empty_figure, save_figure
 from symscrew.errors import DescriptionError
 from symscrew.optimisation import Prepared, TrajectoryProblem, Transcription, prepare, solve
-from symscrew.whole_files import replaced, write_text
+from symscrew.whole_files import write_text
 
 MESHES, FULL_MESHES = (5, 10, 20, 40), (5, 10, 20, 40, 80, 160)  # doubled: an order shows as a constant ratio
 FULL_REPEATS = 3  # the fastest counts: a solve takes seconds, and a disturbance makes it longer only
@@ -79,13 +80,13 @@ class TranscriptionStudy:
             "dynamic [1/s^2]",
         )
         lines = [
-            f"# Transcriptions of {self.problem}",
+            f"# Transcriptions of {markdown_text(self.problem)}",
             "",
             f"Reference: Gauss {REFERENCE[0]} on {2 * REFERENCE[1]} intervals, cost {self.reference:.12g}, "
             f"own error {self.reference_error:.1e}.",
             "",
             aligned_table(header, rows),
-            *(f"\nleft out: {reason}" for reason in self.left_out),
+            *(f"\nleft out: {markdown_text(reason)}" for reason in self.left_out),
         ]
         return "\n".join(lines) + "\n"
 
@@ -95,7 +96,7 @@ class TranscriptionStudy:
         return [
             write_text(directory / f"{stem}.json", json.dumps(asdict(self), indent=1)),
             write_text(directory / f"{stem}.md", self.markdown()),
-            replaced(directory / f"{stem}.png", lambda path: _drawn(self, path)),
+            _drawn(self, directory / f"{stem}.png"),
         ]
 
 
@@ -151,7 +152,7 @@ def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, *, referen
     return Solve(name, n, least, found.statistics.iterations, found.cost, error, found.errors.dynamic)
 
 
-def _drawn(found: TranscriptionStudy, path: Path) -> None:
+def _drawn(found: TranscriptionStudy, path: Path) -> Path:
     made, (axes,) = empty_figure(1, 1, width=7.0, height=4.2)
     names = list(dict.fromkeys(p.scheme for p in found.points))
     for k, name in enumerate(names):
@@ -165,4 +166,4 @@ def _drawn(found: TranscriptionStudy, path: Path) -> None:
     axes.set_ylabel("error of the cost")
     axes.set_title(f"Transcriptions of {found.problem}", loc="left")
     axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
-    save_figure(made, path, tight=True)
+    return save_figure(made, path, tight=True)

@@ -14,6 +14,7 @@ import numpy as np
 
 from symscrew.studies.benchmark.pinocchio_tree import PinocchioTree
 
+LIMIT_SECONDS = 900  # of the compiler, which takes one minute: longer, it hangs
 CPP_FLAGS = ("-O3", "-march=native", "-DNDEBUG")
 LIMITS = (
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
@@ -42,9 +43,11 @@ def build_pinocchio(folder: Path) -> ctypes.CDLL:
     includes = ["-isystem", str(pinocchio), "-isystem", str(eigen)]
     command = ["g++", "-std=c++17", *CPP_FLAGS, "-shared", "-fPIC", *LIMITS, *includes, str(source), "-o", str(built)]
     try:
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise PinocchioUnavailableError(f"no C++ compiler: {error}") from error
+        result = subprocess.run(
+            command, capture_output=True, encoding="utf-8", errors="replace", check=False, timeout=LIMIT_SECONDS
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise PinocchioUnavailableError(f"no C++ compiler that works: {error}") from error
     if result.returncode:
         errors = [line for line in result.stderr.splitlines() if "error" in line]
         raise PinocchioUnavailableError((errors or [result.stderr[-300:]])[0][:300])

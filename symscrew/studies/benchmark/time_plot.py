@@ -7,7 +7,6 @@ from pathlib import Path
 
 from symscrew.display import COLOURS, curve_style, empty_figure, save_figure
 from symscrew.studies.benchmark.function_times import Row
-from symscrew.whole_files import replaced
 
 
 def draw_times(rows: Sequence[Row], path: Path, name: str) -> Path:
@@ -34,4 +33,4 @@ def draw_times(rows: Sequence[Row], path: Path, name: str) -> Path:
         axes.set_title(name, loc="left")
         axes.grid(False, axis="y")
     path.parent.mkdir(parents=True, exist_ok=True)
-    return replaced(path, lambda part: save_figure(made, part))
+    return save_figure(made, path)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
     from symscrew.studies.workspace.maps import draw_maps
     from symscrew.studies.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
-    from symscrew.studies.workspace.store import Results, Store, save_csv, save_npz
+    from symscrew.studies.workspace.store import Results, Store, held_store, save_csv, save_npz
 
 __all__ = [
     "AZIMUTH",
@@ -34,6 +34,7 @@ __all__ = [
     "Store",
     "calls_of",
     "draw_maps",
+    "held_store",
     "independent_labels",
     "prepare_sweep",
     "read_axis",

@@ -8,7 +8,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 from collections.abc import Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from symscrew.errors import DescriptionError
 from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
 from symscrew.studies.workspace.plan import Plan
+from symscrew.workers import pool
 
 Results = dict[str, np.ndarray]
 RESTARTS = 3  # of the pool when a worker dies (memory); more would hide what kills it every time
@@ -48,13 +49,13 @@ def run_locally(plan: Plan, chunks: Iterable[int], processes: int | None = None)
 
 def _pooled(plan: Plan, chunks: list[int], count: int, method: str) -> Iterator[tuple[int, Results]]:
     """A few pieces more than processes at a time, so that memory does not grow with the sweep."""
-    with ProcessPoolExecutor(count, mp_context=multiprocessing.get_context(method)) as pool:
+    with pool(count, method) as processes:
         waiting = iter(list(chunks))
         running: dict[Future[Results], int] = {}
         try:
             while True:
                 for chunk in waiting:
-                    running[pool.submit(evaluate, plan, chunk)] = chunk
+                    running[processes.submit(evaluate, plan, chunk)] = chunk
                     if len(running) >= 3 * count:
                         break
                 if not running:

@@ -52,6 +52,7 @@ SHIFT = 6  # 2^6 ns of emulated time per instruction
 TICK = 40  # ns of the boards' timer, less than an instruction takes: every single one is seen
 BOARD = "board"  # the folder with start-up code, linker script and measuring, as it is included
 STATES = 2  # test states per function: the reference configuration, and one near it
+BUILD = 900  # [s] for one file of C, as of the compiler of this machine: longer, it hangs
 TIMEOUT = 120  # [s]: the program of a mechanism ends after seconds; beyond it something does not end at all
 SMALLEST = 1e-3  # what an output's error is divided by at least: of entries that ought to be 0, rounding is left
 
@@ -120,7 +121,7 @@ def measure(
             "frame": frames[symbol],
             **measured[name],
         }
-    version = subprocess.run([COMPILER, "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
+    version = _call([COMPILER, "-dumpfullversion"], Path.cwd()).strip()
     return {
         "mechanism": model.name,
         "core": target.name,
@@ -228,7 +229,12 @@ def _compile(model: Model, core: Core, folder: Path) -> None:
 
 
 def _call(command: Sequence[str], folder: Path) -> str:
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(
+            command, cwd=folder, capture_output=True, encoding="utf-8", errors="replace", check=False, timeout=BUILD
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise EmbeddedError(f"{command[0]} does not run: {error}") from error
     if done.returncode:
         library = re.search(r"\w+\.h: No such file|cannot find -lm|cannot find -lc", done.stderr)
         cure = f" (apt install {PACKAGES[COMPILER]})" if library else ""
@@ -240,7 +246,9 @@ def _run(core: Core, folder: Path) -> list[str]:
     command = [EMULATOR, "-M", core.board, "-nographic", "-monitor", "none", "-serial", "none"]
     command += ["-icount", f"shift={SHIFT}", "-semihosting-config", "enable=on,target=native", "-kernel", "image"]
     try:
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=TIMEOUT)
+        done = subprocess.run(
+            command, cwd=folder, capture_output=True, encoding="utf-8", errors="replace", check=False, timeout=TIMEOUT
+        )
     except subprocess.TimeoutExpired as error:
         raise EmbeddedError(f"{EMULATOR}: no end after {TIMEOUT} s") from error
     text = done.stdout + done.stderr

@@ -1,0 +1,272 @@
+"""Folded constants of generated C: each once, with a name, its unit, and what it is made of.
+
+    0.213  -->  static const double limb_upper_mx = 0.213; /* [kg m] first moment of limb1_upper, ..: 71/50 * 3/20 */
+
+The tape knows how it folded a constant; the system knows which constants are masses, moments, offsets and angles of
+the description. What is a number of neither is printed as it is. Numbers that say nothing, 1, 2 and 1/2, stay numbers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+from symscrew.algebra import Node, Origin
+from symscrew.description import exact
+from symscrew.errors import DescriptionError
+from symscrew.export.c_names import TAKEN
+from symscrew.export.c_precision import Precision
+from symscrew.export.listing import plain, wrapped
+from symscrew.export.value_names import identifier
+from symscrew.model import Model
+from symscrew.program import Iteration, Program, RankRevealing
+
+SILENT = frozenset((0.0, 0.5, 1.0, 2.0, 3.0, 4.0))  # factors of formulas, not of a mechanism
+AXES = "xyz"
+LONGEST = 24  # characters of a name that is put together from factors
+DEEPEST = 3  # operations inside each other that are told of how a constant was folded: more tell nobody anything
+WIDTH = 110  # characters of what is said of a constant, in a line
+LIBRARY = re.compile(r"^[A-Z_0-9]+$|_[trl]$")  # names as C's own headers have them: M_PI, size_t, lgamma_r
+ANY = re.compile(r"k\d+")
+UNITS_OF_FIELDS = {"acceleration": "m/s^2"}  # what an effect calls so has this unit whatever else it is
+PARTS = 4  # that are named of several to which a number belongs
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a number of the description is: of which part, its symbol there, its unit, in words."""
+
+    part: str
+    symbol: str
+    unit: str
+    words: str
+
+
+class Constants:
+    """The constants of a model's functions by name; those that are asked for are printed."""
+
+    def __init__(self, model: Model, precision: Precision) -> None:
+        """Names for all of them, in the order of the functions: local variables keep away from these."""
+        self.model, self.precision = model, precision
+        self.names: dict[float, str] = {}
+        self.used: set[float] = set()
+        self._nodes: dict[float, Node] = {}
+        self._meanings: dict[int, list[Meaning]] = {}
+        system = getattr(model, "system", None)
+        if system is None:
+            return
+        self._explain(system)
+        ports = (p for f in model.programs.values() for p in (*f.inputs, *f.outputs))
+        taken = {*TAKEN, *(port.name for port in ports)}
+        for size in _sizes(model.programs.values()):
+            if size not in SILENT and size in self._nodes:
+                name = self._name(self._nodes[size], taken)
+                taken.add(name)
+                self.names[size] = name
+
+    def _explain(self, system: Any) -> None:
+        """Which node of the tape each number is, and what it means."""
+        every = (*_given(system), *_links(system), *_of_effects(system, self.model.effects), *_scales(system))
+        for node, meaning in every:
+            inner = _positive(node)
+            if inner.value is not None and meaning not in self._meanings.setdefault(inner.index, []):
+                self._meanings[inner.index].append(meaning)
+        for node in system.tape.nodes:
+            if node.op == "const" and (node.args[0] is not None or node.index in self._meanings):
+                known = self._nodes.setdefault(float(node.value), node)
+                if node.index in self._meanings and known.index not in self._meanings:
+                    self._nodes[float(node.value)] = node
+
+    def text(self, value: float) -> str:
+        """A number as it stands in a statement: its name, or the number where it has none."""
+        size = abs(float(value))
+        if size not in self.names:
+            return self.precision.number(value)
+        self.used.add(size)
+        return f"(-{self.names[size]})" if value < 0 else self.names[size]
+
+    def _name(self, node: Node, taken: Collection[str]) -> str:
+        name = self._symbol(node)
+        if LIBRARY.search(name) or name.startswith(f"{self.model.name}_"):
+            name = f"value_{name}"
+        found, number = name or "k1", 2
+        while found in taken:
+            found, number = (f"{name}_{number}" if name else f"k{number}"), number + 1
+        return found
+
+    def _symbol(self, node: Node) -> str:
+        """A name from what the number is, or from what it is made of; none where that would be too long."""
+        meanings = self._meanings.get(node.index)
+        if meanings:
+            first = meanings[0].symbol
+            return identifier(Origin(first, common([m.part for m in meanings if m.symbol == first])))
+        made = node.args[0]
+        if isinstance(made, tuple) and made[0] == "mul":
+            factors = [self._symbol(_positive(factor)) for factor in made[1:] if isinstance(factor, Node)]
+            name = "_".join(factors)
+            return name if all(factors) and len(name) <= LONGEST else ""
+        return ""
+
+    def lines(self) -> list[str]:
+        """The block: a line a constant, those of a part together, what is folded of several last."""
+        used = [(size, name) for size, name in self.names.items() if size in self.used]
+        if not used:
+            return []
+        used.sort(key=lambda item: (bool(ANY.fullmatch(item[1])), "" if ANY.fullmatch(item[1]) else item[1]))
+        lines = ["/* Constants: numbers of the description, and what was folded of them. */"]
+        lines.append(f"{self.model.name.upper()}_UNUSED static const {self.precision.real}")
+        for k, (size, name) in enumerate(used):
+            end = "," if k + 1 < len(used) else ";"
+            told = wrapped(self._told(self._nodes[size]), later="        ", width=WIDTH)
+            lines.append(f"    {name} = {self.precision.number(size)}{end} /* {told[0]}")
+            lines += told[1:]
+            lines[-1] += " */"
+        return lines
+
+    def _told(self, node: Node) -> str:
+        """Unit, words and formula."""
+        meanings = self._meanings.get(node.index, [])
+        made = self._formula(node.args[0], DEEPEST)
+        if not meanings:
+            return plain(made or "of the geometry")
+        first = meanings[0]
+        parts = list(dict.fromkeys(m.part for m in meanings if m.symbol == first.symbol and m.part))
+        several = ", ".join(parts[:PARTS]) + (" ..." if len(parts) > PARTS else "")
+        also = list(dict.fromkeys(f"{m.symbol} of {m.part}" for m in meanings if m.symbol != first.symbol and m.part))
+        text = f"[{first.unit}] {first.words}{f' of {several}' if several else ''}"
+        text += f", also {also[0]}" if also else ""
+        return plain(text + (f": {made}" if made and made != self.precision.number(float(node.value)) else ""))
+
+    def _formula(self, made: Any, depth: int) -> str:
+        """How the tape made a constant, of constants that have names here; "" where nothing tells."""
+        if not isinstance(made, tuple):
+            return "" if made is None else str(made)
+        if made[0] == "neg_of":
+            inner = self._formula(made[1], depth)
+            return f"-({inner})" if inner else ""
+        if not depth:
+            return ""
+        operands = [self._operand(part, depth - 1) for part in made[1:]]
+        if made[0] == "add" and len(set(operands)) > 1:
+            return " + ".join(operands).replace("+ -", "- ")
+        factors = [text if re.fullmatch(r"[\w. *()]+", text) else f"({text})" for text in operands]
+        if made[0] in ("add", "mul"):
+            return " * ".join(["2", factors[0]] if made[0] == "add" else factors)
+        if made[0] == "reciprocal":
+            return f"1 / {operands[0]}" if re.fullmatch(r"[\w.]+", operands[0]) else f"1 / ({operands[0]})"
+        return f"{made[0]}({', '.join(operands)})"
+
+    def _operand(self, node: Node, depth: int) -> str:
+        inner = _positive(node)
+        size = abs(float(inner.value))
+        if size in SILENT:
+            text = f"{size:g}"
+        elif inner.index in self._meanings:
+            text = self.names.get(size) or self._symbol(inner)
+        else:
+            text = self._formula(inner.args[0], depth) or repr(size)
+        if node.op != "neg":
+            return text
+        return f"-({text})" if " " in text else f"-{text}"
+
+
+def _positive(node: Node) -> Node:
+    inner: Node = node.args[0] if node.op == "neg" else node
+    return inner
+
+
+def common(parts: Sequence[str]) -> str:
+    """One name for parts whose names differ in digits only, else the first one.
+
+    >>> common(["limb1_upper", "limb2_upper", "tool"]), common(["arm", "rod"])
+    ('limb_upper', 'arm')
+    """
+    bare = re.sub(r"(?<=[A-Za-z])\d+", "", parts[0], count=1)
+    alike = {part for part in parts if re.sub(r"(?<=[A-Za-z])\d+", "", part, count=1) == bare}
+    return bare if len(alike) > 1 else parts[0]
+
+
+def _sizes(programs: Iterable[Program | Iteration]) -> Iterator[float]:
+    """Absolute values of the constants of all instructions, in order."""
+    every = [p.step if isinstance(p, Iteration) else p for p in programs]
+    every += [part for p in every if isinstance(p, RankRevealing) for part in (p.dense, p.wrenches) if part]
+    found = (abs(a) for p in every for i in p.instructions for a in i.args if type(a) is float)
+    yield from dict.fromkeys(found)
+
+
+def _links(system: Any) -> Iterator[tuple[Node, Meaning]]:
+    """Constants of the links in their own axes."""
+    for link, frame, inertia in zip(system.tree.links, system.frames, system.inertia, strict=True):
+        if not link.index:
+            continue
+        part = system.tree.part(link.index)
+        yield inertia.mass, Meaning(part, "m", "kg", "mass")
+        for axis, value in zip(AXES, inertia.first, strict=True):
+            yield from _node(value, Meaning(part, f"m{axis}", "kg m", "first moment, link axes,"))
+        for axis, value in zip(AXES, frame.offset, strict=True):
+            yield from _node(value, Meaning(part, f"offset_{axis}", "m", "offset from the parent's origin"))
+        unit = "rad" if link.motion.turns else "m"
+        yield frame.phase, Meaning(part, "phase", unit, "what is added to the coordinate")
+        for cell, value in _cells(inertia.second):
+            yield from _node(value, Meaning(part, f"s{cell}", "kg m^2", "second moment (sum of m r r), link axes,"))
+        for cell, value in _cells(frame.rotation):
+            yield from _node(value, Meaning(part, f"axes_{cell}", "1", "rotation of the axes before the motion"))
+
+
+def _cells(matrix: Iterable[Iterable[object]]) -> Iterator[tuple[str, object]]:
+    for row, values in zip(AXES, matrix, strict=True):
+        for column, value in zip(AXES, values, strict=False):
+            yield row + column, value
+
+
+def _node(value: object, meaning: Meaning) -> Iterator[tuple[Node, Meaning]]:
+    if isinstance(value, Node):
+        yield value, meaning
+
+
+def _scales(system: Any) -> Iterator[tuple[Node, Meaning]]:
+    """What lengths are divided by where they are compared with angles."""
+    length = system.length
+    text = "characteristic length"
+    scales = {length: ("characteristic_length", "m", text), 1 / length: ("per_length", "1/m", f"1 over the {text}")}
+    scales[(1 / length) ** 2] = ("per_length_squared", "1/m^2", f"1 over the square of the {text}")
+    for node in system.tape.nodes:
+        if node.op == "const" and node.args[0] is None and float(node.value) in scales:
+            symbol, unit, words = scales[float(node.value)]
+            yield node, Meaning("", symbol, unit, words)
+
+
+def _of_effects(system: Any, effects: Iterable[Any]) -> Iterator[tuple[Node, Meaning]]:
+    """Numbers that effects are given."""
+    for effect in effects:
+        kind = type(effect).__name__.lower()
+        for key in (f.name for f in fields(effect)) if is_dataclass(effect) else ():
+            given = getattr(effect, key)
+            several = isinstance(given, tuple)
+            for axis, value in zip(AXES, given if several else (given,), strict=False):
+                with suppress(DescriptionError, ValueError, TypeError):
+                    node = system.geometry.known(exact(value))
+                    unit = UNITS_OF_FIELDS.get(key, "SI")
+                    yield from _node(node, Meaning(kind, axis if several else key, unit, f"{key} of the effect"))
+
+
+def _given(system: Any) -> Iterator[tuple[Node, Meaning]]:
+    """Numbers as they stand in the description: parameters, bodies, points of joints and named points."""
+    mechanism, known = system.mechanism, system.geometry.known
+    for name, parameter in mechanism.parameters.items():
+        symbol = name if "_" in name else f"param_{name}"
+        words = parameter.description or "parameter"
+        yield from _node(known(parameter.symbol), Meaning("", symbol, parameter.unit, words))
+    for name, body in mechanism.bodies.items():
+        for axis, value in zip(AXES, body.com or (), strict=False):
+            yield from _node(known(value), Meaning(name, f"com_{axis}", "m", "centre of mass, absolute axes,"))
+        for cell, value in _cells(body.inertia or ((), (), ())):
+            yield from _node(known(value), Meaning(name, f"I{cell}", "kg m^2", "inertia, absolute axes,"))
+    points = {name: joint.point for name, joint in mechanism.joints.items()}
+    points |= {name: point.at for name, point in mechanism.points.items()}
+    for name, place in points.items():
+        for axis, value in zip(AXES, place, strict=True):
+            yield from _node(known(value), Meaning(name, f"at_{axis}", "m", "point, absolute axes,"))

@@ -1,0 +1,128 @@
+"""The C of a model in several files, by families of functions: who calls some compiles what these are in.
+
+    <name>.h            what users include                     <name>_kinematics.c, _loops.c, _dynamics.c, ...
+    <name>_support.h    what the sources share                 <name>_batch.c   all batch functions
+    <name>_support.c    texts of statuses, routines
+
+A source of a family holds functions of one state. `<name>_batch.c` includes the families' bodies once more, for several
+states side by side: who needs no batches leaves it out, and nothing of them is compiled. Sources find each other in
+their own folder, without a path. The same as one file is `symscrew.export.c.print_source`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from symscrew.export import c_wide
+from symscrew.export.c_header import comment
+from symscrew.export.c_interface import interface_table
+from symscrew.export.c_pieces import Pieces, again, head, routines_of, shared_types, status_text
+from symscrew.export.listing import packed
+
+# family: the names of its functions; the first that fits is it, and what fits none is `further`
+FAMILIES = {
+    "reactions": r"reactions",
+    "derivatives": r"derivative|linear|gradient|sensitivity",
+    "regressor": r"regressor|identification",
+    "margins": r"margin",
+    "kinematics": r"^(body_|forward_kinematics|point_|joint_|drive_rates|platform_|inverse_(kinematics|velocity))",
+    "loops": r"^(clos|velocity|acceleration|null_space|assemble)",
+    "dynamics": r"momentum|energy|mass_matrix|bias|dynamics|power|force",
+}
+FURTHER = "further"
+NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
+
+
+def family(function: str) -> str:
+    """The family that a function is of.
+
+    >>> family("body_poses"), family("forward_dynamics_reactions"), family("assemble"), family("mine")
+    ('kinematics', 'reactions', 'loops', 'further')
+    """
+    return next((name for name, pattern in FAMILIES.items() if re.search(pattern, function)), FURTHER)
+
+
+def library_sources(files: Iterable[str], name: str) -> list[str]:
+    """The C files of a folder that make the library of a model's functions, in the order to name them: all of them."""
+    own = [file for file in files if file.endswith(".c") and not file.endswith(NOT_THE_LIBRARY)]
+    return sorted(own, key=lambda file: (file != f"{name}.c", file))
+
+
+def print_sources(pieces: Pieces) -> dict[str, str]:
+    """File name to text of everything but the header that users include."""
+    model, name = pieces.model, pieces.name
+    families: dict[str, list[str]] = {}
+    for function in model.programs:
+        families.setdefault(family(function), []).append(function)
+    files = {f"{name}_{kind}.c": _family(pieces, kind, functions) for kind, functions in families.items()}
+    if pieces.batches:
+        bodies = [
+            f"{name}_{kind}.c" for kind, functions in families.items() if not set(functions).isdisjoint(pieces.blocks)
+        ]
+        files[f"{name}_batch.c"] = _batch(pieces, bodies)
+    files[f"{name}_support.c"] = _support_source(pieces)
+    files[f"{name}_support.h"] = _support_header(pieces)
+    return {file: "\n".join([*lines, ""]) for file, lines in files.items()}
+
+
+def _about(pieces: Pieces, what: str, functions: Sequence[str] = ()) -> list[str]:
+    """The comment at the start of a file; see the header for everything else."""
+    listed = packed([*functions], indent="  ") if functions else []
+    return comment(
+        [f"{pieces.name}: {what}.", *listed, f"Generated with {pieces.name}.h, which says of what; do not edit."]
+    )
+
+
+def _family(pieces: Pieces, kind: str, functions: Sequence[str]) -> list[str]:
+    """Bodies, which are read twice, then functions of one state, which are not."""
+    bodies = [line for f in functions if f in pieces.blocks for line in ("", *pieces.bodies[f])]
+    own = [line for f in functions for line in pieces.functions[f]]
+    lines = [*_about(pieces, kind, functions), f'#include "{pieces.name}_support.h"', *bodies]
+    if not bodies:
+        return [*lines, *own]
+    guard = again(pieces.name)
+    return [*lines, "", f"#if !defined({guard})", *own, f"#endif /* {guard} */"]
+
+
+def _batch(pieces: Pieces, bodies: Sequence[str]) -> list[str]:
+    """Routines of blocks, the bodies of several states, blocks, and all batch functions."""
+    name, precision = pieces.name, pieces.precision
+    lines = [*_about(pieces, "functions of many states"), f'#include "{name}_support.h"', "", "#include <string.h>"]
+    lines += ["", *pieces.batch_routines()]
+    if pieces.blocks:
+        lines += ["", *c_wide.undefined(), "", f"#if {c_wide.guard(name)}", f"#define {again(name)}"]
+        lines += [*c_wide.states(name, precision), *(f'#include "{file}"' for file in bodies)]
+        lines += [*c_wide.undefined(), *pieces.wide, "#endif"]
+    return [*lines, *pieces.batch_functions()]
+
+
+def _support_source(pieces: Pieces) -> list[str]:
+    """What is compiled once: texts of statuses, the routines of second paths, the table for loaders."""
+    lines = [
+        *_about(pieces, "texts of statuses, and what several functions call"),
+        f'#include "{pieces.name}_support.h"',
+    ]
+    lines += ["", *status_text(pieces.name)]
+    routines = routines_of(pieces)
+    if routines:
+        lines += ["", *(line.removeprefix("static ") for line in routines)]
+    return [*lines, *interface_table(pieces.model, pieces.precision)]
+
+
+def _support_header(pieces: Pieces) -> list[str]:
+    """What the sources share; users include the other header."""
+    name, precision = pieces.name, pieces.precision
+    guard = f"{name.upper()}_SUPPORT_H"
+    lines = [*_about(pieces, "what its sources share"), f"#ifndef {guard}", f"#define {guard}", ""]
+    lines += [*head(name, precision), *shared_types(pieces)]
+    prototypes = _prototypes(routines_of(pieces))
+    lines += ["", "/* Of the second path of functions, in the support's source. */", *prototypes] if prototypes else []
+    lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines()]
+    return [*lines, *c_wide.one_state(name, precision), "", f"#endif /* {guard} */"]
+
+
+def _prototypes(routines: Sequence[str]) -> list[str]:
+    """Declarations of the static functions of a text."""
+    text = "\n".join(routines)
+    return [f"{found[1]};" for found in re.finditer(r"^static ([^{;]*?\))\n\{", text, re.M)]

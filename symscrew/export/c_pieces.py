@@ -1,0 +1,198 @@
+"""The pieces of a model's C, from which one file or several are made: bodies, functions, blocks, what they share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread
+from symscrew.export.c_function import body, function
+from symscrew.export.c_iteration import iteration_functions
+from symscrew.export.c_names import arguments, declare
+from symscrew.export.c_precision import Precision
+from symscrew.export.c_printed import Printed, Shared
+from symscrew.export.c_rank_revealing import routines, second_path
+from symscrew.export.listing import filled
+from symscrew.model import Model
+from symscrew.program import STATUS, Iteration, Program, RankRevealing
+
+IN_LANES = frozenset((  # what is called once per step of a control or a simulation: tried with equal limbs side by side
+    "acceleration",
+    "forward_dynamics",
+    "forward_dynamics_independent",
+    "inverse_dynamics",
+    "inverse_dynamics_independent",
+    "inverse_dynamics_platform",
+    "inverse_kinematics",
+    "inverse_velocity",
+    "joint_reactions",
+    "velocity",
+))  # fmt: skip
+HEAD = """\
+#include "MODEL.h"
+
+#include <math.h>
+
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"
+#endif
+
+/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")
+#endif
+#if defined(__GNUC__)
+#define UPPER_INLINE __attribute__((always_inline))
+#define UPPER_UNUSED __attribute__((unused))
+#else
+#define UPPER_INLINE
+#define UPPER_UNUSED
+#endif
+
+UPPER_UNUSED static inline void MODEL_set_nan(REAL *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = (REAL)NAN;
+    }
+}
+
+UPPER_UNUSED static inline void MODEL_zero(REAL *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = ZERO;
+    }
+}
+"""
+STATUS_TEXT = """\
+const char *MODEL_status_text(int status)
+{
+    switch (status) {
+CASES
+    default: return "unknown status";
+    }
+}
+"""
+
+
+class Pieces:
+    """The pieces of the C of a model; `blocks` are the functions that take states in blocks.
+
+    Attributes:
+        shared: what several functions call, and the constants.
+        bodies: by function with a block, the body for one state or several.
+        functions: by function, it for one state, with the bodies of those that have no block.
+        wide: the functions of blocks.
+    """
+
+    def __init__(self, model: Model, precision: Precision, *, batches: bool, lanes: bool) -> None:
+        """Everything is printed."""
+        self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
+        self.shared = Shared(model, precision)
+        self.printed = {
+            f: Printed(
+                model.name, f"{model.name}_{f}", straight_line(p), precision, lanes and f in IN_LANES, self.shared
+            )
+            for f, p in model.programs.items()
+        }
+        straight = [f for f, program in model.programs.items() if not isinstance(program, Iteration)]
+        self.blocks = [f for f in straight if batches and c_batch.by_lanes(self.printed[f])]
+        self.functions = {f: self._function(f) for f in model.programs}
+        self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
+        self.bodies = {f: body(self.printed[f]) for f in self.blocks}
+
+    def _function(self, name: str) -> list[str]:
+        """A function of one state, with its body if that has no second form."""
+        program, symbol = self.model.programs[name], f"{self.name}_{name}"
+        if isinstance(program, Iteration):
+            return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
+        own = [] if name in self.blocks else ["", *_body(self.printed[name])]
+        return [*own, "", *_one_state(self.printed[name], program)]
+
+    def batch_routines(self) -> list[str]:
+        """Types and routines of batch functions."""
+        programs = self.model.programs.values()
+        ports = max(len(p.inputs) + len(p.outputs) for p in programs)
+        chosen = [self.printed[name] for name in self.blocks]
+        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), ports=ports)
+
+    def batch_functions(self) -> list[str]:
+        """All batch functions."""
+        found = []
+        for name, program in self.model.programs.items():
+            symbol, lanes = f"{self.name}_{name}", name in self.blocks
+            found += ["", *c_batch.batch(self.name, symbol, program, self.precision, lanes=lanes)]
+        return found
+
+
+def again(model: str) -> str:
+    """The macro that is defined where bodies are read for several states."""
+    return f"{model.upper()}_VECTORS"
+
+
+def head(model: str, precision: Precision) -> list[str]:
+    """Includes, what a compiler must not do, and NaN for results of states that fail."""
+    return filled(HEAD, {"REAL": precision.real, "ZERO": precision.number(0.0), "UPPER": model.upper(), "MODEL": model})
+
+
+def status_text(model: str) -> list[str]:
+    """The texts of statuses."""
+    cases = "\n".join(f'    case {code}: return "{text}";' for code, text in STATUS.items())
+    return filled(STATUS_TEXT, {"CASES": cases, "MODEL": model})
+
+
+def shared_types(pieces: Pieces) -> list[str]:
+    """Types and routines that several functions of one state call."""
+    name, precision, lines = pieces.name, pieces.precision, list[str]()
+    if _angles(pieces):
+        lines += ["", *c_angles.prologue(name, precision)]
+    every = [p for program in pieces.model.programs.values() for p in _straight_lines(pieces, program)]
+    lines += c_parts.prologue(name, every)
+    if any(c_unread.fours(p.inputs, p.program.checked)[0] for p in every if not p.in_parts):
+        lines += c_unread.prologue(name, precision)
+    return lines + c_lanes.prologue(name, [p.packing for p in pieces.printed.values() if p.packing], precision)
+
+
+def routines_of(pieces: Pieces) -> list[str]:
+    """The routines that second paths call."""
+    seconds = [p for p in pieces.model.programs.values() if isinstance(p, RankRevealing)]
+    if not seconds:
+        return []
+    return routines(pieces.name, pieces.precision, internal=any(p.wrenches for p in seconds))
+
+
+def _angles(pieces: Pieces) -> bool:
+    return any(p.angles.gathered for p in pieces.printed.values())
+
+
+def _body(printed: Printed) -> list[str]:
+    """The body of a function, in parts if it is long."""
+    return c_parts.lane_in_parts(printed) if printed.in_parts else body(printed)
+
+
+def _one_state(printed: Printed, program: Program) -> list[str]:
+    """The function of one state; if it has a second path, this comes before it."""
+    signature = declare(printed.symbol, arguments(program, printed.precision))
+    if not isinstance(program, RankRevealing):
+        return function(printed, signature)
+    precision = printed.precision
+
+    def define(name: str, part: Program) -> list[str]:
+        inner = Printed(printed.model, name, part, precision, shared=printed.shared)
+        return [*_body(inner), "", *function(inner, declare(name, arguments(part, precision), "static int "))]
+
+    second = f"{printed.symbol}_rank_revealing"
+    way_out = declare(second, arguments(program, precision), "static int ")
+    call = f"{second}({', '.join(printed.handed())})"
+    lines = second_path(printed, way_out, define)
+    return [*lines, "", *function(printed, signature, call)]
+
+
+def straight_line(program: Program | Iteration) -> Program:
+    """The program itself, or an iteration's step."""
+    return program.step if isinstance(program, Iteration) else program
+
+
+def _straight_lines(pieces: Pieces, program: Program | Iteration) -> Sequence[Printed]:
+    """Every straight-line program that is printed of one, those of a second path included."""
+    main = straight_line(program)
+    parts = [part for part in (main.dense, main.wrenches) if part] if isinstance(main, RankRevealing) else []
+    return [Printed(pieces.name, "", part, pieces.precision) for part in (main, *parts)]

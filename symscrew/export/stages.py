@@ -1,0 +1,168 @@
+"""Headings of straight-line code: of which limb, and of what part of the theory, the next statements are.
+
+    statements, and which slot each serves, Program.origins, .limbs --headed--> /* limb1: momentum rate, eq. (35) */
+
+Statements stand in an order that suits registers, which follows the limbs nearly everywhere. A heading opens a run of
+them and names what most of its lines compute; a line that serves another limb, and whose name does not say so, says it
+itself. A value that the theory has no name for is of the stage of what reads it first.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+from symscrew.algebra import Origin
+from symscrew.export.value_names import ANONYMOUS
+from symscrew.program import Program
+
+# quantities of `symscrew.algebra.QUANTITIES` by the stage that they are of, with its equations in the theory
+STAGES: Mapping[str, str] = {
+    "geometry": "cos sin turn offset rotation position second_axis aside rod limb_target limb_length in_mode",
+    "screws, eq. (5)": "screw screws",
+    "velocities, eq. (6)": "omega velocity joint_rate twist twists",
+    "accelerations": """
+        alpha acceleration acceleration_matrix alpha_still acceleration_still acceleration_matrix_still
+        joint_acceleration joint_acceleration_still twist_rate end_acceleration
+    """,
+    "virtual motion": "turned",
+    "inertia": "inertia end_inertia composite mass_matrix",
+    "momentum, eq. (31)": "momentum",
+    "momentum rate, eq. (35)": "momentum_rate momentum_rate_at_O",
+    "energy": "energy",
+    "reciprocal wrenches, eq. (10)": "constraint contact arm lever",
+    "loop closure": "opening opening_rate opening_bias closure contact_rate",
+    "rates that follow": "factor follows null_space",
+    "balance, eqs. (40)-(47)": """
+        load force joint_force transmitted joint_transmitted pull balance multiplier multiplier_part
+    """,
+    "drives": "drive share",
+    "reactions, eq. (32)": "joint_reaction reaction reactions",
+    "free motion": """
+        generalised_force articulated stiffness answer effort handed_inertia handed_force reduced_inertia reduced_force
+    """,
+    "pivots": "pivot determinant",
+}
+STAGE_OF = {quantity: stage for stage, quantities in STAGES.items() for quantity in quantities.split()}
+RESULTS = "results"
+MECHANISM = "mechanism"  # what is of no part of it
+AHEAD = 12  # lines that are looked at where a stage may begin: shorter ones are in the middle of others
+MOST = 8  # of these must be of another limb, or stage, for a heading: fewer and the statements are still of the last
+TOLD = 3  # stages that a heading names: of more it would say everything
+
+
+class Stage(NamedTuple):
+    """Of a line: its limb, none on a hub; what it is in the theory; limb or body."""
+
+    limb: str
+    text: str
+    place: str
+
+
+class Stages:
+    """The stages of a program's slots."""
+
+    def __init__(self, program: Program) -> None:
+        """Nothing is looked at yet."""
+        self.program = program
+
+    @cached_property
+    def served(self) -> Mapping[int, Origin]:
+        """Slot to what it is, or else what its first reader is; of an input what reads it."""
+        origins = self.program.origins
+        inputs = sum(port.size for port in self.program.inputs)
+        found: dict[int, Origin] = {}
+        for instruction in reversed(self.program.instructions):
+            own = origins.get(instruction.target)
+            if own is not None:
+                found[instruction.target] = own
+            elif instruction.target in found:
+                own = found[instruction.target]
+            else:
+                continue
+            for arg in instruction.args:
+                if type(arg) is int and (arg < inputs or arg not in origins):
+                    found[arg] = own
+        return found
+
+    @cached_property
+    def places(self) -> Mapping[int, str]:
+        """Slot to limb or body: its own, that of all its operands, or that of its first reader."""
+        origins, places = self.program.origins, dict[int, str]()
+        for slot in range(sum(port.size for port in self.program.inputs)):
+            places[slot] = self._place(origins.get(slot) or self.served.get(slot))
+        for instruction in self.program.instructions:
+            among = {places[arg] for arg in instruction.args if type(arg) is int}
+            own = origins.get(instruction.target)
+            if own is None and len(among) == 1:
+                places[instruction.target] = among.pop()
+            else:
+                places[instruction.target] = self._place(own or self.served.get(instruction.target))
+        return places
+
+    def _place(self, origin: Origin | None) -> str:
+        if origin is None:
+            return ""
+        limb = self.program.limbs.limb_of(origin.part)
+        return limb.name if limb is not None else origin.part.partition(".")[0]
+
+    @cached_property
+    def limbs(self) -> frozenset[str]:
+        """The names of limbs; what is in none of them is the hub, unless there are none."""
+        return frozenset(limb.name for family in self.program.limbs.families for limb in family)
+
+    def of(self, slot: int) -> Stage | None:
+        """The stage of a slot; None of what is read by nothing that has one."""
+        origin = self.served.get(slot)
+        if origin is None:
+            return None
+        place = self.places[slot]
+        limb = place if not self.limbs or place in self.limbs else ""
+        return Stage(limb, STAGE_OF.get(origin.quantity, RESULTS), place)
+
+
+def headed(lines: Sequence[tuple[str, int | None]], stages: Stages, named: Callable[[int], str]) -> Iterator[str]:
+    """The lines with comments where another limb, or another stage, begins; `lines` come with the slot they serve."""
+    known = [stages.of(slot) if slot is not None else None for _, slot in lines]
+    heads = {k: (limb, text) for k, limb, text in _runs(known)}
+    current = ""
+    for k, ((text, slot), stage) in enumerate(zip(lines, known, strict=True)):
+        if k in heads:
+            current, heading = heads[k]
+            yield f"/* {heading} */"
+        silent = slot is not None and ANONYMOUS.fullmatch(named(slot))
+        foreign = stage is not None and stage.limb != current and silent
+        yield f"{text} /* {stage.place or MECHANISM} */" if foreign and stage is not None else text
+
+
+def _runs(known: Sequence[Stage | None]) -> Iterator[tuple[int, str, str]]:
+    """(line, limb, heading) of every run."""
+    places = [(k, stage) for k, stage in enumerate(known) if stage is not None]
+    starts: list[int] = []
+    current: Stage | None = None
+    for n, (_, stage) in enumerate(places):
+        ahead = [other for _, other in places[n : n + AHEAD]]
+        if current is None:
+            new = True
+        elif stage.limb != current.limb:
+            new = sum(other.limb == stage.limb for other in ahead) >= MOST
+        else:
+            new = stage.text != current.text and sum(other[:2] == stage[:2] for other in ahead) >= MOST
+        if new:
+            starts.append(n)
+            current = stage
+    for begin, end in pairwise([*starts, len(places)]):
+        first, stage = places[begin]
+        yield first, stage.limb, _heading([other for _, other in places[begin:end] if other.limb == stage.limb])
+
+
+def _heading(stages: Sequence[Stage]) -> str:
+    """`limb: stages`, those of most lines in the order in which they come."""
+    place = Counter(stage.place for stage in stages).most_common(1)[0][0] or MECHANISM
+    among = Counter(stage.text for stage in stages)
+    often = {text for text, _ in among.most_common(TOLD)}
+    told = [text for text in among if text in often]
+    return f"{place}: {'; '.join(told)}" if [place] != told else place

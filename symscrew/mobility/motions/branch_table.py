@@ -1,0 +1,202 @@
+"""The branch table: what moves along each branch through the configuration.
+
+    Mobility --germs of every part--> branches of the whole --points on them--> BranchRow: platform, joints, judgement
+
+At a generic point of a branch near the configuration the instantaneous motions are its tangent space. So the freedoms
+of the platform there, its screw system, the internal freedoms and the joints at rest are those of the branch. They are
+sampled at two points; that the list is complete, and the dimensions, are proved where the proof file's evidence shows
+it (`symscrew.mobility.proofs`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice, product
+from typing import Any
+
+import numpy as np
+
+from symscrew.mobility.finite import ClosureVariety, FiniteMobility, Witness, rotation_vector
+from symscrew.mobility.joint_network import Edge, Network
+from symscrew.mobility.motions.germs import Germ, germs_of
+from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+
+Array = np.ndarray[Any, Any]
+
+MOST_ROWS = 24
+"""Branches of the whole that are listed: with several singular parts their numbers multiply."""
+AT_REST = 1e-7
+"""Part of a unit motion below which a joint is at rest: points are known to 1e-12."""
+SAME_PITCH = 1e-6
+"""Relative difference, or part of the mechanism's size, of pitches that are the same at two points."""
+ON_AXIS = 1e-7
+"""Part of a joint's unit screw outside of the platform's freedoms below which it is one of them."""
+
+
+@dataclass(frozen=True)
+class BranchRow:
+    """One branch through the configuration.
+
+    Attributes:
+        dimension: of the real motion along it.
+        tangent: unit motions in the joint freedoms at the configuration, its directions as seen [rad, length].
+        platform: class of the platform's freedoms along it, with principal pitches; None, as the rest, for a branch
+            that has more instantaneous freedoms than real ones all along.
+        internal: dimension of the motions along it that leave the platform at rest.
+        idle: joints that do not move along it.
+        axes: joint freedoms about, or along, which the platform can move all along what was seen of it.
+        constant: whether the principal pitches are the same at both points that were looked at.
+        cusp: both half-branches of a curve leave the configuration to one side.
+    """
+
+    dimension: int
+    tangent: Array
+    platform: ScrewClass | None
+    internal: int
+    idle: tuple[str, ...]
+    axes: tuple[str, ...]
+    constant: bool
+    cusp: bool
+    points: tuple[Array, ...]
+
+
+@dataclass(frozen=True)
+class BranchTable:
+    """The branches through a configuration, those of most dimensions first.
+
+    `complete`: why there is no other branch; empty where that is not proved, then `open` says so.
+    """
+
+    body: str
+    rows: tuple[BranchRow, ...]
+    complete: str
+    open: str
+
+    @property
+    def judgement(self) -> str:
+        """`proved` where number and dimensions of the branches are, else `sampled`."""
+        return "proved" if self.complete else "sampled"
+
+
+def branches_through(network: Network, finite: FiniteMobility, body: str, *, complete: str = "") -> BranchTable:
+    """The table of a configuration whose finite mobility is decided.
+
+    Args:
+        network: the configuration.
+        finite: what really moves, with a witness for every part.
+        body: whose freedoms.
+        complete: why dimensions and number are proved; empty where they are not.
+    """
+    parts: dict[tuple[str, ...], list[Witness]] = {}
+    for witness in finite.witnesses:
+        parts.setdefault(tuple(witness.network.edges), []).append(witness)
+    found = [germs_of(witnesses) for witnesses in parts.values()]
+    limits = [text for _, text in found if text]
+    choices = list(islice(product(*(germs for germs, _ in found)), MOST_ROWS + 1))
+    if len(choices) > MOST_ROWS:
+        limits.append(f"only the first {MOST_ROWS} combinations of the parts' branches are listed")
+    rows = [row for row in (_row(network, body, germs) for germs in choices[:MOST_ROWS]) if row.dimension]
+    rows.sort(key=lambda row: -row.dimension)
+    told = "of number and dimensions of the branches there is no proof: they are those that were seen from many starts"
+    return BranchTable(body, tuple(rows), "" if limits else complete, "; ".join(limits) or ("" if complete else told))
+
+
+def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
+    spins = network.freedoms - sum(germ.network.freedoms for germ in germs)
+    dimension = spins + sum(germ.dimension for germ in germs)
+    if any(not germ.points for germ in germs):
+        return BranchRow(dimension, np.zeros((0, network.freedoms)), None, 0, (), (), False, False, ())
+    variety = ClosureVariety(network)
+    count = max((len(germ.points) for germ in germs), default=1)
+    points = [_whole(network, [(germ.network, germ.points[min(k, len(germ.points) - 1)]) for germ in germs])
+              for k in range(count)]  # fmt: skip
+    tangents, twists, axes = [], [], []
+    for q in points:
+        screws, tangent = tangent_at(variety, q, dimension)
+        tangents.append(tangent)
+        twists.append(body_twists(network, variety, screws, body) @ tangent)
+        axes.append(_axes(network, variety, screws, twists[-1]))
+    length = float(network.length)
+    classes = [screw_class(t.T * [1, 1, 1, length, length, length], length) for t in twists]
+    platform = max(classes, key=lambda c: c.order)
+    moving = np.max([np.abs(t).max(axis=1, initial=0.0) for t in tangents], axis=0)
+    idle = tuple(e.name for e in network.edges.values() if e.screws and moving[list(e.columns)].max() < AT_REST)
+    common = tuple(name for name in axes[0] if all(name in others for others in axes[1:]))
+    pitches = [c.pitches for c in classes if c.order == platform.order]
+    same = all(np.allclose(p, pitches[0], rtol=SAME_PITCH, atol=SAME_PITCH * length) for p in pitches)
+    constant = len(pitches) == len(points) and len({c.name for c in classes}) == 1 and same
+    cusp = any(germ.cusp for germ in germs)
+    tangent = _directions(network, germs)
+    return BranchRow(
+        dimension, tangent, platform, dimension - platform.order, idle, common, constant, cusp, tuple(points)
+    )
+
+
+def tangent_at(variety: ClosureVariety, q: Array, dimension: int) -> tuple[Array, Array]:
+    """(displaced screws about the variety's centre, orthonormal tangent vectors as columns) at a point of a branch."""
+    screws = variety.forward(q[None])[0][0]
+    jacobian = variety.evaluate(q[None])[1][0]
+    vt = np.linalg.svd(jacobian)[2] if jacobian.size else np.eye(variety.columns)
+    return screws, vt[variety.columns - dimension :].T
+
+
+def body_twists(network: Network, variety: ClosureVariety, screws: Array, body: str) -> Array:
+    """6 x n: twist (omega ; v_O) of the body by the joint rates, lengths in units of the mechanism."""
+    rows = np.zeros((6, variety.columns))
+    for name, sign in network.path(body):
+        for column in network.edges[name].columns:
+            rows[:, column] = sign * screws[column]
+    rows[3:] += np.cross(np.array([float(c) for c in variety.centre]), rows[:3].T).T
+    return rows
+
+
+def _axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
+    """Joint freedoms whose screw is one of the platform's freedoms here, by name."""
+    if not twists.size or np.abs(twists).max() < AT_REST:
+        return ()
+    u, s, _ = np.linalg.svd(twists, full_matrices=False)
+    basis = u[:, s > AT_REST * s[0]]
+    centre = np.array([float(c) for c in variety.centre])
+    names = []
+    for edge in network.edges.values():
+        for motion, start in edge.motions:
+            if not motion.single:
+                continue
+            screw = screws[start].copy()
+            screw[3:] += np.cross(centre, screw[:3])
+            screw /= np.linalg.norm(screw)
+            if np.linalg.norm(screw - basis @ (basis.T @ screw)) < ON_AXIS:
+                names.append(axis_name(edge, start))
+    return tuple(names)
+
+
+def axis_name(edge: Edge, column: int) -> str:
+    """`the axis of A`, `the second axis of limb1_U`."""
+    singles = [start for motion, start in edge.motions if motion.single]
+    if len(singles) == 1:
+        return f"the axis of {edge.name}"
+    return f"the {('first', 'second', 'third')[singles.index(column)]} axis of {edge.name}"
+
+
+def _directions(network: Network, germs: Sequence[Germ]) -> Array:
+    """Unit motions at the configuration along which the branch was seen, in the columns of the whole."""
+    rows = []
+    for germ in germs:
+        for direction in germ.directions:
+            whole = _whole(network, [(germ.network, direction * 1e-6)]) * 1e6
+            rows.append(whole / (np.linalg.norm(whole) or 1.0))
+    return np.array(rows).reshape(-1, network.freedoms)
+
+
+def _whole(network: Network, parts: Sequence[tuple[Network, Array]]) -> Array:
+    """Displacements of the whole from those of its parts; two turns across a line stand for a ball joint's three."""
+    result = np.zeros(network.freedoms)
+    for part, q in parts:
+        for edge in part.edges.values():
+            own = network.edges[edge.name]
+            if len(own.screws) == len(edge.screws):
+                result[list(own.columns)] = q[list(edge.columns)]
+            else:
+                result[list(own.columns)] = rotation_vector(edge, q[list(edge.columns)])
+    return result

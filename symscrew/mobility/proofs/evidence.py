@@ -1,0 +1,67 @@
+"""The evidence of a proof file, and what it shows of the real motion.
+
+Mechanism --described--> exact numbers --block_entry--> proof of every part --facts_of, as the checker--> facts
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from symscrew.description import Mechanism
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.proofs.motion_proofs import block_entry
+from symscrew.mobility.proofs.proof_checker import Block, facts_of
+from symscrew.mobility.proofs.proof_numbers import ProofNumbers, described
+
+METHODS = {
+    "none": "no instantaneous motion of it",
+    "groups": "every loop moves in a group of displacements, and the rank is the sum of their dimensions",
+    "limbs": "each limb reaches all of a group of displacements, and groups meet in a group",
+    "stopped": "a self-stress does work on the only motion",
+    "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
+}
+"""Kind of a proof -> how it shows the real motion, in words."""
+
+
+@dataclass(frozen=True)
+class MotionProof:
+    """What is proved of the real motion in the reference configuration.
+
+    `dof`, `smooth`, `branches` as in `FiniteMobility`; `count`: how many branches there are; `how`: in words.
+    """
+
+    dof: int
+    smooth: bool
+    branches: tuple[int, ...] | None
+    count: int
+    how: str
+
+
+def gathered(mechanism: Mechanism, network: Network, body: str) -> tuple[ProofNumbers, dict[str, Any]]:
+    """The description in exact numbers, and the evidence for the motion of every part."""
+    numbers = described(mechanism, network, body)
+    return numbers, {"blocks": [block_entry(numbers, k) for k in range(len(numbers.read.blocks))], "ranks": {}}
+
+
+def motion_proof(mechanism: Mechanism, network: Network, body: str) -> MotionProof | None:
+    """The real motion in the reference configuration as far as it is proved as a whole; None where it is not."""
+    numbers, values = gathered(mechanism, network, body)
+    facts = facts_of(numbers.read, values)
+    if "finite mobility" not in facts or "branches" not in facts:
+        return None
+    kinds, count = [], 1
+    for entry in values["blocks"]:
+        kind = entry["proof"]["kind"]
+        kinds.append(METHODS[kind])
+        motions = len(entry["rank"].get("null", ()))
+        if kind == "form" and facts["branches"] and motions == 2 and not _definite(numbers, values, entry):
+            count *= 2  # two lines; from three motions on the cone of a form is one
+    branches = None if facts["branches"] is None else tuple(facts["branches"])
+    how = "; ".join(dict.fromkeys(kinds)) or "no loops"
+    return MotionProof(facts["finite mobility"], facts["smooth"], branches, count, how)
+
+
+def _definite(numbers: ProofNumbers, values: dict[str, Any], entry: dict[str, Any]) -> bool:
+    """Whether a part with a form is isolated."""
+    return Block(numbers.read, values["blocks"].index(entry), entry).dimensions()[0] == 0

@@ -1,0 +1,282 @@
+"""Evidence for real motion, part by part: groups of loops and limbs, self-stresses, quadratic forms, directions.
+
+    part of the mechanism --what is cheapest and says most first--> the proof that its checker accepts, or none
+
+Every proof is given to the checker before it is used; what the checker does not accept is no proof here either.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from symscrew.mobility.finite import cone_directions, definite_stress
+from symscrew.mobility.proofs.proof_checker import (
+    WHOLE,
+    Block,
+    Number,
+    RefusedError,
+    Screw,
+    at_least,
+    bracket,
+    velocities,
+)
+from symscrew.mobility.proofs.proof_numbers import ProofNumbers
+from symscrew.mobility.proofs.rank_proofs import rank_entry
+from symscrew.mobility.symbols import Exact, NotDecidableError, null_vectors, reduced
+
+ORDERS = 6
+"""Highest order at which a single motion is looked at, as for finite mobility."""
+REGULAR = 1e-6
+"""Relative eigenvalue, and singular value of the forms at a direction, that is worth a proof in intervals."""
+DIGITS = 10**9
+"""Denominator of directions, weights and bases of forms that come from doubles: nothing rests on their last digits."""
+RADIUS = Fraction(1, 10**6)
+"""Of Krawczyk's box around a direction: a thousand times the rounding of its centre."""
+SEED = 20230811
+"""Of the starts for directions: always the same, so that results repeat."""
+FLAT = 1e-12
+"""A value of a self-stress on a group that is rounding."""
+NONE: dict[str, Any] = {"kind": "none"}
+
+
+def block_entry(numbers: ProofNumbers, index: int) -> dict[str, Any]:
+    """The part's rank and the strongest proof found for its motion."""
+    entry: dict[str, Any] = {"rank": rank_entry(numbers, numbers.read.matrix(["block", str(index)])), "proof": NONE}
+    part = _Part(numbers, index, entry)
+    if part.block.least == len(part.block.columns):
+        return entry
+    for attempt in (part.groups_alone, part.limbs, part.stopped, part.form, part.direction):
+        try:
+            for proof in attempt():
+                if part.accepted(proof):
+                    return {**entry, "proof": proof}
+        except NotDecidableError:  # numbers that grow too long: another proof may need shorter ones
+            continue
+    return entry
+
+
+class _Part:
+    """A part of the mechanism, as the checker has it, and what proofs are made of."""
+
+    def __init__(self, numbers: ProofNumbers, index: int, entry: dict[str, Any]) -> None:
+        self.numbers, self.index, self.entry = numbers, index, entry
+        self.block = Block(numbers.read, index, entry)
+        self.decided = numbers.system is not None and self.block.least == self.block.most
+        self._groups: list[Any] | None = None
+
+    def accepted(self, proof: dict[str, Any]) -> bool:
+        """Whether the checker takes it."""
+        try:
+            Block(self.numbers.read, self.index, {**self.entry, "proof": proof}).dimensions()
+        except RefusedError:
+            return False
+        return True
+
+    def groups(self) -> list[Any]:
+        """The group of each loop, as the file has it."""
+        if self._groups is None:
+            self._groups = [self.group([s for _, s in factors]) for factors in self.block.factors]
+        return self._groups
+
+    def group(self, screws: Sequence[Screw]) -> Any:
+        """A basis of the Lie algebra that screws generate: each vector has a 1 where the others have a 0."""
+        system = self.numbers.system
+        if system is None:
+            return WHOLE
+        try:
+            basis = reduced([[self.numbers.exact(c) for c in s] for s in screws], system.field)[0]
+            while len(basis) < 6:
+                wider = reduced([*basis, *(_bracket(a, b) for a, b in combinations(basis, 2))], system.field)[0]
+                if len(wider) == len(basis):
+                    return [[self.numbers.json(c) for c in vector] for vector in basis]
+                basis = wider
+        except NotDecidableError:  # the numbers grow too long: every group is in that of all displacements
+            pass
+        return WHOLE
+
+    def groups_alone(self) -> Iterator[dict[str, Any]]:
+        """Smooth, where the rank is the sum of the dimensions of the loops' groups."""
+        yield {"kind": "groups", "groups": self.groups()}
+
+    def limbs(self) -> Iterator[dict[str, Any]]:
+        """Smooth, by limbs between two bodies that reach all of their groups."""
+        if not self.decided:
+            return
+        joints = [self.numbers.read.joints[name] for name in self.block.names]
+        at: dict[str, list[str]] = {}
+        for joint in joints:
+            at.setdefault(joint.parent, []).append(joint.name)
+            at.setdefault(joint.child, []).append(joint.name)
+        hubs = [body for body, names in at.items() if len(names) > 2]
+        for ends in combinations(hubs or at, 2):
+            limbs = self._limbs_between(ends, at)
+            if limbs is None or (hubs and len(hubs) > 2):
+                continue
+            made = []
+            for names in limbs:
+                screws = [screw for name in names for screw in self.numbers.read.joints[name].screws]
+                matrix = [list(row) for row in zip(*screws, strict=True)]
+                group = self.group(screws)
+                minor = rank_entry(self.numbers, matrix)["minor"]
+                size = at_least(self.numbers.read.numbers, matrix, minor)
+                if size != (6 if group == WHOLE else len(group)):
+                    break
+                made.append({"joints": names, "group": group, "minor": minor})
+            else:
+                yield {"kind": "limbs", "between": list(ends), "limbs": made}
+
+    def _limbs_between(self, ends: Sequence[str], at: dict[str, list[str]]) -> list[list[str]] | None:
+        """The joints of each limb from the first body to the second; None where there is more than such limbs."""
+        limbs = []
+        for first in at[ends[0]]:
+            names, body = [first], ends[0]
+            while True:
+                joint = self.numbers.read.joints[names[-1]]
+                body = joint.child if joint.parent == body else joint.parent
+                if body in ends or len(at[body]) != 2:
+                    break
+                names.append(next(name for name in at[body] if name != names[-1]))
+            if body != ends[1]:
+                return None
+            limbs.append(names)
+        return limbs if sum(map(len, limbs)) == len(self.block.names) else None
+
+    def stresses(self) -> list[tuple[Exact, ...]]:
+        """Self-stresses that are independent on the groups of the loops."""
+        assert self.numbers.system is not None
+        rows: list[list[Exact]] = [[Fraction(0)] * (6 * len(self.block.loops)) for _ in self.block.columns]
+        for loop, factors in enumerate(self.block.factors):
+            for column, screw in factors:
+                for i, c in enumerate(screw):
+                    rows[column][6 * loop + i] = self.numbers.exact(c)
+        found = null_vectors(rows, 6 * len(self.block.loops), self.numbers.system.field)
+        values = np.array([[self._number(c) for c in s] for s in found]).reshape(len(found), -1)
+        seen = [np.zeros((0,))] * 0
+        chosen: list[int] = []
+        for k, stress in enumerate(values):
+            on_groups = self._on_groups(stress)
+            candidates = [*seen, on_groups]
+            if np.linalg.matrix_rank(np.array(candidates), tol=FLAT * max(1.0, float(np.abs(candidates).max()))) == len(
+                candidates
+            ):
+                seen, chosen = candidates, [*chosen, k]
+        return [found[k] for k in chosen]
+
+    def _on_groups(self, stress: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        values = []
+        for k, group in enumerate(self.groups()):
+            part = stress[6 * k : 6 * k + 6]
+            basis = np.eye(6) if group == WHOLE else np.array([[self._read(c) for c in v] for v in group])
+            values += list(basis @ part)
+        return np.array(values)
+
+    def _number(self, number: Exact) -> float:
+        return self._read(self.numbers.json(number))
+
+    def _read(self, value: Any) -> float:
+        return self.numbers.value(self.numbers.read.numbers.read(value))
+
+    def stopped(self) -> Iterator[dict[str, Any]]:
+        """Isolated: the one motion is continued order by order until a self-stress does work."""
+        if not self.decided or len(self.block.motions) != 1 or self.numbers.system is None:
+            return
+        field, width = self.numbers.system.field, len(self.block.columns)
+        stresses = self.stresses()
+        arc = [self.block.motions[0]]
+        for _ in range(2, ORDERS + 1):
+            left: list[Exact] = []
+            for factors in self.block.factors:
+                rates = [[order[c] for c, _ in factors] for order in arc]
+                left += [self.numbers.exact(c) for c in velocities([s for _, s in factors], rates)[-1]]
+            for stress in stresses:
+                if sum((a * b for a, b in zip(stress, left, strict=True) if a and b), Fraction(0)):
+                    yield {
+                        "kind": "stopped",
+                        "groups": self.groups(),
+                        "arc": [[self.numbers.json(self.numbers.exact(c)) for c in rates] for rates in arc],
+                        "stress": [self.numbers.json(c) for c in stress],
+                    }
+                    return
+            rows = [
+                [*(self.numbers.exact(c) for c in row), c]
+                for row, c in zip(self.numbers.read.matrix(["block", str(self.index)]), left, strict=True)
+            ]
+            solutions = [v for v in null_vectors([r for r in rows if any(r)], width + 1, field) if v[-1]]
+            if not solutions:  # no more than closed: the self-stresses chosen on the groups have missed it
+                return
+            back = 1 / solutions[0][-1] if isinstance(solutions[0][-1], Fraction) else solutions[0][-1].__rtruediv__(1)
+            read = self.numbers.read.numbers.read
+            arc.append([read(self.numbers.json(c * back)) for c in solutions[0][:-1]])
+
+    def forms(self) -> tuple[list[tuple[Exact, ...]], np.ndarray[Any, Any]]:
+        """Self-stresses with their quadratic forms on the motions, in doubles."""
+        stresses = self.stresses()
+        forms = [self.block.form([self.numbers.json(c) for c in stress]) for stress in stresses]
+        count = len(self.block.motions)
+        values = np.array([[[self.numbers.value(c) for c in row] for row in form] for form in forms])
+        return stresses, values.reshape(len(stresses), count, count)
+
+    def form(self) -> Iterator[dict[str, Any]]:
+        """A cone, by one form that is not degenerate; or isolated, by a definite combination."""
+        if not self.decided or len(self.block.motions) < 2:
+            return
+        stresses, forms = self.forms()
+        weights = [Fraction(1)] if len(stresses) == 1 else []
+        if len(stresses) > 1:
+            found = definite_stress(forms)
+            weights = [] if found is None else [_fraction(w / np.abs(found).max()) for w in found]
+        if not weights:
+            return
+        combined = np.tensordot([float(w) for w in weights], forms, axes=1)
+        values, vectors = np.linalg.eigh(combined)
+        if np.abs(values).min() > REGULAR * np.abs(values).max():
+            terms = [[w * c for c in stress] for w, stress in zip(weights, stresses, strict=True)]
+            total = [sum(parts[1:], parts[0]) for parts in zip(*terms, strict=True)]
+            yield {
+                "kind": "form",
+                "groups": self.groups(),
+                "stress": [self.numbers.json(c) for c in total],
+                "basis": [[str(_fraction(c)) for c in row] for row in vectors.T],
+            }
+
+    def direction(self) -> Iterator[dict[str, Any]]:
+        """A branch along a common zero of the forms at which they are independent."""
+        if not self.decided or len(self.block.motions) < 3:
+            return
+        stresses, forms = self.forms()
+        scale = [float(np.abs(form).max()) for form in forms]
+        if not len(forms) or min(scale) < FLAT:
+            return
+        unit = forms / np.array(scale)[:, None, None]
+        for v in cone_directions(unit, np.random.default_rng(SEED)):
+            slopes = np.einsum("kij,j->ki", forms, v)
+            _, s, vt = np.linalg.svd(np.einsum("kij,j->ki", unit, v))
+            if len(forms) >= len(v) or s[-1] < REGULAR:
+                continue
+            slices = [[_fraction(c) for c in row] for row in vt[len(forms) :]]
+            square = np.concatenate([slopes, [[float(c) for c in row] for row in slices]])
+            yield {
+                "kind": "direction",
+                "groups": self.groups(),
+                "stresses": [[self.numbers.json(c) for c in stress] for stress in stresses],
+                "centre": [str(_fraction(c)) for c in v],
+                "radius": str(RADIUS),
+                "slices": [[str(c) for c in row] for row in slices],
+                "inverse": [[str(_fraction(c)) for c in row] for row in np.linalg.inv(square)],
+            }
+
+
+def _fraction(value: float) -> Fraction:
+    return Fraction(round(float(value) * DIGITS), DIGITS)
+
+
+def _bracket(a: Sequence[Exact], b: Sequence[Exact]) -> list[Exact]:
+    """The checker's bracket, which needs sums and products only, on numbers of the field."""
+    x: list[Number] = list(a)
+    y: list[Number] = list(b)
+    return list(bracket(x, y))

@@ -1,0 +1,733 @@
+"""Checks the proof file of a mobility verdict. This file imports nothing else of the package: Python is enough.
+
+    python proof_checker.py FILE        exit 0: every claim is proved;  1: one is not;  2: not such a file
+
+The file has the mechanism in exact numbers, the claims, and the evidence. The screws, loops and matrices are made here
+from the mechanism; from the evidence come only what is quick to check and long to find:
+
+    rank at least r     a minor of r rows and columns: no pivot of its elimination in intervals contains zero
+    rank at most r      columns - r independent vectors that the matrix maps to zero, exactly
+    smooth              every loop moves in a group of displacements (a basis closed under the screw bracket), and the
+                        rank is the sum of their dimensions: implicit functions;
+                        or limbs between two bodies of which each reaches all of a group
+    isolated            a self-stress that does work on the only motion at some order, all lower orders closed; or
+                        one whose quadratic form is definite
+    branches            one redundant equation with a quadratic form that is not degenerate: a cone (Morse)
+    at least d          a zero of all quadratic forms at which they are independent, in a box that Krawczyk's
+                        operator maps into itself: a branch of dimension d along it
+
+Numbers are rational, or polynomials in generators: roots of a polynomial in an interval, or (without a polynomial)
+any number of an interval; then the claims hold for all mechanisms with numbers in the intervals. An identity of such
+polynomials holds for the numbers; an interval without zero shows that a number is not zero. Screws at O, (omega ; v).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import sys
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+BITS = 320
+"""Binary digits after the point of interval ends: far more than the 200 that generators are given with."""
+ONE = 1 << BITS
+LONGEST = 200_000
+"""Characters of one number: longer ones are no mechanism's, and would only keep the reader waiting."""
+FORMAT = "symscrew mobility proof 1"
+WHOLE = "all displacements"
+"""Instead of a basis: the group of all rigid displacements, of dimension 6."""
+Interval = tuple[int, int]
+Key = tuple[int, ...]
+
+
+class RefusedError(Exception):
+    """The evidence does not carry the claim."""
+
+
+class UnreadableError(Exception):
+    """The file is not a proof file."""
+
+
+def need(holds: bool, why: str) -> None:
+    """Refuses with the reason where something does not hold."""
+    if not holds:
+        raise RefusedError(why)
+
+
+# -- numbers ----------------------------------------------------------------------------------------------
+
+
+class Number:
+    """A polynomial in the generators: exponents -> rational coefficient."""
+
+    __slots__ = ("terms", "within")
+
+    def __init__(self, within: Numbers, terms: dict[Key, Fraction]) -> None:
+        self.within, self.terms = within, terms
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    def __add__(self, other: Number) -> Number:
+        if not other.terms or not self.terms:
+            return other if other.terms else self
+        terms = dict(self.terms)
+        for key, c in other.terms.items():
+            total = terms.get(key, 0) + c
+            if total:
+                terms[key] = Fraction(total)
+            else:
+                del terms[key]
+        return Number(self.within, terms)
+
+    def __neg__(self) -> Number:
+        return Number(self.within, {key: -c for key, c in self.terms.items()})
+
+    def __sub__(self, other: Number) -> Number:
+        return self + -other
+
+    def __mul__(self, other: Number) -> Number:
+        terms: dict[Key, Fraction] = {}
+        for a, x in self.terms.items():
+            for b, y in other.terms.items():
+                key = tuple(i + j for i, j in zip(a, b, strict=True))
+                terms[key] = terms.get(key, Fraction(0)) + x * y
+        return self.within.reduced(terms)
+
+
+class Numbers:
+    """The numbers of a file: its generators, their equations and intervals."""
+
+    def __init__(self, generators: Sequence[Any]) -> None:
+        self.count = len(generators)
+        self.low: list[list[Number] | None] = [None] * self.count
+        self.between: list[Interval] = []
+        for k, entry in enumerate(generators):
+            low, high = (_rational(end) for end in entry["between"])
+            need(low <= high, f"generator {k}: its interval is empty")
+            if "polynomial" in entry:
+                given = [self.read(c) for c in entry["polynomial"]]
+                below = all(not any(key[k:]) for c in given for key in c.terms)
+                need(len(given) > 1 and below, f"generator {k}: no polynomial over those before")
+                ends = [self._signs(given, end) for end in (low, high)]
+                opposite = ends[0][1] < 0 < ends[1][0] or ends[1][1] < 0 < ends[0][0]
+                need(opposite, f"generator {k}: no root in its interval")
+                self.low[k] = given
+            self.between.append((low.numerator * ONE // low.denominator, -(-high.numerator * ONE // high.denominator)))
+        self.zero = Number(self, {})
+        self.one = self.rational(Fraction(1))
+
+    def rational(self, value: Fraction) -> Number:
+        """A rational number."""
+        return Number(self, {(0,) * self.count: value} if value else {})
+
+    def read(self, value: Any) -> Number:
+        """A number of the file: "p/q", or [["p/q", exponent, ...], ...]."""
+        if isinstance(value, str):
+            return self.rational(_rational(value))
+        terms: dict[Key, Fraction] = {}
+        for coefficient, *exponents in value:
+            sound = len(exponents) == self.count and all(type(e) is int and 0 <= e <= LONGEST for e in exponents)
+            if not sound or tuple(exponents) in terms:
+                raise UnreadableError(f"expected {self.count} exponents of generators, got {exponents}")
+            terms[tuple(exponents)] = _rational(coefficient)
+        return self.reduced(terms)
+
+    def reduced(self, terms: dict[Key, Fraction]) -> Number:
+        """The polynomial with high powers of the generators replaced by their equations."""
+        for k in reversed(range(self.count)):
+            low = self.low[k]
+            while low is not None and (high := [key for key in terms if key[k] >= len(low)]):
+                key = max(high, key=lambda key: key[k])
+                factor = terms.pop(key)
+                for power, c in enumerate(low):
+                    for other, x in c.terms.items():
+                        target = [i + j for i, j in zip(key, other, strict=True)]
+                        target[k] = key[k] - len(low) + power
+                        terms[tuple(target)] = terms.get(tuple(target), Fraction(0)) - factor * x
+        return Number(self, {key: c for key, c in terms.items() if c})
+
+    def interval(self, number: Number) -> Interval:
+        """Ends, times 2^BITS, between which the number is."""
+        total = (0, 0)
+        for key, c in number.terms.items():
+            part = (ONE, ONE)
+            for k, power in enumerate(key):
+                for _ in range(power):
+                    part = _product(part, self.between[k])
+            total = _sum(total, _times(part, c))
+        return total
+
+    def _signs(self, low: Sequence[Number], x: Fraction) -> Interval:
+        """The polynomial at a rational number."""
+        return self.interval(sum((c * self.rational(x**i) for i, c in enumerate(low)), self.rational(x ** len(low))))
+
+
+def _rational(text: Any) -> Fraction:
+    if not isinstance(text, str) or len(text) > LONGEST or not re.fullmatch(r"-?[0-9]+(/[0-9]*[1-9][0-9]*)?", text):
+        raise UnreadableError(f"expected a rational number such as -3/7, got {str(text)[:40]!r}")
+    return Fraction(text)
+
+
+def _sum(a: Interval, b: Interval) -> Interval:
+    return a[0] + b[0], a[1] + b[1]
+
+
+def _product(a: Interval, b: Interval) -> Interval:
+    ends = [x * y for x in a for y in b]
+    return min(ends) >> BITS, -(-max(ends) >> BITS)
+
+
+def _times(a: Interval, c: Fraction) -> Interval:
+    low, high = (a[0], a[1]) if c > 0 else (a[1], a[0])
+    return low * c.numerator // c.denominator, -(-high * c.numerator // c.denominator)
+
+
+def _total(parts: Iterable[Interval]) -> Interval:
+    total = (0, 0)
+    for part in parts:
+        total = _sum(total, part)
+    return total
+
+
+def _apart(a: Interval) -> bool:
+    return a[0] > 0 or a[1] < 0
+
+
+def _pivots(matrix: list[list[Interval]], *, exchange: bool) -> list[Interval]:
+    """Pivots of elimination in intervals, with rows exchanged for large ones or not; refused where one may be zero."""
+    left, found = [list(row) for row in matrix], []
+    for k in range(len(left)):
+        lead = max(range(k, len(left)), key=lambda i: abs(sum(left[i][k]))) if exchange else k
+        left[k], left[lead] = left[lead], left[k]
+        low, high = left[k][k]
+        need(low > 0 or high < 0, "a minor or a form that is not shown to be regular")
+        found.append((low, high))
+        back = ((ONE << BITS) // high, -(-(ONE << BITS) // low))
+        for i in range(k + 1, len(left)):
+            factor = _product(left[i][k], back)
+            if factor != (0, 0):
+                down = (-factor[1], -factor[0])
+                left[i] = [_sum(a, _product(down, b)) for a, b in zip(left[i], left[k], strict=True)]
+    return found
+
+
+# -- screws, loops ----------------------------------------------------------------------------------------
+
+Screw = list[Number]
+
+
+def cross(a: Sequence[Number], b: Sequence[Number]) -> Screw:
+    """a x b."""
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def bracket(a: Screw, b: Screw) -> Screw:
+    """[A, B] = (a x b ; a x b_O + a_O x b)."""
+    mixed = [x + y for x, y in zip(cross(a[:3], b[3:]), cross(a[3:], b[:3]), strict=True)]
+    return [*cross(a[:3], b[:3]), *mixed]
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint: its bodies, the screws of its freedoms in order from parent to child, and their first column."""
+
+    name: str
+    parent: str
+    child: str
+    screws: list[Screw]
+    first: int
+
+    @property
+    def columns(self) -> range:
+        """The columns of its freedoms."""
+        return range(self.first, self.first + len(self.screws))
+
+
+class Mechanism:
+    """The graph, its loops and its matrices, from the description in the file."""
+
+    def __init__(self, entry: Any) -> None:
+        self.numbers = Numbers(entry["generators"])
+        self.ground, self.platform = entry["ground"], entry["body"]
+        self.joints: dict[str, Joint] = {}
+        self.freedoms = 0
+        for joint in entry["joints"]:
+            screws = [screw for motion in joint["motions"] for screw in self._screws(joint, motion)]
+            need(joint["name"] not in self.joints, f"joint {joint['name']} is there twice")
+            made = Joint(joint["name"], joint["parent"], joint["child"], screws, self.freedoms)
+            self.joints[made.name] = made
+            self.freedoms += len(screws)
+        self.drives = [self.joints[name].columns[index] for name, index in entry["drives"]]
+        self.limbs: dict[str, list[str]] = entry["limbs"]
+        self._reached: dict[str, tuple[tuple[str, int], ...]] = {self.ground: ()}
+        chords = self._span()
+        self.loops = [self._loop(self.joints[name]) for name in chords]
+        self.blocks = self._blocks()
+
+    def _screws(self, joint: Any, motion: Any) -> list[Screw]:
+        read, zero = self.numbers.read, self.numbers.zero
+        kind = motion["kind"]
+        point = [read(c) for c in joint["point"]]
+        if kind == "S":
+            axes = [[self.numbers.one if i == k else zero for i in range(3)] for k in range(3)]
+            return [[*axis, *cross(point, axis)] for axis in axes]
+        axis = [read(c) for c in motion["axis"]]
+        if kind not in ("R", "P", "H") or len(axis) != 3 or len(point) != 3:
+            raise UnreadableError(f"joint {joint['name']}: expected motions R, P, H or S with points and axes of three")
+        need(any(_apart(self.numbers.interval(c)) for c in axis), f"joint {joint['name']}: an axis without direction")
+        if kind == "P":
+            return [[zero, zero, zero, *axis]]
+        linear = cross(point, axis)
+        if kind == "H":
+            pitch = read(motion["pitch"])
+            linear = [a + pitch * b for a, b in zip(linear, axis, strict=True)]
+        return [[*axis, *linear]]
+
+    def _span(self) -> list[str]:
+        """A spanning tree from the ground; the joints that close loops."""
+        used: set[str] = set()
+        front = [self.ground]
+        while front:
+            body = front.pop(0)
+            for joint in self.joints.values():
+                for near, far, sign in ((joint.parent, joint.child, 1), (joint.child, joint.parent, -1)):
+                    if near == body and far not in self._reached:
+                        self._reached[far] = (*self._reached[body], (joint.name, sign))
+                        used.add(joint.name)
+                        front.append(far)
+        bodies = {body for joint in self.joints.values() for body in (joint.parent, joint.child)} | {self.platform}
+        need(bodies <= set(self._reached), "a body is not connected to the ground")
+        return [name for name in self.joints if name not in used]
+
+    def _loop(self, chord: Joint) -> list[tuple[str, int]]:
+        out, back = self._reached[chord.parent], self._reached[chord.child]
+        common = 0
+        while common < min(len(out), len(back)) and out[common] == back[common]:
+            common += 1
+        return [*out[common:], (chord.name, 1), *((name, -sign) for name, sign in reversed(back[common:]))]
+
+    def _blocks(self) -> list[tuple[list[int], list[str]]]:
+        """(loops, joints) of the parts whose loops share no joint: their motions are independent of each other."""
+        parts: list[tuple[list[int], set[str]]] = []
+        for index, loop in enumerate(self.loops):
+            names = {name for name, _ in loop}
+            touching = [part for part in parts if part[1] & names]
+            parts = [part for part in parts if not part[1] & names]
+            loops = sorted([index, *(i for part in touching for i in part[0])])
+            parts.append((loops, names.union(*(part[1] for part in touching))))
+        return [(loops, [name for name in self.joints if name in names]) for loops, names in sorted(parts)]
+
+    def factors(self, loop: int) -> list[tuple[int, Screw]]:
+        """(column, signed screw) of a loop: it closes where the product of exp(screw q_column) is 1."""
+        result = []
+        for name, sign in self.loops[loop]:
+            joint = self.joints[name]
+            parts = [(c, s if sign > 0 else [-x for x in s]) for c, s in zip(joint.columns, joint.screws, strict=True)]
+            result += parts if sign > 0 else parts[::-1]
+        return result
+
+    def matrix(self, of: Sequence[str]) -> list[list[Number]]:
+        """A matrix by name: what its rows are; columns are the joint freedoms, those of a limb or block alone."""
+        kind, rest = of[0], of[1:]
+        if kind == "block":
+            loops, names = self.blocks[int(rest[0])]
+            columns = [c for name in names for c in self.joints[name].columns]
+            return [[row[c] for c in columns] for loop in loops for row in self._rows(self.loops[loop])]
+        if kind == "limb":
+            return [list(row) for row in zip(*(s for n in self.limbs[rest[0]] for s in self.joints[n].screws),
+                                             strict=True)]  # fmt: skip
+        rows = [row for loop in self.loops for row in self._rows(loop)]
+        if rest and rest[0] in ("twist", "turning"):
+            rows += self._rows(self._reached[self.platform])[: 6 if rest[0] == "twist" else 3]
+        elif rest and rest[0] == "drives":
+            zero, one = self.numbers.zero, self.numbers.one
+            rows += [[one if c == drive else zero for c in range(self.freedoms)] for drive in self.drives]
+        if kind != "closure" or rest not in ([], ["twist"], ["turning"], ["drives"]):
+            raise UnreadableError(f"expected the name of a matrix, got {of}")
+        return rows
+
+    def _rows(self, path: Iterable[tuple[str, int]]) -> list[list[Number]]:
+        rows = [[self.numbers.zero] * self.freedoms for _ in range(6)]
+        for name, sign in path:
+            joint = self.joints[name]
+            for column, screw in zip(joint.columns, joint.screws, strict=True):
+                for i in range(6):
+                    rows[i][column] = screw[i] if sign > 0 else -screw[i]
+        return rows
+
+
+# -- ranks ------------------------------------------------------------------------------------------------
+
+
+def at_least(numbers: Numbers, matrix: Sequence[Sequence[Number]], minor: Any) -> int:
+    """The size of a minor that is shown not to be zero."""
+    rows, columns = minor["rows"], minor["columns"]
+    need(len(set(rows)) == len(rows) == len(set(columns)) == len(columns), "a minor with a row twice, or not square")
+    there = all(type(i) is int and 0 <= i < len(matrix) for i in rows)
+    need(there and all(type(j) is int and 0 <= j < len(matrix[0]) for j in columns), "a minor that is not there")
+    return len(_pivots([[numbers.interval(matrix[i][j]) for j in columns] for i in rows], exchange=True))
+
+
+def null_space(numbers: Numbers, matrix: Sequence[Sequence[Number]], given: Any) -> list[list[Number]]:
+    """Independent vectors that the matrix maps to zero, read and checked: each has an entry that the others lack."""
+    vectors = [[numbers.read(c) for c in vector] for vector in given]
+    for k, vector in enumerate(vectors):
+        need(not matrix or len(vector) == len(matrix[0]), "a null vector of another length")
+        used = [j for j, c in enumerate(vector) if c]
+        own = [j for j in used if not any(v[j] for i, v in enumerate(vectors) if i != k)]
+        need(any(_apart(numbers.interval(vector[j])) for j in own), "null vectors not shown to be independent")
+        for row in matrix:
+            need(not sum((row[j] * vector[j] for j in used), numbers.zero), "a vector that is no null vector")
+    return vectors
+
+
+def rank(numbers: Numbers, matrix: Sequence[Sequence[Number]], entry: Any) -> tuple[int, int]:
+    """Proved bounds of the rank."""
+    least = at_least(numbers, matrix, entry["minor"])
+    width = len(matrix[0]) if matrix else 0
+    most = width - len(null_space(numbers, matrix, entry["null"])) if "null" in entry else min(len(matrix), width)
+    need([least, most] == entry["rank"], f"a rank between {entry['rank']}: shown is {[least, most]}")
+    return least, most
+
+
+# -- real motion ------------------------------------------------------------------------------------------
+
+
+def group(numbers: Numbers, screws: Sequence[Screw], given: Any) -> list[Screw]:
+    """A basis that is closed under brackets and holds the screws; each vector has a 1 where the others have a 0."""
+    if given == WHOLE:
+        return [[numbers.one if i == k else numbers.zero for i in range(6)] for k in range(6)]
+    basis = [[numbers.read(c) for c in vector] for vector in given]
+    pivots = []
+    for vector in basis:
+        own = (j for j in range(6) if not (vector[j] - numbers.one) and sum(1 for v in basis if v[j]) == 1)
+        pivots.append(next(own, -1))
+    need(all(len(v) == 6 for v in basis) and -1 not in pivots, "a basis without a 1 of its own in every vector")
+    for x in (*screws, *(bracket(a, b) for a, b in combinations(basis, 2))):
+        for p, vector in zip(pivots, basis, strict=True):
+            x = [a - x[p] * b for a, b in zip(x, vector, strict=True)]
+        need(not any(x), "a screw or a bracket outside of the group")
+    return basis
+
+
+def chain(mechanism: Mechanism, ends: Sequence[str], names: Sequence[str]) -> tuple[list[Screw], list[str]]:
+    """(screws of the joints that lead from one body to another, the bodies between)."""
+    bodies, screws = [ends[0]], []
+    for joint in (mechanism.joints[name] for name in names):
+        need(bodies[-1] in (joint.parent, joint.child), "joints that are no limb")
+        bodies.append(joint.child if bodies[-1] == joint.parent else joint.parent)
+        screws += joint.screws
+    need(bodies[-1] == ends[1], "a limb that ends elsewhere")
+    return screws, bodies[1:-1]
+
+
+class Block:
+    """A part of the mechanism with the bounds of its rank, its motions, and the groups of its loops."""
+
+    def __init__(self, mechanism: Mechanism, index: int, entry: Any) -> None:
+        self.mechanism, self.numbers, self.entry = mechanism, mechanism.numbers, entry
+        self.loops, self.names = mechanism.blocks[index]
+        self.columns = [c for name in self.names for c in mechanism.joints[name].columns]
+        matrix = mechanism.matrix(["block", str(index)])
+        self.least, self.most = rank(self.numbers, matrix, entry["rank"])
+        self.motions = null_space(self.numbers, matrix, entry["rank"].get("null", []))
+        at = {column: k for k, column in enumerate(self.columns)}
+        self.factors = [[(at[c], s) for c, s in mechanism.factors(loop)] for loop in self.loops]
+
+    def dimensions(self) -> tuple[int, int, list[int] | None, bool]:
+        """(least, most dimension of the real motion; those of all branches, or None; whether it is smooth)."""
+        proof, width = self.entry["proof"], len(self.columns)
+        kind = proof["kind"]
+        low, high = width - self.most, width - self.least
+        if kind == "none":
+            return (0, high, None, False) if high else (0, 0, [0], True)
+        if kind == "limbs":
+            self.limbs(proof)
+            need(low == high, "a rank that is not decided")
+            return low, low, [low], True
+        groups = [group(self.numbers, [s for _, s in f], g) for f, g in zip(self.factors, proof["groups"], strict=True)]
+        redundant = sum(map(len, groups)) - self.least
+        need(redundant == 0 or low == high == len(self.motions), "a rank that is not decided")
+        if kind == "groups":
+            need(redundant == 0, "groups with more dimensions than the rank")
+            return high, high, [high], True
+        if kind == "stopped":
+            need(high == 1, "more than one motion")
+            self.stopped(proof)
+            return 0, 0, [0], False
+        if kind == "direction":
+            self.direction(proof, redundant)
+            return high - redundant, high, None, False
+        if kind != "form":
+            raise UnreadableError(f"expected the kind of a proof, got {kind!r}")
+        basis = [[self.numbers.rational(_rational(c)) for c in row] for row in proof["basis"]]
+        form = self.changed(self.form(proof["stress"]), basis)
+        signs = {low > 0 for low, _ in _pivots(form, exchange=False)}
+        if len(signs) == 1:
+            return 0, 0, [0], False
+        need(redundant == 1, "an indefinite form among several redundant equations")
+        return high - 1, high - 1, [high - 1], False
+
+    def limbs(self, proof: Any) -> None:
+        """Limbs between two bodies, each of which reaches all of a group: smooth, as the meet of groups is a group."""
+        inside: list[str] = []
+        for limb in proof["limbs"]:
+            screws, bodies = chain(self.mechanism, proof["between"], limb["joints"])
+            inside += bodies
+            reached = at_least(self.numbers, [list(row) for row in zip(*screws, strict=True)], limb["minor"])
+            need(
+                reached == len(group(self.numbers, screws, limb["group"])), "a limb that does not reach all of a group"
+            )
+        used = [name for limb in proof["limbs"] for name in limb["joints"]]
+        need(sorted(used) == sorted(self.names), "joints that are in no limb, or in two")
+        need(len({*inside, *proof["between"]}) == len(inside) + 2, "limbs that share a body")
+
+    def stress(self, given: Any) -> list[Screw]:
+        """A self-stress, six numbers a loop, that does no work on any screw."""
+        stress = [self.numbers.read(c) for c in given]
+        parts = [stress[6 * k : 6 * k + 6] for k in range(len(self.loops))]
+        need(len(stress) == 6 * len(parts), "a self-stress of another length")
+        work = [self.numbers.zero] * len(self.columns)
+        for part, factors in zip(parts, self.factors, strict=True):
+            for column, screw in factors:
+                work[column] = work[column] + _dot(part, screw)
+        need(not any(work), "a self-stress that does work on a joint")
+        return parts
+
+    def form(self, given: Any) -> list[list[Number]]:
+        """Twice the second-order work of a self-stress on the motions: sum of stress . [S_j, S_k] u_j u_k, j < k."""
+        zero, count = self.numbers.zero, len(self.motions)
+        form = [[zero] * count for _ in range(count)]
+        for part, factors in zip(self.stress(given), self.factors, strict=True):
+            for (j, a), (k, b) in combinations(factors, 2):
+                if work := _dot(part, bracket(a, b)):
+                    for x, u in enumerate(self.motions):
+                        for y, v in enumerate(self.motions):
+                            form[x][y] = form[x][y] + work * (u[j] * v[k] + v[j] * u[k])
+        return form
+
+    def changed(self, form: list[list[Number]], basis: list[list[Number]]) -> list[list[Interval]]:
+        """The form in another basis of the motions, in intervals."""
+        need(len(basis) == len(form) and all(len(row) == len(form) for row in basis), "a basis of another size")
+        columns = list(zip(*form, strict=True))
+        half = [[_dot(row, column) for column in columns] for row in basis]
+        return [[self.numbers.interval(_dot(row, other)) for other in basis] for row in half]
+
+    def direction(self, proof: Any, redundant: int) -> None:
+        """A common zero of the forms, one for each redundant equation, at which they are independent.
+
+        Krawczyk: with an approximate inverse Y of the derivative, y - Y f(y) + (1 - Y f'(box)) (box - y) lies inside
+        of the box, so that the box has a zero of f, and f' is regular there (R. Krawczyk, Computing 4, 1969, 187-201).
+        """
+        read, numbers = _rational, self.numbers
+        centre, radius = [read(c) for c in proof["centre"]], read(proof["radius"])
+        inverse = [[read(c) for c in row] for row in proof["inverse"]]
+        slices = [[numbers.rational(read(c)) for c in row] for row in proof["slices"]]
+        forms = [self.form(stress) for stress in proof["stresses"]]
+        size = len(self.motions)
+        need(len(forms) == redundant and len(forms) + len(slices) == size == len(centre), "forms that are missing")
+        sizes = {len(row) for row in slices} | {len(row) for row in inverse}
+        need(radius > 0 and sizes == {size} and len(inverse) == size, "a box of another size")
+        need(any(abs(c) > radius for c in centre), "a box around no direction")
+        point = [numbers.rational(c) for c in centre]
+        rows = [[_dot(row, point) for row in form] for form in forms]
+        values = [numbers.interval(_dot(row, point)) for row in rows] + [(0, 0)] * len(slices)
+        width = -(-radius.numerator * ONE // radius.denominator)
+        wide = (-width, width)
+        slopes: list[list[Interval]] = []  # of v . Q v / 2 and of the slices through the centre, over the box
+        for form, row in zip(forms, rows, strict=True):
+            spread = [[_product(numbers.interval(c), wide) for c in entries] for entries in form]
+            slopes.append([_sum(numbers.interval(c), _total(s)) for c, s in zip(row, spread, strict=True)])
+        slopes += [[numbers.interval(c) for c in row] for row in slices]
+        for i, weights in enumerate(inverse):
+            moved = _times(_total(_times(v, w) for v, w in zip(values, weights, strict=True) if w), Fraction(-1, 2))
+            for j in range(size):
+                part = _total(_times(slopes[k][j], -w) for k, w in enumerate(weights) if w)
+                moved = _sum(moved, _product(_sum(part, (ONE, ONE) if i == j else (0, 0)), wide))
+            need(max(abs(moved[0]), abs(moved[1])) < width - 1, "a box that Krawczyk's operator leaves")
+
+    def stopped(self, proof: Any) -> None:
+        """The only motion, continued order by order, until a self-stress does work."""
+        arc = [[self.numbers.read(c) for c in rates] for rates in proof["arc"]]
+        need(any(arc[0]) and all(len(rates) == len(self.columns) for rates in arc), "an arc that does not start")
+        stress, work = self.stress(proof["stress"]), self.numbers.zero
+        for part, factors in zip(stress, self.factors, strict=True):
+            left = velocities([s for _, s in factors], [[rates[c] for c, _ in factors] for rates in arc])
+            need(not any(c for order in left[:-1] for c in order), "a motion that opens a loop at a lower order")
+            work = work + _dot(part, left[-1])
+        need(_apart(self.numbers.interval(work)), "a self-stress that does no work on the motion")
+
+
+def velocities(screws: Sequence[Screw], rates: Sequence[Sequence[Number]]) -> list[Screw]:
+    """Coefficients in t of sum S_k(t) u_k(t) along dS_k/dt = [sum over j < k of S_j u_j, S_k]; one more than rates."""
+    numbers = screws[0][0].within
+    series = [[screw] for screw in screws]
+    result = []
+    for order in range(len(rates) + 1):
+        before = [[numbers.zero] * 6 for _ in range(order)]  # coefficients of the twist that carries the next screw
+        total = [numbers.zero] * 6
+        for k, own in enumerate(series):
+            if order:
+                grown = [numbers.zero] * 6
+                for a in range(order):
+                    grown = [x + y for x, y in zip(grown, bracket(before[a], own[order - 1 - a]), strict=True)]
+                own.append([numbers.rational(Fraction(1, order)) * x for x in grown])
+            for a in range(order + 1):
+                for b in range(max(0, a + 1 - len(own)), min(a + 1, len(rates))):
+                    part = [x * rates[b][k] for x in own[a - b]]
+                    if a < order:
+                        before[a] = [x + y for x, y in zip(before[a], part, strict=True)]
+                    else:
+                        total = [x + y for x, y in zip(total, part, strict=True)]
+        result.append(total)
+    return result
+
+
+def _dot(a: Sequence[Number], b: Sequence[Number]) -> Number:
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), a[0].within.zero)
+
+
+# -- claims -----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What was found: `proved` claims, `refused` ones with the reason, and what the file itself calls not proved."""
+
+    mechanism: str
+    proved: tuple[str, ...]
+    refused: tuple[str, ...]
+    not_proved: tuple[str, ...]
+
+    @property
+    def holds(self) -> bool:
+        """Whether every claim of the file is proved."""
+        return not self.refused
+
+    def __str__(self) -> str:
+        words = (("proved", self.proved), ("REFUSED", self.refused), ("not proved", self.not_proved))
+        lines = [f"{word}: {text}" for word, texts in words for text in texts]
+        end = "every claim of the file is proved" if self.holds else "the file does not prove what it claims"
+        return "\n".join([f"Mobility of {self.mechanism}", *lines, end])
+
+
+def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
+    """What the evidence shows: words -> value."""
+    blocks = entry["blocks"]
+    need(len(blocks) == len(mechanism.blocks), "evidence for another number of blocks")
+    parts = [Block(mechanism, index, block) for index, block in enumerate(blocks)]
+    least, most = sum(part.least for part in parts), sum(part.most for part in parts)
+    freedoms, loops = mechanism.freedoms, len(mechanism.loops)
+    found: dict[str, Any] = {
+        "joint freedoms": freedoms,
+        "independent loops": loops,
+        "Kutzbach-Gruebler": freedoms - 6 * loops,
+        "instantaneous mobility at most": freedoms - least,
+        "finite mobility at most": freedoms - least,
+    }
+    if least == most:
+        found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops - least
+    _add_motion(found, [part.dimensions() for part in parts], freedoms - sum(len(part.columns) for part in parts))
+    known = {}
+    for name, given in entry["ranks"].items():
+        bounds = rank(mechanism.numbers, mechanism.matrix(name.split(" ", 1)), given)
+        known.update({name: bounds[0]} if bounds[0] == bounds[1] else {})
+    for name, value in known.items():
+        kind, _, rest = name.partition(" ")
+        if kind == "limb":
+            found[f"constraints of {rest}"] = 6 - value
+        elif least == most:
+            what = {"twist": f"freedoms of {mechanism.platform}", "turning": f"rotations of {mechanism.platform}"}
+            found[what.get(rest, "freedoms with the drives locked")] = (
+                freedoms - value if rest == "drives" else value - least
+            )
+            if rest == "twist":
+                found["internal freedoms"] = freedoms - value
+    return found
+
+
+def _add_motion(found: dict[str, Any], parts: Sequence[tuple[int, int, list[int] | None, bool]], free: int) -> None:
+    """Finite mobility: blocks move independently, so dimensions add up."""
+    found["finite mobility at least"] = free + sum(part[0] for part in parts)
+    found["finite mobility at most"] = free + sum(part[1] for part in parts)
+    if found["finite mobility at least"] == found["finite mobility at most"]:
+        found["finite mobility"] = found["finite mobility at least"]
+    sums = {free}
+    for _, _, dimensions, _ in parts:
+        sums = {a + b for a in sums for b in dimensions or ()}
+    if sums:
+        found["smooth"] = all(part[3] for part in parts)
+        found["branches"] = None if found["smooth"] else sorted(sums - {0})
+
+
+def digest(mechanism: Any) -> str:
+    """SHA-256 of the description: a file is about this mechanism and no other."""
+    text = json.dumps(mechanism, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def check_proof(values: Any) -> Verdict:
+    """Judges every claim of a proof file.
+
+    Args:
+        values: what the JSON file holds.
+
+    Raises:
+        UnreadableError: it is no proof file.
+    """
+    try:
+        if values["format"] != FORMAT:
+            raise UnreadableError(f"expected the format {FORMAT!r}, got {str(values['format'])[:60]!r}")
+        name, claims = str(values["mechanism"]["name"]), [(str(c["claim"]), c["value"]) for c in values["claims"]]
+        sampled = [(str(c["claim"]), c["value"], str(c["why"])) for c in values["not proved"]]
+        texts = tuple(f"{claim} {json.dumps(value)}: {why}" for claim, value, why in sampled)
+        try:
+            need(bool(claims), "a file without claims")
+            need(values["digest"] == digest(values["mechanism"]), "the description is not the one that was proved")
+            found = facts_of(Mechanism(values["mechanism"]), values)
+        except RefusedError as error:
+            return Verdict(name, (), tuple(f"{c} {json.dumps(v)}: {error}" for c, v in claims) or (str(error),), texts)
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError) as error:
+        raise UnreadableError(f"{type(error).__name__}: {error}") from error
+    none = object()
+    proved = [f"{claim} {json.dumps(v)}" for claim, v in claims if _same(found.get(claim, none), v)]
+    refused = [
+        f"{claim} {json.dumps(v)}: the evidence shows {json.dumps(found[claim]) if claim in found else 'nothing of it'}"
+        for claim, v in claims
+        if not _same(found.get(claim, none), v)
+    ]
+    refused += [
+        f"{claim} {json.dumps(v)}, called not proved: the evidence shows {json.dumps(found[claim])}"
+        for claim, v, _ in sampled
+        if claim in found and not _same(found[claim], v)
+    ]
+    return Verdict(name, tuple(proved), tuple(refused), texts)
+
+
+def _same(a: Any, b: Any) -> bool:
+    return type(a) is type(b) and bool(a == b)
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Checks a file, says what it proves; 0, 1 or 2 as above."""
+    if len(arguments) != 1:
+        print("usage: proof_checker.py FILE", file=sys.stderr)
+        return 2
+    try:
+        with open(arguments[0], encoding="utf-8") as file:
+            verdict = check_proof(json.load(file))
+    except (OSError, ValueError, RecursionError, UnreadableError) as error:
+        print(f"{arguments[0]}: not a proof file that can be read: {error}", file=sys.stderr)
+        return 2
+    print(verdict)
+    return 0 if verdict.holds else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

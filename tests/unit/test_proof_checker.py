@@ -1,0 +1,236 @@
+"""The checker of proof files: what it takes, and that it refuses every tampered number that matters."""
+
+from __future__ import annotations
+
+import copy
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support.further_mechanisms import CASES
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew import catalogue
+from symscrew.mobility import analyse_mobility, check_proof, mobility_proof
+from symscrew.mobility.proofs import proof_checker
+
+KINDS = {
+    "planar_4bar": "groups", "sarrus": "limbs", "collinear_3R": "stopped", "bennett": "none",
+    "parallelogram-change_point": "form",
+}  # fmt: skip
+IDENTITIES = {"null", "arc", "value", "kind"}
+"""Where one entry changed makes a false equation, whatever the entry: all of these must be refused, and ranks."""
+
+
+@cache
+def proof(name: str) -> str:
+    mechanism = build(ENTRIES[name]) if name in ENTRIES else catalogue.load(name)
+    return json.dumps(mobility_proof(analyse_mobility(mechanism)))
+
+
+def values_of(name: str) -> Any:
+    return json.loads(proof(name))
+
+
+def leaves(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    if isinstance(value, dict | list):
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from leaves(inner, (*path, key))
+    else:
+        yield path
+
+
+def number(value: Any) -> bool:
+    return type(value) is int or (isinstance(value, str) and value.lstrip("-").replace("/", "").isdecimal())
+
+
+def changed(value: Any) -> Any:
+    if isinstance(value, bool):
+        return not value
+    return value + 1 if isinstance(value, int) else str(Fraction(value) + Fraction(1, 3))
+
+
+def tampered(values: Any, path: tuple[Any, ...]) -> Any:
+    result = copy.deepcopy(values)
+    inner = result
+    for key in path[:-1]:
+        inner = inner[key]
+    inner[path[-1]] = changed(inner[path[-1]])
+    return result
+
+
+def at(values: Any, path: tuple[Any, ...]) -> Any:
+    for key in path:
+        values = values[key]
+    return values
+
+
+def accepted(values: Any) -> bool:
+    try:
+        return check_proof(values).holds
+    except proof_checker.UnreadableError:
+        return False
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_every_kind_of_proof_is_taken(name: str) -> None:
+    values = values_of(name)
+    verdict = check_proof(values)
+    assert [block["proof"]["kind"] for block in values["blocks"]] == [KINDS[name]]
+    assert verdict.holds and len(verdict.proved) == len(values["claims"])
+    sampled = {entry["claim"] for entry in values["not proved"]}
+    assert ("finite mobility" in sampled) == (KINDS[name] == "none")
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_changed_number_is_refused(name: str) -> None:
+    """Of the mechanism always, by its digest; with a new digest only a number that leaves all screws as lines."""
+    values = values_of(name)
+    places = [path for path in leaves(values) if number(at(values, path)) or isinstance(at(values, path), bool)]
+    assert len(places) > 40
+    for path in places:
+        other = tampered(values, path)
+        if path[0] == "mechanism":
+            assert not accepted(other), path
+            other["digest"] = proof_checker.digest(other["mechanism"])
+            if accepted(other):
+                assert same_lines(values["mechanism"], other["mechanism"]), path
+        elif path[0] != "not proved" and (IDENTITIES & set(path) or path[-2] == "rank"):
+            assert not accepted(other), path
+        elif accepted(other):
+            assert facts(other) == facts(values), path  # another minor, say: it shows the same
+
+
+def facts(values: Any) -> dict[str, Any]:
+    return proof_checker.facts_of(proof_checker.Mechanism(values["mechanism"]), values)
+
+
+def same_lines(a: Any, b: Any) -> bool:
+    """Whether all joints have the same screws: a point may lie anywhere on its axis, a slider's anywhere at all."""
+    one, two = (proof_checker.Mechanism(m) for m in (a, b))
+    return all(
+        [[c.terms for c in s] for s in one.joints[n].screws] == [[c.terms for c in s] for s in two.joints[n].screws]
+        for n in one.joints
+    )
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_false_claim_is_refused(name: str) -> None:
+    values = values_of(name)
+    values["claims"] += [{"claim": "finite mobility", "value": 3}]
+    assert not accepted(values)
+    assert not accepted({**values_of(name), "claims": []})
+    values = values_of(name)
+    values["blocks"][0]["proof"] = {"kind": "groups", "groups": []}
+    assert not accepted(values)
+
+
+def test_a_proof_of_another_kind_does_not_carry_over() -> None:
+    """The form that shows two branches at a change point shows none where the loop is not stretched, and so on."""
+    for name in KINDS:
+        for other in KINDS.keys() - {name}:
+            values, foreign = values_of(name), values_of(other)
+            values["blocks"] = foreign["blocks"]
+            assert not accepted(values) or KINDS[other] == "none"
+
+
+def test_near_is_not_there() -> None:
+    """Bennett's proportions off by 1e-40: the exact rank is higher, so the null vectors are none."""
+    values = values_of("bennett")
+    first = values["mechanism"]["joints"][0]["point"]
+    first[0] = str(Fraction(first[0]) + Fraction(1, 10**40))
+    values["digest"] = proof_checker.digest(values["mechanism"])
+    assert not accepted(values)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[1]", '{"format": 3}', '{"format": "symscrew mobility proof 1"}', "null", "[" * 100000]
+)
+def test_what_is_no_proof_file_is_said_so(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "file.json"
+    path.write_text(text)
+    assert proof_checker.main([str(path)]) == 2
+    assert "not a proof file" in capsys.readouterr().err
+    assert proof_checker.main([str(tmp_path / "none.json")]) == 2 and proof_checker.main([]) == 2
+
+
+def test_numbers_that_are_no_fractions_are_not_read() -> None:
+    for text in ("1e999999999", "0x10", "1/0", "nan", "1_000", " 1", 0.5, True, None):
+        values = values_of("planar_4bar")
+        values["mechanism"]["joints"][0]["point"][0] = text
+        values["digest"] = proof_checker.digest(values["mechanism"])
+        with pytest.raises(proof_checker.UnreadableError):
+            check_proof(values)
+
+
+def test_the_checker_runs_alone(tmp_path: Path) -> None:
+    """Without the package on any path: a copy of the file in a folder of its own."""
+    script = tmp_path / "checker.py"
+    script.write_text(Path(proof_checker.__file__).read_text())
+    good, bad = tmp_path / "good.json", tmp_path / "bad.json"
+    good.write_text(proof("planar_4bar"))
+    bad.write_text(proof("planar_4bar").replace('"finite mobility", "value": 1', '"finite mobility", "value": 2'))
+    for path, status, line in ((good, 0, "every claim of the file is proved"), (bad, 1, "does not prove")):
+        done = subprocess.run([sys.executable, "-I", "-S", str(script), str(path)], capture_output=True, text=True)
+        assert done.returncode == status and line in done.stdout, done.stderr
+
+
+def test_irrational_numbers_are_roots_in_intervals() -> None:
+    values = values_of("three_ups_upu_s")
+    assert accepted(values) and check_proof(values).not_proved == ()
+    for path in leaves(values["mechanism"]["generators"][0]["polynomial"]):
+        other = tampered(values, ("mechanism", "generators", 0, "polynomial", *path))
+        other["digest"] = proof_checker.digest(other["mechanism"])
+        assert not accepted(other), path
+
+
+def test_numbers_in_no_field_are_any_of_an_interval() -> None:
+    verdict = check_proof(values_of("schatz_turbula"))
+    assert verdict.holds and any("finite mobility at most 1" in text for text in verdict.proved)
+    assert any(text.startswith("instantaneous mobility 1") for text in verdict.not_proved)
+
+
+def expected(name: str) -> dict[str, Any]:
+    entry = ENTRIES[name]["expected"]
+    return {
+        "Kutzbach-Gruebler": entry["kutzbach"],
+        "instantaneous mobility": entry["dof"],
+        "redundant constraints": entry["overconstraints"],
+        "internal freedoms": entry["internal_freedoms"],
+        "freedoms with the drives locked": entry["dof_drives_locked"],
+        "finite mobility": entry["dof_finite"],
+        "smooth": entry["smooth"],
+        "branches": entry["branches"],
+    }
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [n for n in ENTRIES if n not in ("stewart_6sps", "delta_4s-parallel_forearms")])
+def test_what_is_proved_is_what_the_reference_says(name: str) -> None:
+    values = values_of(name)
+    assert check_proof(values).holds
+    shown, known = facts(values), expected(name)
+    for claim in shown.keys() & known.keys():
+        assert shown[claim] == known[claim], claim
+    if known["finite mobility"] is not None:
+        assert shown["finite mobility at least"] <= known["finite mobility"] <= shown["finite mobility at most"]
+    if (known["dof"] if "dof" in known else known["instantaneous mobility"]) == 0:
+        assert shown["finite mobility"] == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_proved_is_what_the_literature_says(name: str) -> None:
+    values = json.loads(json.dumps(mobility_proof(analyse_mobility(CASES[name].make()))))
+    assert check_proof(values).holds
+    dof, finite, branches, _ = CASES[name].expected
+    shown = facts(values)
+    assert shown.get("instantaneous mobility", dof) == dof and shown.get("finite mobility", finite) == finite
+    assert "branches" not in shown or shown["branches"] == (None if branches is None else list(branches))
+    assert shown["finite mobility at least"] <= finite <= shown["finite mobility at most"]

@@ -1,0 +1,93 @@
+"""Headings of generated code: which limb, which stage of the theory; what pivots mean."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+from support.model_states import model
+
+from symscrew.algebra import QUANTITIES, Origin
+from symscrew.export.c import print_source
+from symscrew.export.pivots import pivot_text
+from symscrew.export.stages import MOST, STAGE_OF, STAGES, Stages, headed
+from symscrew.export.value_names import value_names
+from symscrew.program import Instruction, Port, Program
+from symscrew.program.equal_limbs import Limb, Limbs
+
+LIMBS = Limbs(((Limb("one", {"upper": "link"}), Limb("two", {"lower": "link"})),))
+
+
+def program(*lines: tuple[str, str, tuple[int, ...]]) -> Program:
+    """One input; slots 1, 2, ... with (quantity, part, operands), nameless where the quantity is empty."""
+    instructions = tuple(Instruction(k, "add", args) for k, (_, _, args) in enumerate(lines, 1))
+    origins = {k: Origin(quantity, part) for k, (quantity, part, _) in enumerate(lines, 1) if quantity}
+    port = Port("x", (1,), ("1",), ("x",), "")
+    return Program("f", "", (port,), (), instructions, (), (), (), len(lines) + 1, origins, LIMBS)
+
+
+def test_every_quantity_is_of_one_stage() -> None:
+    assert set(QUANTITIES) <= set(STAGE_OF)
+    assert max(Counter(word for words in STAGES.values() for word in words.split()).values()) == 1
+
+
+def shown(found: Program) -> list[str]:
+    names = value_names(found, ())
+    lines = [(f"{names[i.target]} = ...;", i.target) for i in found.instructions]
+    return list(headed(lines, Stages(found), lambda slot: names[slot]))
+
+
+def test_a_heading_where_a_limb_or_a_stage_begins_and_nowhere_else() -> None:
+    first = [("omega", "upper", (0, 0))] * MOST
+    second = [("momentum_rate", "upper", (1, 0))] * MOST
+    other = [("omega", "lower", (0, 0))] * MOST
+    heads = [text for text in shown(program(*first, *second, *other)) if text.startswith("/*")]
+    assert heads == [
+        "/* one: velocities, eq. (6) */", "/* one: momentum rate, eq. (35) */", "/* two: velocities, eq. (6) */",
+    ]  # fmt: skip
+    few = other[1:]
+    heads = [text for text in shown(program(*first, *few, *first)) if text.startswith("/*")]
+    assert heads == ["/* one: velocities, eq. (6) */"]
+
+
+def test_a_nameless_line_of_another_limb_says_so() -> None:
+    """It is of the limb of its operands; with operands of two limbs, of that of its reader."""
+    own = [("omega", "upper", (0, 0))] * MOST
+    further = [("omega", "lower", (0, 0)), ("", "", (9, 9)), ("", "", (1, 10)), ("alpha", "lower", (11, 11))]
+    text = shown(program(*own, *further))
+    assert [line.partition("/* ")[2] for line in text[-3:]] == ["two */", "two */", ""]
+    assert all("/*" not in line for line in text[1:-3])
+
+
+@pytest.mark.parametrize("name", ["four_bar", "slider_crank"])
+def test_no_statement_changes(name: str) -> None:
+    """Headings are comments: without them the code is what it is without origins, but for the names."""
+    found = model(name)
+    function = next(f for f, p in found.programs.items() if isinstance(p, Program) and p.guards)
+    part = found.programs[function]
+    assert isinstance(part, Program)
+    texts = []
+    for programs in (part, replace(part, origins={})):
+        source = print_source(replace(found, programs={function: programs}))
+        body = source.partition(f"BODY({name}_{function})")[2].partition("\n}")[0]
+        texts.append(re.sub(r"\b[A-Za-z]\w*_\w*|\bt\d+", "x", re.sub(r"\s*/\*.*?\*/", "", body)))
+    assert texts[0] == texts[1]
+
+
+def test_pivots_are_told_in_words() -> None:
+    assert pivot_text(Origin("lever", "limb2_U.0", "moment_z", "limb2_S.fz")) == (
+        "where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb"
+    )
+    assert pivot_text(Origin("pivot", "hub", "wz")) == "where the loops no longer determine hub.wz"
+    assert pivot_text(Origin("pivot", "", "1")).startswith("where step 1 of symmetric equations loses rank")
+    assert pivot_text(None) and "{" not in "".join(pivot_text(Origin(q, "p", "c", "b")) for q in QUANTITIES)
+
+
+@pytest.mark.parametrize("name", ["four_bar", "slider_crank"])
+def test_every_pivot_of_a_function_has_a_name_and_a_meaning(name: str) -> None:
+    source = print_source(model(name))
+    tests = re.findall(r"^        SMALL\((\w+), [^)]*\)(.*)$", source, re.M)
+    assert tests and all(re.search(r"/\* where .* \*/$", rest) for _, rest in tests)
+    assert not [pivot for pivot, _ in tests if re.fullmatch(r"t\d+", pivot)]
