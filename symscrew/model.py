@@ -18,8 +18,10 @@ import numpy as np
 from symscrew.description import Mechanism, Reader
 from symscrew.effects import Effect, Gravity, joints_read, transformed
 from symscrew.functions import (
+    SUFFIX,
     Motion,
     assembly,
+    checked_functions,
     closing_functions,
     closure_functions,
     derivative_functions,
@@ -124,6 +126,7 @@ def derive(
     derivatives: bool = False,
     regressor: bool = False,
     one_mode: bool = False,
+    checked: bool = False,
 ) -> Model:
     """The model of a mechanism: every function, for every mechanism, by the same path.
 
@@ -133,7 +136,8 @@ def derive(
     `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given,
     `regressor` the regressors of the inertial parameters. `one_mode`: functions of closed loops for the operation
     mode of the reference configuration only, where coordinates that follow from others are not read; they fail
-    elsewhere (see `symscrew.loops.modes`).
+    elsewhere (see `symscrew.loops.modes`). `checked` adds `<function>_checked`, which look whether q, v and a are of
+    the mechanism, and fail where they are not (see `symscrew.functions.checked`).
     A simplification that is only wanted where it saves operations is undone where it does not, see `Effect.undone`.
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
@@ -142,7 +146,7 @@ def derive(
         mechanism = replace(mechanism, characteristic_length=read)
     known = tuple(effects)
     plain = _where_they_save(mechanism, known, independent) if any(effect.undone() for effect in known) else None
-    if plain and not (derivatives or regressor or one_mode):
+    if plain and not (derivatives or regressor or one_mode or checked):
         return plain
     return _derived(
         mechanism,
@@ -151,6 +155,7 @@ def derive(
         derivatives=derivatives,
         regressor=regressor,
         one_mode=one_mode,
+        checked=checked,
     )
 
 
@@ -174,6 +179,7 @@ def _derived(
     derivatives: bool = False,
     regressor: bool = False,
     one_mode: bool = False,
+    checked: bool = False,
 ) -> Model:
     system = System(mechanism, transformed(mechanism, effects), read=joints_read(effects))
     system.use_samples()
@@ -190,20 +196,23 @@ def _derived(
         *dynamic_functions(system, effects, ways.rates),
         *forward_functions(system, effects, ways.dynamics),
         *closing_functions(system, loops),
-        *platform_functions(system, effects, loops),
+        *platform_functions(system, effects, loops, checked=checked),
         *effect_functions(system, effects, loops),
     ]
     if regressor:
         functions += regressor_functions(system, effects, loops)
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)
+    if checked:
+        functions += checked_functions(system, functions)
     if one_mode:
         functions = [mode.alone(function) for function in functions]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
     if system.cuts:
         programs["assemble"] = assembly(system, loops)
         for name, second in second_paths(system, effects, loops).items():
-            programs[name] = second.behind(programs[name])
+            for variant in {name, name + SUFFIX} & set(programs):
+                programs[variant] = second.behind(programs[variant])
     programs |= {f.name: lower(f) for f in margin_functions(system)}
     entries, states = [entry.q for entry in loops.entries], system.sample_states
     inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}

@@ -22,6 +22,7 @@ from symscrew.algebra.traversal import count_operations, evaluation_order
 Direction = str
 Vertex = int | tuple[str, int | Direction]
 Edges = dict[Vertex, Node]
+Readers = dict[Vertex, None]  # in order, which sets have by hashes of texts: they differ from run to run
 ORDERS = ("forward", "reverse", "markowitz")
 # The rough count of an order does not see that equal products are one node, which saves up to a quarter. An order is
 # built and counted exactly if its rough count is within this factor of the best; one beyond is never built.
@@ -33,7 +34,7 @@ class Graph:
     """The linearised program: edges by predecessor and by successor, and its vertices in order of evaluation."""
 
     into: dict[Vertex, Edges]
-    out: dict[Vertex, set[Vertex]]
+    out: dict[Vertex, Readers]
     order: list[int]
 
 
@@ -96,11 +97,11 @@ def linearise(tape: Tape, outputs: Sequence[Node], seeds: Mapping[Node, Mapping[
     return graph
 
 
-def _successors(into: Mapping[Vertex, Edges]) -> dict[Vertex, set[Vertex]]:
-    out: dict[Vertex, set[Vertex]] = {}
+def _successors(into: Mapping[Vertex, Edges]) -> dict[Vertex, Readers]:
+    out: dict[Vertex, Readers] = {}
     for vertex, edges in into.items():
         for before in edges:
-            out.setdefault(before, set()).add(vertex)
+            out.setdefault(before, {})[vertex] = None
     return out
 
 
@@ -109,7 +110,7 @@ def _remove_dead(graph: Graph) -> None:
     for vertex in reversed(graph.order):
         if not graph.out.get(vertex):
             for before in graph.into.pop(vertex):
-                graph.out[before].discard(vertex)
+                graph.out[before].pop(vertex, None)
     graph.order = [vertex for vertex in graph.order if vertex in graph.into]
 
 
@@ -160,7 +161,7 @@ PARTIALS: dict[
 def _eliminated(tape: Tape, graph: Graph, name: str) -> dict[Vertex, Edges]:
     """Edges into the outputs when all vertices are taken out."""
     into = {vertex: dict(edges) for vertex, edges in graph.into.items()}
-    out = {vertex: set(after) for vertex, after in graph.out.items()}
+    out = {vertex: dict(after) for vertex, after in graph.out.items()}
     for vertex in _sequence(graph, name):
         before = into.pop(vertex)
         for following in out.pop(vertex):
@@ -171,12 +172,12 @@ def _eliminated(tape: Tape, graph: Graph, name: str) -> dict[Vertex, Edges]:
                 total = edges[source] + product if source in edges else product
                 if total is tape.zero:
                     edges.pop(source, None)
-                    out[source].discard(following)
+                    out[source].pop(following, None)
                 else:
                     edges[source] = total
-                    out[source].add(following)
+                    out[source][following] = None
         for source in before:
-            out[source].discard(vertex)
+            out[source].pop(vertex, None)
     return into
 
 
@@ -203,7 +204,7 @@ def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int
     into: dict[Vertex, dict[Vertex, bool]] = {
         v: {p: not _is_sign(w) for p, w in edges.items()} for v, edges in graph.into.items()
     }
-    out = {vertex: set(after) for vertex, after in graph.out.items()}
+    out = {vertex: dict(after) for vertex, after in graph.out.items()}
     place = {vertex: i for i, vertex in enumerate(graph.order)}
 
     def price(vertex: int) -> int:
@@ -225,9 +226,9 @@ def _simulate(graph: Graph, fixed: Sequence[int] | None) -> tuple[list[int], int
             weight = edges.pop(vertex)
             for source, costs in before.items():
                 edges[source] = source in edges or weight or costs
-                out[source].add(following)
+                out[source][following] = None
         for source in before:
-            out[source].discard(vertex)
+            out[source].pop(vertex, None)
         return {*before, *after}
 
     operations = 0

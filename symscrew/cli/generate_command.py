@@ -20,7 +20,11 @@ EXAMPLES = (
     "symscrew generate three_ups_upu_s --out seed",
     "symscrew generate wrist.toml --out wrist --target c --derivatives",
     "symscrew generate ur5 --out ur5_single --precision single",
+    "symscrew generate delta --out small --profile microcontroller --functions inverse_dynamics",
 )
+
+
+PROFILES = ("microcontroller",)  # of options that go together
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -29,9 +33,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
     text = "default: c casadi numpy; external: C for casadi.external, with derivatives; fmu: FMI 3.0, sources only"
     command.add_argument("--target", nargs="+", choices=TARGETS, help=text)
-    command.add_argument(
-        "--precision", choices=("double", "single"), default="double", help="single: C of type float, no other target"
+    command.add_argument("--precision", choices=("double", "single"), help="single: C of type float, no other target")
+    text = (
+        "microcontroller: C of type float for one state at a time and one operation mode, no functions of many states"
     )
+    command.add_argument("--profile", choices=PROFILES, help=text)
+    command.add_argument("--one-file", action="store_true", help="the C in one source, not in several by families")
     command.add_argument(
         "--embedded", nargs="+", choices=("m4f", "m7"), default=[], metavar="CORE",
         help="measure the C on m4f or m7 in QEMU: flash, stack and instructions go into the header and ops.json",
@@ -43,17 +50,33 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     command.add_argument("--one-mode", action="store_true", help=text)
+    text = "also NAME_checked of every function NAME of q, v or a: fails where these do not close the loops"
+    command.add_argument("--checked", action="store_true", help=text)
     text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
     command.add_argument("--hashes-only", action="store_true", help=text)
     text = "these functions only; default: all, which README.md of the output describes"
     command.add_argument("--functions", nargs="+", metavar="NAME", help=text)
 
 
+def profiled(options: argparse.Namespace) -> argparse.Namespace:
+    """The options that a profile stands for put in; those that are given against it are an error."""
+    chosen = argparse.Namespace(**vars(options))
+    if chosen.profile:
+        if chosen.precision == "double":
+            raise UsageError(f"--profile {chosen.profile} is of single precision; leave out --precision double")
+        chosen.precision, chosen.one_mode = "single", True
+    chosen.precision = chosen.precision or "double"
+    return chosen
+
+
 def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write, print."""
     from symscrew.display import Progress, print_table
+    from symscrew.export import Form
     from symscrew.generation import generate
 
+    options = profiled(options)
+    form = Form(one_file=options.one_file, batches=options.profile is None)
     targets = chosen_targets(options)
     progress = Progress()
     model = _chosen_functions(options, _derived(options, progress))
@@ -65,8 +88,9 @@ def run(options: argparse.Namespace) -> int:
             measured.append(measure(model, core, options.precision))
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
         files = generate(
-            model, options.out, targets, precision=options.precision, measured=measured, hashes_only=options.hashes_only
-        )
+            model, options.out, targets, precision=options.precision, measured=measured,
+            hashes_only=options.hashes_only, form=form,
+        )  # fmt: skip
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     print_table(("function", "operations"), rows)
@@ -105,6 +129,7 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
             derivatives=options.derivatives,
             regressor=options.regressor,
             one_mode=options.one_mode,
+            checked=options.checked,
         )
 
 

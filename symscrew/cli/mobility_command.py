@@ -6,7 +6,7 @@ import argparse
 import json
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_mechanism
@@ -37,6 +37,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="take special geometry within LENGTH [m] of the numbers typed as meant",
     )  # fmt: skip
     command.add_argument("--body", metavar="NAME", help="whose freedoms; default: the platform")
+    command.add_argument(
+        "--along", action="store_true",
+        help="also what holds along the motion, and the singular poses on the coordinate lines (seconds)",
+    )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
@@ -69,10 +73,14 @@ def run(options: argparse.Namespace) -> int:
     verdict = _verdict(found, options.expect, failed)
     if options.json:
         values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
+        if options.along:
+            values["along"] = _along_values(found)
         print(json.dumps(values, indent=1))
     else:
         print(found.report().splitlines()[0])  # the rest of it follows in more words
         print(mobility_text(found))
+        if options.along:
+            print("\n    ".join(["Along the motion", *_along_lines(found)]))
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))
@@ -80,6 +88,22 @@ def run(options: argparse.Namespace) -> int:
         return FAILED
     unexpected = options.expect is not None and found.finite.dof != options.expect
     return FAILED if failed or unexpected else DONE
+
+
+def _along_lines(found: Mobility) -> list[str]:
+    from symscrew.mobility import motion_lines
+
+    if isinstance(found.along, str):
+        return [found.along]
+    return motion_lines(found.along, found.network, found.mechanism, found.platform.body)
+
+
+def _along_values(found: Mobility) -> dict[str, Any]:
+    from symscrew.mobility import motion_values
+
+    if isinstance(found.along, str):
+        return {"reason": found.along}
+    return motion_values(found.along, found.network, found.mechanism)
 
 
 def _proved(found: Mobility, path: Path) -> bool:

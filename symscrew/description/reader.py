@@ -25,14 +25,19 @@ class Reader:
         self.parameters = parameters
         self.symbols = {name: p.symbol for name, p in parameters.items()}
         self.values = {name: p.value for name, p in parameters.items()}
+        self._read: dict[str, sympy.Expr] = {}  # a description repeats its expressions: limbs are equal
 
     def number(self, value: Any, where: str) -> sympy.Expr:
         """One number, finite and real at the parameters' values, and of a size that code can hold."""
+        if isinstance(value, str) and value in self._read:
+            return self._read[value]
         expression = exact(value, self.symbols, where=where)
         if expression.free_symbols:
             check_range(exact(value, self.values, where=where), where)
         else:
             check_range(expression, where)
+        if isinstance(value, str):
+            self._read[value] = expression
         return expression
 
     def characteristic_length(self, value: Any) -> sympy.Expr | None:

@@ -110,6 +110,8 @@ def articulated_accelerations(system: System, acting: Acting) -> tuple[list[Node
     zeros = [tape.zero] * len(tree.v)
     inertia = acting.lean_inertia()
     bodies = [rigid(one) for one in inertia]
+    for bending in acting.bendings:
+        bodies[bending.link] = bodies[bending.link].less(*bending.felt, 1 / bending.mass)
     biases = _biases(system, acting)
     forces = acting.known_forces(zeros)
     known = system.tree_rates([forces.get(k, tape.zero) for k in range(len(tree.v))])

@@ -30,7 +30,7 @@ def still_forces(system: System, acting: Acting, inertia: Sequence[Sequence[Node
     still = [tape.zero] * len(tree.v)
     result = generalised_forces(system, acting, still)
     given = all(q.op == "symbol" for q in system.inputs.q)  # else angles may stand in their cosines and sines only
-    if not given or not acting.keeps_motion or any(not is_zero(c) for c in acting.ground.omega):
+    if not given or not acting.keeps_motion or acting.bendings or any(not is_zero(c) for c in acting.ground.omega):
         return result
     lean = acting.lean_inertia()
     resting = rates(system.linkage, still, still, ground=acting.ground)

@@ -11,7 +11,7 @@ which needs no multipliers and no inverse of the tree's mass matrix. For a tree 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -23,7 +23,7 @@ from symscrew.dynamics.drives import solve_symmetric
 from symscrew.dynamics.projection import Projection
 from symscrew.dynamics.rods import rod_forces, rod_matrix, thin_rods
 from symscrew.dynamics.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
-from symscrew.effects import Acting
+from symscrew.effects import Acting, AddedInertia
 from symscrew.kinematics import System
 from symscrew.loops import Loops, counts_all_ways
 
@@ -49,12 +49,11 @@ def by_articulated_bodies(system: System) -> bool:
 class Admissible:
     """The motions w = N z that the closure of a system allows at its nodes q, v, and the dynamics along them.
 
-    Everything is for the free joint rates z of `loops`, in their order. `reflected` are inertias that
-    move with one freedom of the tree only (index into v).
+    Everything is for the free joint rates z of `loops`, in their order. `added` is inertia beside the bodies'.
     """
 
-    def __init__(self, system: System, loops: Loops, reflected: Mapping[int, Node] | None = None) -> None:
-        self.system, self.loops, self.reflected = system, loops, reflected
+    def __init__(self, system: System, loops: Loops, added: AddedInertia | None = None) -> None:
+        self.system, self.loops, self.added = system, loops, added
 
     @cached_property
     def columns(self) -> list[list[Node]]:
@@ -105,14 +104,14 @@ class Admissible:
             a, guards = articulated_accelerations(self.system, acting)
             gains = self.system.joint_rates(a)
             return [([gains[k] for k in self.loops.free], a, guards)]
-        system, tree = self.system, mass_matrix(self.system, self.reflected)
+        system, tree = self.system, mass_matrix(self.system, self.added)
         ways = [self._by_columns(tree, lambda a: generalised_forces(system, acting, a))]
         if system.cuts and counts_all_ways(system):
             still = [system.tape.zero] * len(system.tree.v)
             ways.append(self._handed_on(tree, still_forces(system, acting, tree)))
             rods = thin_rods(system, acting)
             if rods:
-                lean = rod_matrix(system, rods, self.reflected)
+                lean = rod_matrix(system, rods, self.added)
                 ways.append(self._by_columns(lean, lambda a: rod_forces(system, acting, rods, a)))
                 ways.append(self._handed_on(lean, rod_forces(system, acting, rods, still)))
             ways.append(self._handed_on(tree, generalised_forces(system, acting, still)))
@@ -150,7 +149,7 @@ class Admissible:
     @cached_property
     def inertia(self) -> list[list[Node]]:
         """N^T M N; only the lower half counts."""
-        return self._projected(mass_matrix(self.system, self.reflected))
+        return self._projected(mass_matrix(self.system, self.added))
 
     def _projected(self, tree: Matrix) -> list[list[Node]]:
         system, rows = self.system, []

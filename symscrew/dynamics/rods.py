@@ -31,7 +31,7 @@ from symscrew.algebra import (
 )
 from symscrew.dynamics.setting import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
-from symscrew.effects import Acting
+from symscrew.effects import Acting, AddedInertia
 from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped
 from symscrew.loops import rod_limb
 
@@ -56,12 +56,12 @@ class Rod:
 def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
     """The thin rods of a system by the index of their cut joint: only gravity and their neighbours act on them."""
     taken = {*acting.joint_forces, *acting.reflected_inertia, *system.drive_rows()}
-    driven = system.cut_drives()
+    driven, loaded = system.cut_drives(), {*acting.loads, *(bending.link for bending in acting.bendings)}
     found = {c: _rod(system, cut) for c, cut in enumerate(system.cuts) if c not in driven}
     return {
         c: rod
         for c, rod in found.items()
-        if rod and not any(link.index in acting.loads or taken & {link.v.start} for link in rod.links)
+        if rod and not any(link.index in loaded or taken & {link.v.start} for link in rod.links)
     }
 
 
@@ -216,7 +216,7 @@ def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vec
     return add(carried, transform(turned, point))
 
 
-def rod_matrix(system: System, rods: Mapping[int, Rod], reflected: Mapping[int, Node] | None) -> list[list[Node]]:
+def rod_matrix(system: System, rods: Mapping[int, Rod], added: AddedInertia | None) -> list[list[Node]]:
     """A mass matrix for v with the energy of the tree's for all rates that keep the loops closed.
 
     The rods' own rates have no entries; the mass that couples a rod's ends has those of the rates that move them.
@@ -228,7 +228,7 @@ def rod_matrix(system: System, rods: Mapping[int, Rod], reflected: Mapping[int, 
             entry = rod.masses[1] * system.tape.node(dot(one, other))
             for pair in ((j, k), (k, j)):
                 coupled[pair] = coupled.get(pair, zero) + entry
-    matrix = mass_matrix(system, reflected, _end_masses(system, list(rods.values()), system.inertia))
+    matrix = mass_matrix(system, added, _end_masses(system, list(rods.values()), system.inertia))
     for (j, k), entry in coupled.items():
         matrix[j][k] = matrix[j][k] + entry
     return matrix

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from itertools import product as pairs_of
 
 from symscrew.algebra import (
     ZERO,
@@ -22,7 +23,7 @@ from symscrew.algebra import (
     transpose,
 )
 from symscrew.dynamics.setting import accumulate
-from symscrew.effects import Acting
+from symscrew.effects import Acting, AddedInertia
 from symscrew.kinematics import (
     GROUND,
     Inertia,
@@ -84,17 +85,27 @@ def balanced_forces(
 
 
 def mass_matrix(
-    system: System, reflected: Mapping[int, Node] | None = None, inertia: Sequence[Inertia] | None = None
+    system: System, added: AddedInertia | None = None, inertia: Sequence[Inertia] | None = None
 ) -> list[list[Node]]:
     """M of the open tree, symmetric, with kinetic energy v . M v / 2: entries [kg, kg m, kg m^2].
 
     Composite rigid bodies (Walker and Orin 1982): the momentum of everything outboard of a joint per unit rate of the
-    joint, projected on the joints inboard of it. `reflected` are inertias that move
-    with one freedom only (index into v): they stand on the diagonal. `inertia` is what the links have in place of
-    their own.
+    joint, projected on the joints inboard of it. Of what is `added`, inertias that move with one freedom only stand on
+    the diagonal; a deflection yields, so that the mass that moves it counts less. `inertia` is what the links have in
+    place of their own. The system keeps the answer for its own inertias: several functions ask for it.
     """
+    known = added or AddedInertia()
+    if inertia is not None or known.bendings:
+        return _composite_bodies(system, known, inertia or system.inertia)
+    key = ("mass_matrix", *((k, further.index) for k, further in known.freedoms.items()))
+    if key not in system.answers:
+        system.answers[key] = _composite_bodies(system, known, system.inertia)
+    return [list(row) for row in system.answers[key]]
+
+
+def _composite_bodies(system: System, known: AddedInertia, inertia: Sequence[Inertia]) -> list[list[Node]]:
     tree, tape = system.tree, system.tape
-    composite: list[Inertia] = list(regrouped(tree, system.frames, inertia or system.inertia, system.geometry))
+    composite: list[Inertia] = list(regrouped(tree, system.frames, known.grown(inertia), system.geometry))
     n = len(tree.v)
     matrix = [[tape.zero] * n for _ in range(n)]
     for link in reversed(tree.links[1:]):
@@ -112,8 +123,12 @@ def mass_matrix(
             part = tree.part(link.parent)
             named_vector(composite[link.parent].first, "composite", part, prefix="first_")
             named_matrix(second, "composite", part, prefix="second_")
-    for k, further in (reflected or {}).items():
+    for k, further in known.freedoms.items():
         matrix[k][k] = matrix[k][k] + further
+    for bending in known.bendings:
+        row, yields = _pushed(system, tree.links[bending.link], bending.felt), 1 / bending.mass
+        for (j, one), (k, other) in pairs_of(row, row):
+            matrix[j][k] = matrix[j][k] - yields * (one * other)
     return matrix
 
 

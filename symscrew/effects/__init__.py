@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, joints_read, transformed
-from symscrew.effects.records import Contact, State
+from symscrew.effects.records import AddedInertia, Contact, State
 from symscrew.effects.registry import (
     check_effects,
     effect_from_table,
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Acting",
+    "AddedInertia",
     "Contact",
     "Effect",
     "ExternalWrench",

@@ -16,7 +16,7 @@ from typing import Protocol
 from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, named_wrench, scale, subtract
 from symscrew.description import Point
 from symscrew.effects.parts import Parts
-from symscrew.effects.records import State, Transmission
+from symscrew.effects.records import AddedInertia, Bending, State, Transmission
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import (
     GROUND,
@@ -57,6 +57,9 @@ class Acts(Protocol):
     def act(self, acting: Acting) -> None:
         """Add what it contributes."""
 
+    def conclude(self, acting: Acting) -> None:
+        """After all have acted."""
+
 
 class Acting(Parts):
     """The sum of what all effects contribute to one system at its present nodes.
@@ -74,6 +77,7 @@ class Acting(Parts):
         self.loads: Loads = {}
         self.joint_forces: dict[int, Node] = {}  # index into v -> generalised force along that freedom
         self.reflected_inertia: dict[int, Node] = {}  # index into v -> inertia that moves with that freedom
+        self.bendings: list[Bending] = []
         self.own_inputs: list[tuple[Port, tuple[Node, ...]]] = []
         self.potential: Node = tape.zero
         self.kinetic: Node = tape.zero
@@ -94,6 +98,8 @@ class Acting(Parts):
             effect.prepare(self)
         for effect in effects:
             effect.act(self)
+        for effect in effects:  # what needs to know all that acts on the ground
+            effect.conclude(self)
         forgotten = [s.name for s in self.states if s.name not in self.state_rates]
         assert not forgotten, f"effects give no rate of their states {forgotten}"
 
@@ -129,11 +135,17 @@ class Acting(Parts):
     def inertia(self) -> tuple[Inertia, ...]:
         """Inertias of the links, with what is left out of their moments in omega."""
         if self.keeps_gyroscopic_moments:
-            return self.system.inertia
+            return tuple(self.added_inertia.grown(self.system.inertia)) if self.bendings else self.system.inertia
         links, geometry = self.system.tree.links, self.system.geometry
         spinless = [any(not e.keeps_gyroscopic_moment(b) for e in self.effects for b in link.bodies) for link in links]
         pairs = zip(self.system.inertia, spinless, strict=True)
-        return tuple(without_gyroscopic_moment(own, geometry) if left_out else own for own, left_out in pairs)
+        kept = [without_gyroscopic_moment(own, geometry) if left_out else own for own, left_out in pairs]
+        return tuple(self.added_inertia.grown(kept))
+
+    @property
+    def added_inertia(self) -> AddedInertia:
+        """Inertia beside the bodies'."""
+        return AddedInertia(self.reflected_inertia, tuple(self.bendings))
 
     def lean_inertia(self) -> tuple[Inertia, ...]:
         """Regrouped inertias: right for drives and cut joints, not inside the tree."""
@@ -142,7 +154,12 @@ class Acting(Parts):
 
     def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
-        return named_wrench(inertial_wrench(inertia, moving[link]), "momentum_rate", self.system.tree.part(link))
+        force, moment = inertial_wrench(inertia, moving[link])
+        for bending in self.bendings:
+            if bending.link == link:
+                more, couple = bending.wrench(moving[link])
+                force, moment = add(force, more), add(moment, couple)
+        return named_wrench((force, moment), "momentum_rate", self.system.tree.part(link))
 
     def inertial_wrenches(self, a: Sequence[Node]) -> Loads:
         """Inertial wrench of every link with regrouped inertias, for given accelerations of the tree."""
@@ -213,12 +230,15 @@ class Acting(Parts):
         self.own_inputs.append((port, nodes))
         return nodes
 
-    def state(self, name: str, unit: str, initial: float, description: str) -> Node:
-        """A further state; its rate must be given by `state_rate`."""
+    def state(self, name: str, unit: str, initial: float, description: str, *, carried: Node | None = None) -> Node:
+        """A further state; its rate must be given by `state_rate`.
+
+        It starts at `initial`, and at `carried` more, which is of q and v, where that is given.
+        """
         if any(name == other.name for other in self.states):
             raise DescriptionError(f"effects: two of them have the state {name!r}; give one another name (key 'name')")
         node = self.sampled(f"x_{name}", unit, description)
-        self.states.append(State(name, unit, initial, node))
+        self.states.append(State(name, unit, initial, node, carried))
         return node
 
     def state_rate(self, name: str, rate: Node) -> None:

@@ -13,7 +13,7 @@ from symscrew.effects.effect import Effect, Number
 from symscrew.effects.parts import TIME
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import inertial_wrench, quaternion_matrix, rates
-from symscrew.program import Port
+from symscrew.program import QUATERNION, Port
 
 AXES = ("wx", "wy", "wz", "vx", "vy", "vz")
 POSE = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -68,7 +68,8 @@ class BaseMotion(Effect):
         if self.attitude:
             labels = ("w", "x", "y", "z")
             text = "attitude of the base: unit quaternion from its axes to absolute axes"
-            w, x, y, z = acting.input(Port("base_attitude", (4,), ("1",) * 4, labels, text), "attitude of the base")
+            port = Port("base_attitude", (4,), ("1",) * 4, labels, text, (QUATERNION,) * 4)
+            w, x, y, z = acting.input(port, "attitude of the base")
             acting.ground_rotation = quaternion_matrix(w, x, y, z)
         acting.move_ground(omega, alpha, acceleration)
 

@@ -90,6 +90,9 @@ class Effect:
     def act(self, acting: Acting) -> None:
         """Add force screws, joint forces, energy, inputs and states."""
 
+    def conclude(self, acting: Acting) -> None:
+        """After all effects have acted, when the acceleration of the ground is known."""
+
     def contacts(self) -> tuple[Contact, ...]:
         """Forces with events (stick and slip, impacts), which come in as inputs for a simulation to determine."""
         return ()

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
-from symscrew.algebra import Node
+from symscrew.algebra import Node, Vector, add, cross, dot, scale, transform
+from symscrew.kinematics import Inertia, Rates
 
 
 @dataclass(frozen=True)
@@ -17,6 +18,7 @@ class State:
     unit: str
     initial: float
     node: Node
+    carried: Node | None = None  # added to the value at the start: what the motion at the start gives it
 
 
 @dataclass(frozen=True)
@@ -54,3 +56,62 @@ class Transmission:
     command: Callable[[Node], Node]
     unit: str
     rate: Node
+
+
+@dataclass(frozen=True)
+class Bending:
+    """A deflection eta [m] of a body's points along an axis e of it, by a shape: moves along with one link.
+
+    `share` is the integral of the shape over the mass [kg], `place` that of the shape and the point [kg m], link
+    coordinates, `mass` that of the square of the shape [kg]. `drive` is what accelerates it beside the link's motion,
+    mass eta_ddot = drive - e . (share a_O + U place), with the acceleration of the link's points a_O + U r.
+    """
+
+    link: int
+    axis: Vector
+    share: Node
+    place: Vector
+    mass: Node
+    amount: Node
+    rate: Node
+    drive: Node
+
+    def wrench(self, moving: Rates) -> tuple[Vector, Vector]:
+        """What the link must supply for the deflection's acceleration and for the Coriolis forces, at its origin."""
+        felt = add(scale(self.share, moving.origin), transform(moving.matrix, self.place))
+        gain = (self.drive - dot(self.axis, felt)) * (1 / self.mass)
+        moved = add(scale(gain, self.axis), scale(2 * self.rate, cross(moving.omega, self.axis)))
+        lever = add(self.place, scale(self.mass * self.amount, self.axis))
+        return scale(self.share, moved), cross(lever, moved)
+
+    @property
+    def felt(self) -> tuple[Vector, Vector]:
+        """The wrench on the link that works as the deflection's part of the mass does: (share e ; place x e)."""
+        return scale(self.share, self.axis), cross(self.place, self.axis)
+
+    def grown(self, own: Inertia) -> Inertia:
+        """The inertia of the link with its points deflected."""
+        e, eta = self.axis, self.amount
+        square = self.mass * eta * eta
+        rows = tuple(
+            tuple(own.second[i][j] + eta * (self.place[i] * e[j] + e[i] * self.place[j]) + square * (e[i] * e[j])
+                  for j in range(3))
+            for i in range(3)
+        )  # fmt: skip
+        first = add(own.first, scale(self.share * eta, e))
+        return Inertia(own.mass, first, rows, own.still)  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class AddedInertia:
+    """Inertia beside that of the bodies as given: of freedoms of the tree (index into v), and of deflections."""
+
+    freedoms: Mapping[int, Node] = field(default_factory=dict)
+    bendings: tuple[Bending, ...] = ()
+
+    def grown(self, inertia: Sequence[Inertia]) -> list[Inertia]:
+        """Inertias of the links with their points deflected."""
+        result = list(inertia)
+        for bending in self.bendings:
+            result[bending.link] = bending.grown(result[bending.link])
+        return result

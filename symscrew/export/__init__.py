@@ -10,6 +10,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.export.c import print_c
+    from symscrew.export.c_form import USUAL_FORM, Form, library_sources
     from symscrew.export.c_interface import interface
     from symscrew.export.c_precision import DOUBLE, PRECISIONS, SINGLE, Precision
     from symscrew.export.c_single import rounded, single_errors
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
         OutputError,
         effect_from_json,
         manifest,
+        read_form,
         read_json,
         read_port,
     )
@@ -40,7 +42,9 @@ __all__ = [
     "SINGLE",
     "SPILLS",
     "TABLE",
+    "USUAL_FORM",
     "FileHash",
+    "Form",
     "OutputError",
     "Precision",
     "banner",
@@ -50,6 +54,7 @@ __all__ = [
     "file_hash",
     "interface",
     "jacobians_model",
+    "library_sources",
     "live_instructions",
     "manifest",
     "model_hash",
@@ -68,6 +73,7 @@ __all__ = [
     "print_readme",
     "print_script",
     "program_function",
+    "read_form",
     "read_hashes",
     "read_json",
     "read_manifest",

@@ -57,7 +57,7 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     routines = routines_of(pieces)
     lines = [*comment(banner(model)), f"#if !defined({again(name)})", *head(name, precision)]
     lines += ["", "#include <string.h>"] if batches else []
-    lines += ["", *status_text(name), *shared_types(pieces)]
+    lines += ["", *status_text(model), *shared_types(pieces)]
     lines += ["", *pieces.batch_routines()] if batches else []
     lines += ["", *routines] if routines else []
     lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines(), *c_wide.one_state(name, precision)]

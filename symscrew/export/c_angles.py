@@ -8,7 +8,7 @@ uses glibc's vector functions under AVX2 and calls `sin` and `cos` one by one el
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.export.c_precision import Precision
@@ -35,24 +35,34 @@ def gather(live: Sequence[Instruction], results: Iterable[int]) -> Angles:
     defined = {i.target: i for i in live}
     sines = {i.args[0]: i.target for i in live if i.op == "sin"}
     cosines = {i.args[0]: i.target for i in live if i.op == "cos"}
-    gathered: list[tuple[int, int | None, int | None]] = []
-    first: set[int] = set()
+    found: list[tuple[int, tuple[int, int | None, int | None], set[int]]] = []
     for angle in dict.fromkeys((*(a for a in sines if a in cosines), *sines, *cosines)):
         below = _simple_definitions(angle, defined) if isinstance(angle, int) else None
         if below is not None and isinstance(angle, int):
-            gathered.append((angle, sines.get(angle), cosines.get(angle)))
-            first |= below
+            entry = (angle, sines.get(angle), cosines.get(angle))
+            found.append((_first_input(angle, defined), entry, below))
+    found.sort(key=lambda item: item[0])  # as they stand in the inputs: functions of the same angles share their text
+    gathered = [entry for _, entry, _ in found]
+    first = {slot for *_, below in found for slot in below}
     done = {slot for _, *pair in gathered for slot in pair if slot is not None}
     rest = [i for i in live if i.target not in done]
     read = {a for i in rest if i.target not in first for a in i.args if isinstance(a, int)} | set(results)
     for i in reversed(rest):
         if i.target in first and i.target in read:
             read |= {a for a in i.args if isinstance(a, int)}
+    owner = {slot: place for place, _, below in reversed(found) for slot in below}
     return Angles(
-        tuple(i for i in live if i.target in first),
+        tuple(sorted((i for i in live if i.target in first), key=lambda i: owner[i.target])),
         tuple(gathered),
         tuple(i for i in rest if i.target not in first or i.target in read),
     )
+
+
+def _first_input(slot: int, defined: Mapping[int, Instruction]) -> int:
+    """The first input entry that an angle is made of."""
+    if slot not in defined:
+        return slot
+    return min((_first_input(a, defined) for a in defined[slot].args if isinstance(a, int)), default=slot)
 
 
 def _simple_definitions(slot: int, defined: dict[int, Instruction]) -> set[int] | None:

@@ -203,12 +203,9 @@ UPPER_UNUSED static inline int MODEL_some(
     return worst;
 }
 
-/* Some states of a function, in its own memory. */
-typedef int (*MODEL_some_states)(
-    size_t first, size_t some, size_t stride, const REAL *const *in, REAL *const *out, int *status);
-
+/* All states of a function, block by block, each in memory of its own on the stack. */
 UPPER_UNUSED static inline int MODEL_states(
-    MODEL_some_states function, size_t count, size_t stride,
+    const MODEL_batched *function, size_t count, size_t stride,
     const REAL *const *in, REAL *const *out, int *status)
 {
     int worst = 0;
@@ -219,7 +216,8 @@ UPPER_UNUSED static inline int MODEL_states(
     for (size_t number = 0; number < blocks; ++number) {
         const size_t first = number * EIGHT;
         const size_t some = count - first < EIGHT ? count - first : EIGHT;
-        const int outcome = function(first, some, stride, in, out, status);
+        REAL work[UPPER_ROOM];
+        const int outcome = MODEL_some(function, first, some, stride, in, out, status, work);
         worst = outcome > worst ? outcome : worst;
     }
     return worst;
@@ -227,18 +225,29 @@ UPPER_UNUSED static inline int MODEL_states(
 """
 
 
-def prologue(model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool, ports: int) -> list[str]:
+def prologue(
+    model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool, every: Sequence[Program | Iteration]
+) -> list[str]:
     """The types and routines that all batch functions of a model share.
 
-    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles;
-    `ports`: the most arrays of a function.
+    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles; `every`: all functions.
     """
+    ports = max(len(p.inputs) + len(p.outputs) for p in every)
+    rooms = [sum(port.size for port in (*p.inputs, *p.outputs)) for p in every]
+    wide = [LANES * sum(port.size for port in (*p.program.inputs, *p.program.outputs)) for p in blocks]
     upper = model.upper()
     words = {"REAL": precision.real, "EIGHT": str(LANES), "PORTS": str(ports), "FEW": str(FEW)}
     words |= {"ZERO": precision.number(0.0), "THREADED": str(THREADED), "UPPER": upper, "MODEL": model}
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
         *(c_wide.types(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
+        f"#if {c_wide.guard(model)}",
+        f"#define {upper}_ROOM {max([*rooms, *wide, 1])}",
+        f"#define {upper}_BLOCK(block) block",
+        "#else",
+        f"#define {upper}_ROOM {max([*rooms, 1])}",
+        f"#define {upper}_BLOCK(block) NULL",
+        "#endif",
         *filled(ROUTINES, words),
         *(_sincos_block(model, precision) if angles else []),
     ]
@@ -316,12 +325,14 @@ def block(printed: Printed) -> list[str]:
     ]
 
 
-def signatures(symbol: str, program: Program | Iteration, precision: Precision, restrict: str) -> list[str]:
+def signatures(
+    symbol: str, program: Program | Iteration, precision: Precision, restrict: str, *, width: int = 110
+) -> list[str]:
     """Declarations of both batch functions, without a semicolon."""
     given = [*arguments(program, precision, restrict), f"int *{restrict} status" if restrict else "int *status"]
     return [
-        declare(f"{symbol}_batch", ["size_t count", *given]),
-        declare(f"{symbol}_batch_soa", ["size_t count", "size_t stride", *given]),
+        declare(f"{symbol}_batch", ["size_t count", *given], width=width),
+        declare(f"{symbol}_batch_soa", ["size_t count", "size_t stride", *given], width=width),
     ]
 
 
@@ -331,29 +342,16 @@ def batch(model: str, symbol: str, program: Program | Iteration, precision: Prec
     names, read = argument_names(ports), len(program.inputs)
     arrays = f"const {real} *const *in, {real} *const *out"
     called = ", ".join([*(f"in[{n}]" for n in range(read)), *(f"out[{n}]" for n in range(len(ports) - read))])
-    room = sum(port.size for port in ports) or 1
-    head = f"    {read}, {len(ports) - read}, {{{', '.join(str(port.size) for port in ports)}}}, {symbol}_called, "
-    work = [f"    {real} work[{room}];"]
-    batched = [f"{head}NULL"]
-    if lanes:
-        condition = c_wide.guard(model)
-        work = [f"#if {condition}", f"    {real} work[{room * LANES}];", "#else", *work, "#endif"]
-        batched = [f"#if {condition}", f"{head}{symbol}_block", "#else", *batched, "#endif"]
+    block = f"{model.upper()}_BLOCK({symbol}_block)" if lanes else "NULL"
+    sizes = ", ".join(str(port.size) for port in ports)
     lines = [
         f"static int {symbol}_called({arrays})",
         "{",
         *wrapped_code(f"return {symbol}({called});"),
         "}",
-        "",
         f"static const {model}_batched {symbol}_batched = {{",
-        *batched,
+        f"    {read}, {len(ports) - read}, {{{sizes}}}, {symbol}_called, {block}",
         "};",
-        "",
-        f"static int {symbol}_some(size_t first, size_t some, size_t stride, {arrays}, int *status)",
-        "{",
-        *work,
-        f"    return {model}_some(&{symbol}_batched, first, some, stride, in, out, status, work);",
-        "}",
     ]
     for signature, stride in zip(signatures(symbol, program, precision, "restrict"), ("0", "stride"), strict=True):
         zero = "stride == 0 && count > 0 ? 2 : " if stride == "stride" else ""
@@ -363,7 +361,7 @@ def batch(model: str, symbol: str, program: Program | Iteration, precision: Prec
             "{",
             f"    const {real} *const in[] = {{{', '.join(names[:read]) or 'NULL'}}};",
             f"    {real} *const out[] = {{{', '.join(names[read:]) or 'NULL'}}};",
-            f"    return {zero}{model}_states({symbol}_some, count, {stride}, in, out, status);",
+            f"    return {zero}{model}_states(&{symbol}_batched, count, {stride}, in, out, status);",
             "}",
         ]
     return lines

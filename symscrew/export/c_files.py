@@ -12,7 +12,7 @@ their own folder, without a path. The same as one file is `symscrew.export.c.pri
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from symscrew.export import c_wide
 from symscrew.export.c_header import comment
@@ -22,31 +22,26 @@ from symscrew.export.listing import packed
 
 # family: the names of its functions; the first that fits is it, and what fits none is `further`
 FAMILIES = {
-    "reactions": r"reactions",
     "derivatives": r"derivative|linear|gradient|sensitivity",
     "regressor": r"regressor|identification",
     "margins": r"margin",
+    "forward_dynamics": r"^forward_dynamics",  # with its reactions: they share a second path
+    "inverse_dynamics": r"^inverse_dynamics",
+    "reactions": r"reactions",
     "kinematics": r"^(body_|forward_kinematics|point_|joint_|drive_rates|platform_|inverse_(kinematics|velocity))",
     "loops": r"^(clos|velocity|acceleration|null_space|assemble)",
-    "dynamics": r"momentum|energy|mass_matrix|bias|dynamics|power|force",
+    "momentum": r"momentum|energy|mass_matrix|bias|power|force",
 }
 FURTHER = "further"
-NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
 
 
 def family(function: str) -> str:
     """The family that a function is of.
 
     >>> family("body_poses"), family("forward_dynamics_reactions"), family("assemble"), family("mine")
-    ('kinematics', 'reactions', 'loops', 'further')
+    ('kinematics', 'forward_dynamics', 'loops', 'further')
     """
     return next((name for name, pattern in FAMILIES.items() if re.search(pattern, function)), FURTHER)
-
-
-def library_sources(files: Iterable[str], name: str) -> list[str]:
-    """The C files of a folder that make the library of a model's functions, in the order to name them: all of them."""
-    own = [file for file in files if file.endswith(".c") and not file.endswith(NOT_THE_LIBRARY)]
-    return sorted(own, key=lambda file: (file != f"{name}.c", file))
 
 
 def print_sources(pieces: Pieces) -> dict[str, str]:
@@ -103,7 +98,7 @@ def _support_source(pieces: Pieces) -> list[str]:
         *_about(pieces, "texts of statuses, and what several functions call"),
         f'#include "{pieces.name}_support.h"',
     ]
-    lines += ["", *status_text(pieces.name)]
+    lines += ["", *status_text(pieces.model)]
     routines = routines_of(pieces)
     if routines:
         lines += ["", *(line.removeprefix("static ") for line in routines)]

@@ -8,11 +8,11 @@ several states side by side are another one (see `c_wide`): a `Form` says what i
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
-from symscrew.export.c_names import arguments, declare, wrapped_code
+from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
@@ -37,7 +37,7 @@ def body(printed: Printed) -> list[str]:
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    return [head, "{", *unread(printed), *(f"    {line}" for line in _Body(printed).lines()), "}"]
+    return [head, "{", *unread(printed), *(f"    {line}" for line in grouped(_Body(printed).lines())), "}"]
 
 
 class _Body:
@@ -67,15 +67,15 @@ class _Body:
         read = set(uses)
         for slot, places in self.places.items():
             uses[slot] += len(places)
-        guards = [slot for slot, _ in printed.program.guards]
-        uses.update(guards)
+        tested = printed.program.tested
+        uses.update(tested)
         uses.update(slot for slot in self.waiting if slot not in self.places)
         self._inputs(uses)
         table = printed.precision.body_table
         known = set[int]()
         found = folded(
             printed.order, uses, table, name=printed.named, places=self.entered,
-            ends=lambda slot: slot not in read and slot not in guards,
+            ends=lambda slot: slot not in read and slot not in tested,
         )  # fmt: skip
         for item in found:
             if item.kind == "last":
@@ -86,12 +86,17 @@ class _Body:
             if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
                 self._ready(item.slot)
             known.add(item.slot)
-        for slot in [*self.places, *self.waiting, *guards]:
+        for slot in [*self.places, *self.waiting, *tested]:
             if slot in self.entered and slot not in known:
                 known.add(slot)
                 self._write(f"const REAL {printed.called[slot]} = {self.entered[slot]};", slot)
                 self._ready(slot)
-        return [*headed(self.written, Stages(printed.program), printed.named), *self.constants, *self._status()]
+        return [
+            *headed(self.written, Stages(printed.program), printed.named),
+            *self.constants,
+            *self._limits(),
+            *self._status(),
+        ]
 
     def _write(self, text: str, slot: int | None = None) -> None:
         self.written.append((text, slot))
@@ -145,6 +150,17 @@ class _Body:
         self._write(f"{name} = {name} + {text};" if self.terms >= SUMS else f"REAL {name} = {text};", slot)
         self.terms += 1
 
+    def _limits(self) -> Iterator[str]:
+        """What must be within limits, or the function ends here with another status."""
+        printed = self.printed
+        if printed.program.limits and not self.terms:
+            self.terms = 1
+            yield "REAL checked0 = CONSTANT(0.0);"
+        for slot, low, high, status in printed.program.limits:
+            for macro, bound in (("NOT_BELOW", low), ("NOT_ABOVE", high)):
+                if bound is not None:
+                    yield f"{macro}({printed.called[slot]}, {printed.precision.number(bound)}, {status});"
+
     def _status(self) -> list[str]:
         """What the function returns, and what each pivot means."""
         printed = self.printed
@@ -169,20 +185,20 @@ def angles_symbol(printed: Printed) -> str:
     form = Form(real, printed.precision.table, "stride", "pitch")
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
     given = ["size_t stride", "size_t pitch", *_angle_inputs(printed, "const {} *restrict {}")]
-    first = {i.target for i in angles.first}
-    entered = printed.entered(form)
+    first = {i.target: f"angle{k}" for k, i in enumerate(angles.first)}
+    entered = {**printed.entered(form), **first}
 
     def called(value: int | float) -> str:
-        return entered.get(value, f"a{value}") if isinstance(value, int) else printed.number(value)
+        return entered[value] if isinstance(value, int) else printed.number(value)
 
     assert printed.shared is not None
-    used = read & set(printed.entries) - first
+    used = read & set(printed.entries) - set(first)
     lines = [
         declare("NAME", [*given, f"{real} *restrict angle"], f"{inlined(printed)} void "),
         "{",
         "    (void)stride;",
         "    (void)pitch;",
-        *(f"    const {real} a{t} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
+        *(f"    const {real} {first[t]} = {x};" for t, x in expressions(angles.first, printed.precision.table, called)),
         *(f"    {place('angle', k, 'pitch')} = {called(a)};" for k, (a, *_) in enumerate(angles.gathered)),
         "}",
         "",
@@ -246,8 +262,9 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     body = c_lanes.Body(printed.model, packing, printed.precision, printed.prefix, set(entered))
     stored = [(place(name, k), slot) for name, k, slot in printed.stored]
     c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
-    c_lanes.total(body, checked_slots(program), program.guards, printed.inputs)
-    lines = [*printed.loads(entered, printed.alone), *(line for text in body.lines for line in wrapped_code(text))]
+    c_lanes.total(body, checked_slots(program), program, printed.inputs)
+    statements = grouped([*printed.loads(entered, printed.alone), *body.lines])
+    lines = [line for text in statements for line in wrapped_code(text)]
     head = f"{inlined(printed)} {printed.precision.real} "
     lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]
@@ -256,7 +273,7 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
 def _read(printed: Printed) -> set[int]:
     """The slots that a lane reads."""
     read = {a for i in printed.angles.rest for a in i.args if isinstance(a, int)}
-    read |= {slot for *_, slot in printed.stored if isinstance(slot, int)} | {s for s, _ in printed.program.guards}
+    read |= {slot for *_, slot in printed.stored if isinstance(slot, int)} | set(printed.program.tested)
     return read | set(checked_slots(printed.program))
 
 
@@ -264,7 +281,7 @@ def _lane(printed: Printed, symbol: str, head: str, body: Sequence[str], *, pivo
     """A function around the statements of one state."""
     real = printed.precision.real
     given = [*arguments(printed.program, printed.precision), *sines(printed)]
-    given += [f"{real} *restrict pivot"] if printed.program.guards and pivots else []
+    given += [f"{real} *restrict pivot"] if printed.program.tested and pivots else []
     return [declare(symbol, given, head), "{", *unread(printed), *body, "}"]
 
 
@@ -293,7 +310,15 @@ def outcome(printed: Printed, total: str) -> str:
     if not checked_slots(printed.program):
         return "0"
     guards = f"{' || '.join(tests)} ? 1 : " if tests else ""
-    return f"{guards}!isfinite({total}) ? 2 : 0"
+    return f"{''.join(_within(printed))}{guards}!isfinite({total}) ? 2 : 0"
+
+
+def _within(printed: Printed) -> Iterator[str]:
+    """The status where a value that follows the pivots is beyond its limits."""
+    program, number = printed.program, printed.precision.number
+    for k, (_, low, high, status) in enumerate(program.limits, len(program.guards)):
+        bounds = [f"pivot[{k}] {sign} {number(b)}" for sign, b in ((">=", low), ("<=", high)) if b is not None]
+        yield f"!({' && '.join(bounds)}) ? isfinite(pivot[{k}]) ? {status} : 2 : "
 
 
 def function(printed: Printed, signature: str, second: str = "") -> list[str]:
@@ -347,7 +372,7 @@ def _one_by_one(printed: Printed, signature: str, second: str) -> list[str]:
     program, precision = printed.program, printed.precision
     lines = [signature, "{", *_sines(printed), *_zeros(printed)]
     handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
-    guards, real = len(program.guards), precision.real
+    guards, real = len(program.tested), precision.real
     if printed.in_parts:
         lines += [f"    {real} pivot[{guards}] = {{{precision.number(0.0)}}};"] if guards else []
         call = f"{printed.symbol}_lane({', '.join([*handed, *(['pivot'] if guards else [])])});"

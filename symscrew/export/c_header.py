@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.export import c_batch
 from symscrew.export.c_names import arguments, declare
@@ -15,7 +15,7 @@ from symscrew.export.c_wide import LANES
 from symscrew.export.conventions import conventions
 from symscrew.export.listing import MAX_LABELS, banner, operations_text, packed, plain, statuses, unit_of, wrapped
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Port, Program
+from symscrew.program import OUT_OF_REACH, Iteration, Port, Program, status_texts
 
 STATUS_MACROS = {
     -2: "RANK_LOST",
@@ -25,9 +25,21 @@ STATUS_MACROS = {
     2: "NOT_FINITE",
     3: "NOT_CONVERGED",
     4: "OTHER_BRANCH",
+    5: "NO_ROTATION",
+    6: "NOT_ON_MECHANISM",
 }
+
+
+def status_macros(model: Model) -> dict[int, str]:
+    """What statuses of a model's functions are called in C."""
+    further = (code for code in status_texts(*model.programs.values()) if code >= OUT_OF_REACH)
+    return {**STATUS_MACROS, **{code: f"OUT_OF_REACH_{k}" for k, code in enumerate(further, 1)}}
+
+
 ENUMERATED = 64  # entries of an array that get names: longer arrays are read in loops, and their order is described
 WIDTH = 116  # characters of a line of a comment
+FEW = 5  # parts of a list that is written out wherever it is needed
+LONGEST = 119  # of a declaration without its semicolon
 ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL.
 Nothing is allocated and no state is kept: functions may run in several threads at once. On failure all outputs are
 NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish."""
@@ -53,6 +65,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         about = [f"Single precision: all numbers are of type {precision.real}.", *about]
     measured = single_errors(model) if precision.suffix else {}
     told = [f"{what}: {text}" for what, text in conventions(model).items()]
+    texts = status_texts(*model.programs.values())
     lines = [
         *comment([*banner(model), *(line for text in about for line in ("", *wrapped(text, width=WIDTH)))]),
         f"#ifndef {upper}_H",
@@ -63,9 +76,10 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         *comment([line for text in told for line in wrapped(text, later="  ", width=WIDTH)]),
         "",
         "/* What functions return; the text of a status says it in words. */",
-        *(f"#define {upper}_{macro} {code} /* {plain(STATUS[code])} */" for code, macro in STATUS_MACROS.items()),
+        *(f"#define {upper}_{macro} {code} /* {plain(texts[code])} */" for code, macro in status_macros(model).items()),
         "",
         *_entries(model),
+        *_told_once(model),
         "",
         "#ifdef __cplusplus",
         'extern "C" {',
@@ -74,14 +88,15 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         f"const char *{model.name}_status_text(int status);",
         *parameter_type(model, precision),
     ]
-    named = _described_once(model)
+    named, lists, common = _described_once(model), _lists(model), _common_sizes(model)
     for name, program in model.programs.items():
         symbol = f"{model.name}_{name}"
         errors = error_lines(program, measured.get(name)) if precision.suffix else []
-        lines += ["", *comment([*_paragraph(symbol, program, named), *errors]), *_sizes(symbol, program)]
-        lines += [declare(symbol, arguments(program, precision, "")) + ";"]
+        lines += ["", *short_comment([*_paragraph(symbol, program, named, lists), *errors])]
+        lines += _sizes(symbol, program, common)
+        lines += [declare(symbol, arguments(program, precision, ""), width=LONGEST) + ";"]
         if batches:
-            lines += [text + ";" for text in c_batch.signatures(symbol, program, precision, "")]
+            lines += [text + ";" for text in c_batch.signatures(symbol, program, precision, "", width=LONGEST)]
     lines += ["", "#ifdef __cplusplus", "}", "#endif", "", f"#endif /* {upper}_H */", ""]
     return "\n".join(lines)
 
@@ -89,6 +104,26 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
 def comment(lines: Iterable[str]) -> list[str]:
     """Lines as a comment of C."""
     return ["/*", *((f" * {line}").rstrip() for line in lines), " */"]
+
+
+def _told_once(model: Model) -> list[str]:
+    """Sizes of arrays of several functions, and lists of parts that arrays have entries for."""
+    upper, lines = model.name.upper(), list[str]()
+    sizes = [f"{upper}_{name}_SIZE = {size}" for name, size in _common_sizes(model).items()]
+    if sizes:
+        lines += ["/* Their sizes, and those of other arrays that are the same in all functions. */"]
+        lines += wrapped(f"enum {{ {', '.join(sizes)} }};", later="    ", width=WIDTH)
+    for parts, name in _lists(model).items():
+        if not name.startswith("the "):
+            continue
+        lines += short_comment(wrapped(f"{name}: {', '.join(parts)}", later="  ", width=WIDTH))
+    return lines
+
+
+def short_comment(lines: Sequence[str]) -> list[str]:
+    """Lines as a comment of C that takes no line more than these."""
+    text = [f"{' *' if k else '/*'} {line}".rstrip() for k, line in enumerate(lines)]
+    return [*text[:-1], f"{text[-1]} */"]
 
 
 def _ports(model: Model) -> list[Port]:
@@ -109,22 +144,74 @@ def _described_once(model: Model) -> dict[tuple[object, ...], Port]:
     return {key: port for key, port in ports.items() if key in chosen}
 
 
-def _labels(port: Port) -> list[str]:
-    """The entries of an array: all of them, or the parts and their components where each part has the same."""
+def _labels(port: Port, lists: Mapping[tuple[str, ...], str]) -> list[str]:
+    """The entries of an array: all of them, or the parts and their components where each part has the same.
+
+    `lists`: names of lists of parts that are told once.
+    """
     unit = unit_of(port)
     units = ["" if unit is not None else f" [{u}]" for u in port.units]
+    short = _as_others(port, lists)
+    if short:
+        return wrapped(short, first="    ", later="    ", width=WIDTH)
     for mark in (".", "|"):
         split = [label.rpartition(mark) for label in port.labels]
         parts = list(dict.fromkeys(first for first, _, _ in split))
         inner = list(dict.fromkeys(f"{last}{u}" for (_, _, last), u in zip(split, units, strict=True)))
         entries = [(first, f"{last}{u}") for (first, _, last), u in zip(split, units, strict=True)]
         if len(parts) > 1 and len(inner) > 1 and entries == [(part, entry) for part in parts for entry in inner]:
-            text = f"for each of {', '.join(parts)}: {', '.join(inner)}"
+            text = f"for each of {lists.get(tuple(parts)) or ', '.join(parts)}: {', '.join(inner)}"
+            return wrapped(text, first="    ", later="    ", width=WIDTH)
+        if len(parts) > 1 and len(inner) > 1 and entries == [(part, entry) for entry in inner for part in parts]:
+            columns = ", ".join(f"{mark}{entry}" for entry in inner)
+            text = f"for each of {columns}: {lists.get(tuple(parts)) or ', '.join(parts)}"
             return wrapped(text, first="    ", later="    ", width=WIDTH)
     entries_ = [f"{k} {label}{u}" for k, (label, u) in enumerate(zip(port.labels, units, strict=True))][:MAX_LABELS]
     if port.size > MAX_LABELS:
         entries_.append(f"... {port.size} entries; all labels are in manifest.json")
     return packed([plain(entry) for entry in entries_], indent="    ", width=WIDTH)
+
+
+def _as_others(port: Port, lists: Mapping[tuple[str, ...], str]) -> str:
+    """The entries of an array, or the rows and columns of a matrix, if they are in the order of others; else ""."""
+    units = f", units {', '.join(dict.fromkeys(port.units))}" if unit_of(port) is None else ""
+    if port.labels in lists:
+        return f"in the order of {lists[port.labels]}{units}"
+    rows, columns = (
+        tuple(dict.fromkeys(label.split("|")[k] for label in port.labels if "|" in label)) for k in (0, -1)
+    )
+    if rows in lists and list(port.labels) == [f"{row}|{column}" for column in columns for row in rows]:
+        return f"rows in the order of {lists[rows]}, columns of {lists.get(columns) or ', '.join(columns)}{units}"
+    return ""
+
+
+def _lists(model: Model) -> dict[tuple[str, ...], str]:
+    """Labels of arrays that are told once, with their names; lists of parts that several arrays have entries for."""
+    once, found = _described_once(model), Counter[tuple[str, ...]]()
+    arrays: dict[tuple[str, ...], str] = {}
+    for port in once.values():
+        arrays.setdefault(port.labels, port.name)
+    for port in (p for p in _ports(model) if _key(p) not in once and len(p.labels) == p.size > 1):
+        for mark in (".", "|"):
+            parts = tuple(dict.fromkeys(label.rpartition(mark)[0] for label in port.labels))
+            if len(parts) < port.size and all(parts):
+                found[parts] += 1
+    several = [parts for parts, times in found.items() if len(parts) > FEW and times > 1]
+    kinds = {kind: set(getattr(model.mechanism, kind, ())) for kind in ("bodies", "joints", "points")}
+    named = {parts: next((k for k, every in kinds.items() if every >= set(parts)), "") for parts in several}
+    alike = Counter((kind, len(parts)) for parts, kind in named.items())
+    kept = {parts: kind for parts, kind in named.items() if kind and alike[kind, len(parts)] == 1}
+    return {**{parts: f"the {len(parts)} {kind}" for parts, kind in kept.items()}, **arrays}
+
+
+def _common_sizes(model: Model) -> dict[str, int]:
+    """Sizes of arrays that several functions have under the same name, all of them of this size."""
+    sizes: dict[str, set[int]] = {}
+    for port in _ports(model):
+        sizes.setdefault(port.name.upper(), set()).add(port.size)
+    times = Counter(port.name.upper() for port in _ports(model))
+    functions = {name.upper() for name in model.programs}
+    return {name: min(of) for name, of in sizes.items() if len(of) == 1 and times[name] > 1 and name not in functions}
 
 
 def _entries(model: Model) -> list[str]:
@@ -142,7 +229,12 @@ def _entries(model: Model) -> list[str]:
     return lines if len(lines) > 1 else []
 
 
-def _paragraph(symbol: str, program: Program | Iteration, named: dict[tuple[object, ...], Port]) -> list[str]:
+def _paragraph(
+    symbol: str,
+    program: Program | Iteration,
+    named: dict[tuple[object, ...], Port],
+    lists: Mapping[tuple[str, ...], str],
+) -> list[str]:
     """All that a user must know to call a function, beyond what is said once."""
     lines = wrapped(f"{symbol}: {program.description}", width=WIDTH)
     for title, ports in (("in", program.inputs), ("out", program.outputs)):
@@ -157,7 +249,7 @@ def _paragraph(symbol: str, program: Program | Iteration, named: dict[tuple[obje
             head = f"{title} {port.name}[{port.size}]{shape}{'' if unit is None else f' [{unit}]'}"
             lines += wrapped(f"{head}: {port.description}", first="  ", later="    ", width=WIDTH)
             if port not in once and port.size > 1 and len(port.labels) == port.size:
-                lines += _labels(port)
+                lines += _labels(port, lists)
             elif len(port.labels) == 1 and port.size == 1:
                 lines[-1] += f" ({plain(port.labels[0])})"
     codes = ", ".join(map(str, statuses(program)))
@@ -167,8 +259,9 @@ def _paragraph(symbol: str, program: Program | Iteration, named: dict[tuple[obje
     return lines
 
 
-def _sizes(symbol: str, program: Program | Iteration) -> list[str]:
-    ports: Sequence[Port] = (*program.inputs, *program.outputs)
+def _sizes(symbol: str, program: Program | Iteration, common: Mapping[str, int]) -> list[str]:
+    """Sizes of arrays that are not told once."""
+    ports: Sequence[Port] = [p for p in (*program.inputs, *program.outputs) if p.name.upper() not in common]
     names = [port.name.upper() for port in ports]
     if len(set(names)) != len(names):
         names = [port.name for port in ports]

@@ -8,7 +8,7 @@ from symscrew.export.c_parts import lane_in_parts
 from symscrew.export.c_precision import Precision
 from symscrew.export.c_printed import Printed, Shared
 from symscrew.export.listing import balanced_sum, step_ports
-from symscrew.program import Iteration
+from symscrew.program import NO_ROTATION, Iteration
 
 
 def iteration_functions(
@@ -39,9 +39,9 @@ def iteration_functions(
         f"        {real} next[{n}], residual[1], change[1], orientation[1];",
         f"        {real} start[{max(m, 1)}] = {{{zero}}};",
         *(f"        start[{i}] = {guess}[{k}];" for i, k in enumerate(iteration.independent)),
-        f"        (void){symbol}_step({guess}, start{extra}, next, residual, change, orientation);",
+        *_first_step(iteration, f"{symbol}_step({guess}, start{extra}, next, residual, change, orientation)"),
         f"        const int most = {iteration.max_substeps};",
-        "        for (int substeps = 1; substeps <= most && outcome != 0; substeps *= 2) {",
+        f"        for (int substeps = 1; substeps <= most && {_going(iteration)}; substeps *= 2) {{",
         f"            outcome = {symbol}_attempt(substeps, {y}, {guess}{extra}, start, orientation[0], {q});",
         "        }",
         "    }",
@@ -52,6 +52,20 @@ def iteration_functions(
         "}",
     ]
     return lines
+
+
+def _first_step(iteration: Iteration, call: str) -> list[str]:
+    """The step at the guess, for the sign of its branch; what it refuses is the outcome."""
+    if not iteration.step.limits:
+        return [f"        (void){call};"]
+    return [
+        f"        const int first = {call};",
+        f"        outcome = first >= {NO_ROTATION} ? first : outcome;",
+    ]
+
+
+def _going(iteration: Iteration) -> str:
+    return f"outcome != 0 && outcome < {NO_ROTATION}" if iteration.step.limits else "outcome != 0"
 
 
 def _newton(symbol: str, iteration: Iteration, precision: Precision) -> list[str]:

@@ -16,7 +16,7 @@ from symscrew.export import c_unread
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import balanced_sum
-from symscrew.program import Instruction, Pack, Packing, Vector
+from symscrew.program import Instruction, Pack, Packing, Program, Vector
 
 # operation of a pack to its text: operands, the vector type and a vector of ones
 TABLE = {
@@ -164,16 +164,14 @@ def statements(body: Body, instructions: Mapping[int, Instruction], stored: Iter
             body.lines += [f"{place} = {body.scalar(slot)};" for place, slot in places.get(target, ())]
 
 
-def total(
-    body: Body, checked: Iterable[int], guards: Iterable[tuple[int, float]], inputs: Mapping[int, tuple[str, int]]
-) -> None:
-    """The sum of what must be finite is returned, NaN where a pivot is small.
+def total(body: Body, checked: Iterable[int], program: Program, inputs: Mapping[int, tuple[str, int]]) -> None:
+    """The sum of what must be finite is returned, NaN where a pivot is small or a value beyond its limits.
 
     Packs whose lanes must all be finite are summed as vectors, packs of pivots are compared as vectors.
     """
     packing, precision, vector = body.packing, body.precision, body.vector
     left = dict.fromkeys(packing.negatives.get(slot, (slot, 1))[0] for slot in checked)
-    small = {packing.negatives.get(slot, (slot, 1))[0]: threshold for slot, threshold in guards}
+    small = {packing.negatives.get(slot, (slot, 1))[0]: threshold for slot, threshold in program.guards}
     packs = [item for item in packing.items if isinstance(item, Pack)]
     used = range(1 + max(k for pack in packs for k, t in enumerate(pack.targets) if t is not None))
     terms, masks = [], []
@@ -202,4 +200,11 @@ def total(
         single += [f"every[{k}]" for k in used]
     text = balanced_sum(single or [precision.number(0.0)])
     tests = [f"{precision.function('fabs')}({body.scalar(s)}) <= {precision.threshold(t)}" for s, t in small.items()]
+    for slot, low, high, _ in program.limits:
+        within = [
+            f"{body.scalar(slot)} {sign} {precision.number(b)}"
+            for sign, b in ((">=", low), ("<=", high))
+            if b is not None
+        ]
+        tests.append(f"!({' && '.join(within)})")
     body.lines.append(f"return {' || '.join(tests)} ? ({precision.real})NAN : {text};" if tests else f"return {text};")

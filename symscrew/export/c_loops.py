@@ -78,18 +78,19 @@ class Loop:
         """Where the operands of the body come from."""
         return [
             [
-                self._source(j, tuple(self.instructions[k * self.period + j].args[n] for k in range(self.count)))
-                for n in range(len(instruction.args))
+                self._source(j, values)
+                for values in zip(*[i.args for i in self.instructions[j :: self.period]], strict=True)
             ]
-            for j, instruction in enumerate(self.body)
+            for j in range(self.period)
         ]
 
     def _source(self, j: int, values: tuple[int | float, ...]) -> Source:
-        if all(repr(v) == repr(values[0]) for v in values) and values[0] not in self.place:
-            return Same(values[0])
-        if isinstance(values[0], float):
-            return Various(values)
-        found = [self.place.get(v) if isinstance(v, int) else None for v in values]
+        first, place = values[0], self.place
+        if isinstance(first, float):  # 0.0 is not -0.0
+            return Same(first) if all(repr(v) == repr(first) for v in values) else Various(values)
+        if values.count(first) == len(values) and first not in place:
+            return Same(first)
+        found = [place.get(v) if isinstance(v, int) else None for v in values]
         second = found[1]
         if second is not None:
             position = second[1]

@@ -5,7 +5,8 @@ Port("count", ...) --> const double *restrict count_     (what the code itself c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import wrapped
@@ -21,6 +22,9 @@ NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some 
 NAMES_OF_LOCALS += " checked0 checked1 checked2 checked3 result_ in out read written work place together there"
 NAMES_OF_LOCALS += " size sized outcome function inputs outputs called batched"
 NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
+# a declaration that reads an entry of an array or of a vector, and what a line of several may take
+READS = re.compile(r"const (\w+) (\w+ = -?(?:\w+\(\w+, \d+\)|\w+\[\d+\]));")
+TOGETHER = 112
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
 
@@ -40,10 +44,35 @@ def arguments(program: Program | Iteration, precision: Precision, restrict: str 
     ]
 
 
-def declare(symbol: str, given: Sequence[str], prefix: str = "int ") -> str:
-    """A declaration, over as many lines as its arguments take."""
-    text = f"{prefix}{symbol}({', '.join(given or ['void'])})"
-    return "\n".join(wrapped(text, later="    ", width=110))
+def declare(symbol: str, given: Sequence[str], prefix: str = "int ", *, width: int = 110) -> str:
+    """A declaration, over as many lines as its arguments take; none is broken."""
+    lines = [f"{prefix}{symbol}("]
+    for k, argument in enumerate(given or ["void"]):
+        text = f"{argument}{',' if k + 1 < len(given) else ')'}"
+        space = " " if k else ""
+        if k and len(lines[-1]) + len(space) + len(text) > width:
+            lines.append(f"    {text}")
+        else:
+            lines[-1] += space + text
+    return "\n".join(lines)
+
+
+def grouped(statements: Iterable[str]) -> list[str]:
+    """Statements with declarations that follow each other and only read something joined, some a line.
+
+    >>> grouped(["const REAL a = READ(v, 0);", "const REAL b = READ(v, 1);", "const REAL c = a * b;"])
+    ['const REAL a = READ(v, 0), b = READ(v, 1);', 'const REAL c = a * b;']
+    """
+    found: list[str] = []
+    before = ""  # the type of the last line, if more of it may follow there
+    for text in statements:
+        read = READS.fullmatch(text)
+        if read and read[1] == before and len(found[-1]) + len(read[2]) + 2 <= TOGETHER:
+            found[-1] = f"{found[-1][:-1]}, {read[2]};"
+        else:
+            found.append(text)
+            before = read[1] if read else ""
+    return found
 
 
 def wrapped_code(statement: str, indent: str = "    ") -> list[str]:

@@ -78,7 +78,12 @@ class Parts:
         """What loops need to know of an operand from elsewhere, and of a target: the arrays that it stands in."""
         if not isinstance(slot, int):
             return "constant"
-        return self.entries[slot][0] if slot in self.entries else tuple(array for array, _ in self.stored.get(slot, ()))
+        return self.entries[slot][0] if slot in self.entries else self._arrays.get(slot, ())
+
+    @cached_property
+    def _arrays(self) -> dict[int, tuple[str, ...]]:
+        """The arrays that take a computed slot, of those that are stored."""
+        return {slot: tuple(array for array, _ in places) for slot, places in self.stored.items()}
 
     @cached_property
     def defined(self) -> dict[int, int]:
@@ -138,7 +143,7 @@ class Parts:
             for k, slot in enumerate(slots):
                 if isinstance(slot, int) and slot in computed:
                     found.setdefault(slot, []).append((names[port.name], k))
-        for k, (slot, _) in enumerate(program.guards):
+        for k, slot in enumerate(program.tested):
             if slot in computed:
                 found.setdefault(slot, []).append(("pivot", k))
         return found
@@ -215,8 +220,8 @@ def lane_in_parts(printed: Printed) -> list[str]:
     real, gathered = precision.real, bool(printed.angles.gathered)
     parts = Parts(printed)
     given = [*arguments(program, precision), *sines(printed)]
-    given += [f"{real} *restrict pivot"] if program.guards else []
-    handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.guards else [])]
+    given += [f"{real} *restrict pivot"] if program.tested else []
+    handed = [*printed.handed(), *(["sine", "cosine"] if gathered else []), *(["pivot"] if program.tested else [])]
     lines, sums = list[str](), []
     checked = checked_slots(program)
     for k in range(len(parts.pieces)):
@@ -258,7 +263,7 @@ def _given(parts: Parts) -> list[str]:
         for k, slot in enumerate(slots):
             if slot not in parts.defined and (name, k) not in cleared:
                 lines.append(f"    {name}[{k}] = {parts.entered[slot] if isinstance(slot, int) else number(slot)};")
-    for k, (slot, _) in enumerate(program.guards):
+    for k, slot in enumerate(program.tested):
         if slot not in parts.defined:
             lines.append(f"    pivot[{k}] = {parts.entered[slot]};")
     return lines

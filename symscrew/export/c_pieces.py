@@ -11,9 +11,9 @@ from symscrew.export.c_names import arguments, declare
 from symscrew.export.c_precision import Precision
 from symscrew.export.c_printed import Printed, Shared
 from symscrew.export.c_rank_revealing import routines, second_path
-from symscrew.export.listing import filled
+from symscrew.export.listing import filled, plain
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Program, RankRevealing
+from symscrew.program import Iteration, Program, RankRevealing, status_texts
 
 IN_LANES = frozenset((  # what is called once per step of a control or a simulation: tried with equal limbs side by side
     "acceleration",
@@ -87,6 +87,7 @@ class Pieces:
         """Everything is printed."""
         self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
         self.shared = Shared(model, precision)
+        self.dense: dict[tuple[object, ...], str] = {}  # programs of second paths, and the functions that they are
         self.printed = {
             f: Printed(
                 model.name, f"{model.name}_{f}", straight_line(p), precision, lanes and f in IN_LANES, self.shared
@@ -105,14 +106,12 @@ class Pieces:
         if isinstance(program, Iteration):
             return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
         own = [] if name in self.blocks else ["", *_body(self.printed[name])]
-        return [*own, "", *_one_state(self.printed[name], program)]
+        return [*own, "", *_one_state(self.printed[name], program, self.dense)]
 
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""
-        programs = self.model.programs.values()
-        ports = max(len(p.inputs) + len(p.outputs) for p in programs)
-        chosen = [self.printed[name] for name in self.blocks]
-        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), ports=ports)
+        every, chosen = list(self.model.programs.values()), [self.printed[name] for name in self.blocks]
+        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), every=every)
 
     def batch_functions(self) -> list[str]:
         """All batch functions."""
@@ -133,10 +132,11 @@ def head(model: str, precision: Precision) -> list[str]:
     return filled(HEAD, {"REAL": precision.real, "ZERO": precision.number(0.0), "UPPER": model.upper(), "MODEL": model})
 
 
-def status_text(model: str) -> list[str]:
+def status_text(model: Model) -> list[str]:
     """The texts of statuses."""
-    cases = "\n".join(f'    case {code}: return "{text}";' for code, text in STATUS.items())
-    return filled(STATUS_TEXT, {"CASES": cases, "MODEL": model})
+    texts = status_texts(*model.programs.values())
+    cases = "\n".join(f'    case {code}: return "{plain(text)}";' for code, text in texts.items())
+    return filled(STATUS_TEXT, {"CASES": cases, "MODEL": model.name})
 
 
 def shared_types(pieces: Pieces) -> list[str]:
@@ -168,8 +168,11 @@ def _body(printed: Printed) -> list[str]:
     return c_parts.lane_in_parts(printed) if printed.in_parts else body(printed)
 
 
-def _one_state(printed: Printed, program: Program) -> list[str]:
-    """The function of one state; if it has a second path, this comes before it."""
+def _one_state(printed: Printed, program: Program, known: dict[tuple[object, ...], str]) -> list[str]:
+    """The function of one state; if it has a second path, this comes before it.
+
+    `known`: dense programs that functions before this one have, each of which is printed once.
+    """
     signature = declare(printed.symbol, arguments(program, printed.precision))
     if not isinstance(program, RankRevealing):
         return function(printed, signature)
@@ -182,7 +185,11 @@ def _one_state(printed: Printed, program: Program) -> list[str]:
     second = f"{printed.symbol}_rank_revealing"
     way_out = declare(second, arguments(program, precision), "static int ")
     call = f"{second}({', '.join(printed.handed())})"
-    lines = second_path(printed, way_out, define)
+    dense = program.dense
+    assert dense is not None
+    key = (dense.inputs, dense.instructions, dense.results, dense.guards)
+    lines = second_path(printed, way_out, define, known.get(key, ""))
+    known.setdefault(key, f"{printed.symbol}_dense")
     return [*lines, "", *function(printed, signature, call)]
 
 

@@ -97,9 +97,8 @@ class Printed:
         count = len(self.program.instructions)
         if not self.lanes or count not in PACKED or len(kept) * PER_OUTPUT > count:
             return None
-        guards = [slot for slot, _ in self.program.guards]
         arrays = {slot: array for slot, (array, _) in self.entries.items()}
-        checked = [*guards, *checked_slots(self.program)]
+        checked = [*self.program.tested, *checked_slots(self.program)]
         origins, limbs = self.program.origins, self.program.limbs
         return packed(self.angles.rest, kept, checked, arrays, origins=origins, limbs=limbs)
 
@@ -114,7 +113,7 @@ class Printed:
         """What is computed before everything else."""
         live, _ = live_instructions(self.program)
         kept = {s for slots in self.program.results for s in slots if isinstance(s, int)}
-        return gather(live, kept | {slot for slot, _ in self.program.guards})
+        return gather(live, kept | set(self.program.tested))
 
     @cached_property
     def order(self) -> list[Instruction]:
@@ -180,7 +179,7 @@ class Printed:
     def loads(self, slots: Iterable[int], form: Form) -> list[str]:
         """Statements that read slots that are there from the start."""
         entered = self.entered(form)
-        return [f"    const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
+        return [f"const {form.real} {self.prefix}{s} = {entered[s]};" for s in slots]
 
     @cached_property
     def cleared(self) -> list[tuple[str, range]]:

@@ -234,8 +234,11 @@ def routines(model: str, precision: Precision, *, internal: bool) -> list[str]:
     return filled(text, words | {"REAL": precision.real, "@": precision.suffix, "MODEL": model})
 
 
-def second_path(printed: Printed, signature: str, define: Define) -> list[str]:
-    """The second path of one function: `signature` declares it, `define` prints the programs that it is made of."""
+def second_path(printed: Printed, signature: str, define: Define, dense: str = "") -> list[str]:
+    """The second path of one function: `signature` declares it, `define` prints the programs that it is made of.
+
+    `dense`: the function that prints the same dense program already, if there is one.
+    """
     model, symbol, program, precision = printed.model, printed.symbol, printed.program, printed.precision
     assert isinstance(program, RankRevealing)
     assert program.dense is not None
@@ -244,7 +247,8 @@ def second_path(printed: Printed, signature: str, define: Define) -> list[str]:
     n, m = len(program.rates), len(program.rows)
     inputs, outputs = names[: len(program.inputs)], names[len(program.inputs) :]
     given = "".join(f"{name}, " for name in inputs)
-    lines = define(f"{symbol}_dense", program.dense)
+    lines = [] if dense else define(f"{symbol}_dense", program.dense)
+    dense = dense or f"{symbol}_dense"
     if program.wrenches:
         lines += ["", *define(f"{symbol}_wrenches", program.wrenches)]
     a = outputs[0]
@@ -256,7 +260,7 @@ def second_path(printed: Printed, signature: str, define: Define) -> list[str]:
         f"    static const {real} row_scale[{m}] = {{{', '.join(precision.number(x) for x in program.rows)}}};",
         f"    {real} inertia[{n * n}], load[{n}], closure[{n * m}], curvature[{m}];",
         f"    {real} turn[{n * n}], work[{n * n + 3 * n}], multipliers[{m}];",
-        f"    (void){symbol}_dense({given}inertia, load, closure, curvature);",
+        f"    (void){dense}({given}inertia, load, closure, curvature);",
         f"    for (int j = 0; j < {n}; ++j) {{",
         "        load[j] *= rate_scale[j];",
         f"        for (int i = 0; i < {n}; ++i) {{",

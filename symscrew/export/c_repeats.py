@@ -80,10 +80,10 @@ def _kinds(instructions: Sequence[Instruction], kind: Callable[[int | float], ob
     numbers: dict[object, int] = {}
     result = np.empty(len(instructions), dtype=np.int64)
     for k, instruction in enumerate(instructions):
-        operands = []
+        operands: list[object] = []
         for a in instruction.args:
-            back = k - position[a] if isinstance(a, int) and a in position else None
-            operands.append(kind(a) if back is None else back if back <= NEAR else "earlier")
+            at = position.get(a) if isinstance(a, int) else None
+            operands.append(kind(a) if at is None else k - at if k - at <= NEAR else "earlier")
         label = (instruction.op, *operands, kind(instruction.target))
         result[k] = numbers.setdefault(label, len(numbers))
     return result

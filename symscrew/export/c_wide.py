@@ -84,6 +84,10 @@ def one_state(model: str, precision: Precision) -> list[str]:
         "#define FINITE_UNLESS(small, sum) (void)stride, (void)total; return (small) ? 1 : isfinite(sum) ? 0 : 2",
         "#define FINITE(sum) (void)stride, (void)total; return isfinite(sum) ? 0 : 2",
         "#define UNCHECKED() (void)stride, (void)total; return 0",
+        "#define NOT_BELOW(x, low, status) \\",
+        "    if (!((x) >= (low))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }",
+        "#define NOT_ABOVE(x, high, status) \\",
+        "    if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }",
         *RESULT,
     ]
 
@@ -95,7 +99,7 @@ RESULT = [
 ]
 _MACROS = """
     BODY REAL READ SINES WRITE CONSTANT SQRT ABS LESS SELECT FOURS FOUR SUM_OF_FOUR SMALL OR FINITE_UNLESS FINITE
-    UNCHECKED RESULT
+    UNCHECKED NOT_BELOW NOT_ABOVE RESULT
 """
 MACROS = tuple(_MACROS.split())
 
@@ -132,5 +136,7 @@ def states(model: str, precision: Precision) -> list[str]:
         f"    (void)stride, *({wide}_there *)total = ({wide})({mask}(sum) | (small))",
         f"#define FINITE(sum) (void)stride, *({wide}_there *)total = (sum)",
         f"#define UNCHECKED() (void)stride, *({wide}_there *)total = {zero}",
+        f"#define NOT_BELOW(x, low, status) checked0 = ({wide})({mask}checked0 | ~{mask}((x) >= (low)))",
+        f"#define NOT_ABOVE(x, high, status) checked0 = ({wide})({mask}checked0 | ~{mask}((x) <= (high)))",
         *RESULT,
     ]

@@ -20,7 +20,7 @@ import casadi as ca
 
 from symscrew.export.listing import check_names, checked_slots, live_instructions
 from symscrew.model import Model
-from symscrew.program import Iteration, Port, Program
+from symscrew.program import NO_ROTATION, Iteration, Port, Program
 
 LARGEST = 1.7976931348623157e308  # the largest double: CasADi has no test for infinity, and NaN is not below either
 
@@ -80,6 +80,13 @@ def program_function(program: Program) -> ca.Function:
     for slot, threshold in program.guards:
         passed = ca.logic_and(passed, ca.logic_not(ca.fabs(slots[slot]) <= threshold))
     status = ca.if_else(passed, ca.if_else(_finite(total), 0, 2), 1)
+    for slot, low, high, code in reversed(program.limits):
+        bounds = [
+            *([slots[slot] >= low] if low is not None else []),
+            *([slots[slot] <= high] if high is not None else []),
+        ]
+        within = ca.logic_and(bounds[0], bounds[-1])
+        status = ca.if_else(within, status, ca.if_else(_finite(slots[slot]), code, 2))
     names = [port.name for port in program.outputs]
     inputs = [port.name for port in program.inputs]
     return ca.Function(program.name, symbols, [*outputs, status], inputs, [*names, "status"])
@@ -91,7 +98,8 @@ def iteration_function(iteration: Iteration) -> ca.Function:
     start = ca.vertcat(ca.MX(0, 1), *[guess[k] for k in iteration.independent])
     step = program_function(iteration.step)
     target = _target(iteration, _newton(iteration, step))
-    branch = step(guess, start, *parameters)[3]
+    first = step(guess, start, *parameters)
+    branch = first[3]
     arguments = [guess, y, start, branch, *parameters]
     state = _attempt(iteration, target, 1)(*arguments)
     substeps = 2
@@ -103,7 +111,7 @@ def iteration_function(iteration: Iteration) -> ca.Function:
         state = ca.Function.if_else(f"{attempt.name()}_if_needed", more, keep)(failed, state, *arguments)
         substeps *= 2
     finite = _finite(ca.sum1(ca.vertcat(*[ca.vec(x) for x in (y, guess, *parameters)])))
-    status = ca.if_else(finite, state[-1], 2)
+    status = ca.if_else(finite, ca.if_else(first[-1] >= NO_ROTATION, first[-1], state[-1]), 2)
     names = [port.name for port in iteration.inputs]
     outputs = [iteration.outputs[0].name, "status"]
     return ca.Function(iteration.name, [y, guess, *parameters], [state[:-1], status], names, outputs)

@@ -14,7 +14,8 @@ CONVENTIONS: Mapping[str, str] = {
     "axes": "Vectors are in absolute axes unless it is said otherwise; screws are taken at the origin O: a twist is "
     "(omega ; v_O), a wrench (f ; m_O), a momentum screw (p ; L_O).",
     "matrices": "Column by column.",
-    "quaternions": "(w, x, y, z), of unit length: they turn coordinates in the child's axes into the parent's.",
+    "quaternions": "(w, x, y, z), of unit length: they turn coordinates in the child's axes into the parent's. A "
+    "length whose square is within 1e-6 of 1 is rounded, and divided out; any other is no rotation, status 5.",
     "rates of ball joints": "v and a hold the angular velocity of the child relative to the parent, and its rate, in "
     "the child's axes; joint_screws and joint_rates describe the same motion by elementary screws in the parent's.",
     "drives": "u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider "

@@ -9,11 +9,12 @@ No dependency, no allocation, no exceptions. A second form of every function wri
 from __future__ import annotations
 
 from symscrew.description import namespace
-from symscrew.export.c import STATUS_MACROS, argument_names
+from symscrew.export.c import argument_names
+from symscrew.export.c_header import status_macros
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, check_names, plain
 from symscrew.model import Model
-from symscrew.program import STATUS, Iteration, Program
+from symscrew.program import Iteration, Program
 
 VIEWS = """
 /* `Size` numbers of the caller, read or written in place: a std::array, an array of C or a fixed std::span. */
@@ -61,7 +62,7 @@ def print_cpp(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     space = namespace(model.name)
     lines += ["", f'#include "{model.name}.h"', "", f"namespace {space} {{", ""]
     lines += ["enum class Status : int {"]
-    lines += [f"    {macro.lower()} = {code}," for code, macro in STATUS_MACROS.items() if code in STATUS]
+    lines += [f"    {macro.lower()} = {code}," for code, macro in status_macros(model).items()]
     lines += ["};", "", "/* What a status means. */", "inline const char *text(Status status) noexcept", "{"]
     lines += [f"    return ::{model.name}_status_text(static_cast<int>(status));", "}"]
     lines += VIEWS.rstrip().replace("REAL", precision.real).splitlines()

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from symscrew.program import Instruction, Program
 
@@ -30,8 +30,7 @@ BINDING: Mapping[str, tuple[tuple[int, ...], int]] = {
 }
 
 
-@dataclass(frozen=True)
-class Text:
+class Text(NamedTuple):
     """A printed expression: its operations, and how tightly it holds together."""
 
     text: str
@@ -43,8 +42,7 @@ class Text:
         return self.text if self.binding >= binding else f"({self.text})"
 
 
-@dataclass(frozen=True)
-class Found:
+class Found(NamedTuple):
     """A value that gets a name (`named`), is read from where it is (`read`), or goes to its one place (`last`)."""
 
     kind: str
@@ -113,7 +111,7 @@ def statements(
 ) -> Iterator[tuple[str, str]]:
     """(name, right-hand side) of statements in a language that reads results at the end, by their names."""
     uses = Counter(a for i in order for a in i.args if isinstance(a, int))
-    kept = [*(s for slots in program.results for s in slots), *(s for s, _ in program.guards), *program.checked]
+    kept = [*(s for slots in program.results for s in slots), *program.tested, *program.checked]
     for slot in kept:
         if isinstance(slot, int):
             uses[slot] += 2  # more than once: it must have a name

@@ -25,7 +25,7 @@ from symscrew.export.listing import (
 )
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
-from symscrew.program import Iteration, Program, RankRevealing
+from symscrew.program import NO_ROTATION, Iteration, Program, RankRevealing
 
 TABLE = {
     "add": "{0} + {1}",
@@ -63,6 +63,11 @@ RUNTIME = """
     });
   }
 
+  /* Status 0 if `value` is within `low` and `high`, 2 if it is not finite, else `code`. */
+  function limited(value, low, high, code) {
+    return value >= low && value <= high ? 0 : Number.isFinite(value) ? code : 2;
+  }
+
   /* Status 2 if `total` is not finite; outputs are NaN where the status is not 0. */
   function finish(status, total, outputs) {
     outputs.status = status === 0 && !Number.isFinite(total) ? 2 : status;
@@ -97,7 +102,11 @@ RUNTIME = """
       return { q: new Float64Array(guess.length).fill(NaN), status: 2 };
     }
     const start = settings.independent.map((k) => guess[k]);
-    const branch = step(guess, start, ...parameters).orientation[0];
+    const first = step(guess, start, ...parameters);
+    if (first.status >= REFUSED) {
+      return { q: new Float64Array(guess.length).fill(NaN), status: first.status };
+    }
+    const branch = first.orientation[0];
     let status = 3;
     for (let substeps = 1; substeps <= settings.max_substeps; substeps *= 2) {
       let q = guess;
@@ -133,7 +142,7 @@ def print_script(model: Model, constant: str, functions: Iterable[str] | None = 
     check_names(model)
     chosen = list(model.programs) if functions is None else [n for n in model.programs if n in set(functions)]
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " */", '"use strict";']
-    lines += [f"const {constant} = (() => {{", *RUNTIME.strip("\n").splitlines()]
+    lines += [f"const {constant} = (() => {{", *RUNTIME.replace("REFUSED", str(NO_ROTATION)).strip("\n").splitlines()]
     for name in chosen:
         program = _first_path(model.programs[name])
         body = _iteration(name, program) if isinstance(program, Iteration) else _function(name, program)
@@ -176,6 +185,10 @@ def _function(name: str, program: Program) -> list[str]:
     ]
     pivots = ", ".join(f"Math.abs({operand(slot)}) / {decimal(threshold)}" for slot, threshold in program.guards)
     small = " || ".join(f"Math.abs({operand(slot)}) <= {decimal(threshold)}" for slot, threshold in program.guards)
+    limits = [
+        f"limited({operand(slot)}, {_bound(low, '-')}, {_bound(high)}, {c})" for slot, low, high, c in program.limits
+    ]
+    status = " || ".join([*limits, f"({small} ? 1 : 0)" if limits and small else f"{small} ? 1 : 0" if small else "0"])
     total = balanced_sum([operand(slot) for slot in checked_slots(program)] or ["0.0"])
     outputs = [
         f"    {port.name}: Float64Array.of({', '.join(operand(slot) for slot in slots)}),"
@@ -187,12 +200,16 @@ def _function(name: str, program: Program) -> list[str]:
         *loads,
         *(f"  const {slot} = {text};" for slot, text in statements(program, live, TABLE, operand)),
         f"  const guard = {f'Math.min({pivots})' if pivots else 'Infinity'};",
-        f"  return finish({f'{small} ? 1 : 0' if small else '0'}, {total}, {{",
+        f"  return finish({status}, {total}, {{",
         *outputs,
         "    guard,",
         "  });",
         "}",
     ]
+
+
+def _bound(value: float | None, sign: str = "") -> str:
+    return f"{sign}Infinity" if value is None else decimal(value)
 
 
 def _iteration(name: str, iteration: Iteration) -> list[str]:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from symscrew import __version__
 from symscrew.description import check_name
 from symscrew.model import Model
-from symscrew.program import STATUS, Instruction, Iteration, Port, Program, RankRevealing
+from symscrew.program import Instruction, Iteration, Port, Program, RankRevealing, status_texts
 
 Operand = Callable[[int | float], str]
 MAX_LABELS = 96  # entries of a port that are named in comments: more are not read there, and all are in the manifest
@@ -112,8 +112,22 @@ def banner(model: Model) -> list[str]:
         plain(f"Mechanism: {model.name}" + (f", {about}" if about else "")),
         plain(f"Effects: {effects}"),
         f"Programs: {model_hash(model)}",
-        *(line for note in model.notes for line in wrapped(f"Note: {note}", later="  ")),
+        *(line for note in _together(model.notes) for line in wrapped(f"Note: {note}", later="  ")),
     ]
+
+
+def _together(notes: Iterable[str]) -> list[str]:
+    """Notes of several places, `place: text`, with the same text as one.
+
+    >>> _together(["bodies.a: is light", "bodies.b: is light", "no loads"])
+    ['bodies.a, bodies.b: is light', 'no loads']
+    """
+    places: dict[str, list[str]] = {}
+    for note in notes:
+        place, colon, text = note.partition(": ")
+        known = colon and " " not in place
+        places.setdefault(text if known else note, []).append(place if known else "")
+    return [f"{', '.join(several)}: {text}" if several[0] else text for text, several in places.items()]
 
 
 NOT_PLAIN = re.compile(r'[\x00-\x1f\x7f\u2028\u2029\\]|\?\?|\*/|/\*|"""')  # what `plain` replaces
@@ -186,9 +200,13 @@ def port_lines(port: Port) -> list[str]:
 def statuses(program: Program | Iteration) -> dict[int, str]:
     """The statuses that a function can return, with their texts."""
     if isinstance(program, Iteration):
-        return {code: STATUS[code] for code in (0, 2, 3, 4)}
-    second = (-2, -1) if isinstance(program, RankRevealing) else ()
-    return {code: STATUS[code] for code in (*second, *((0, 1, 2) if program.guards else (0, 2)))}
+        codes: tuple[int, ...] = (0, 2, 3, 4)
+    else:
+        second = (-2, -1) if isinstance(program, RankRevealing) else ()
+        codes = (*second, *((0, 1, 2) if program.guards else (0, 2)))
+    limits = program.step.limits if isinstance(program, Iteration) else program.limits
+    texts = status_texts(program)
+    return {code: texts[code] for code in (*codes, *sorted({status for *_, status in limits}))}
 
 
 def operations_text(program: Program | Iteration) -> str:

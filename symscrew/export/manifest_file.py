@@ -14,6 +14,7 @@ from typing import Any
 from symscrew import __version__
 from symscrew.effects import Effect, effect_from_table, effect_to_table
 from symscrew.errors import DescriptionError
+from symscrew.export.c_form import USUAL_FORM, Form
 from symscrew.export.conventions import conventions
 from symscrew.export.listing import model_hash, statuses
 from symscrew.kinematics import characteristic_length
@@ -29,7 +30,7 @@ class OutputError(ValueError):
 
 
 def manifest(
-    model: Model, *, targets: Sequence[str], files: Sequence[str], precision: str = "double"
+    model: Model, *, targets: Sequence[str], files: Sequence[str], precision: str = "double", form: Form = USUAL_FORM
 ) -> dict[str, Any]:
     """The content of `manifest.json`."""
     return {
@@ -47,10 +48,17 @@ def manifest(
         "notes": list(model.notes),
         "conventions": conventions(model),
         **({"precision": precision} if precision != "double" else {}),
+        **({"one_file": True} if form.one_file else {}),
+        **({} if form.batches else {"batches": False}),
         "targets": list(targets),
         "files": sorted(files),
         "functions": {name: _function(model, name, program) for name, program in model.programs.items()},
     }
+
+
+def read_form(content: Mapping[str, Any]) -> Form:
+    """The form of the C of a folder with this manifest."""
+    return Form(one_file=content.get("one_file") is True, batches=content.get("batches") is not False)
 
 
 def _characteristic_length(model: Model) -> dict[str, Any]:

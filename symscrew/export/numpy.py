@@ -23,7 +23,7 @@ from symscrew.export.listing import (
 )
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
-from symscrew.program import RANK, Iteration, Program, RankRevealing, second_path
+from symscrew.program import NO_ROTATION, RANK, Iteration, Program, RankRevealing, second_path
 
 TABLE = {
     "add": "{0} + {1}",
@@ -66,7 +66,7 @@ def _entries(name, sizes, arguments):
     return entries, batch
 
 
-def _finish(batch, outputs, guards, checked):
+def _finish(batch, outputs, guards, checked, limits=()):
     """Outputs as arrays (*batch, size), NaN where the status (*batch) is not 0."""
     results = []
     for columns in outputs:
@@ -76,6 +76,9 @@ def _finish(batch, outputs, guards, checked):
             result[..., k] = column
         results.append(result)
     status = np.zeros(batch, dtype=int)
+    for value, low, high, code in limits:
+        within = (value >= (-np.inf if low is None else low)) & (value <= (np.inf if high is None else high))
+        status = np.where((status == 0) & ~within, np.where(np.isfinite(value), code, 2), status)
     for value, threshold in guards:
         status = np.where((status == 0) & (np.abs(value) <= threshold), 1, status)
     status = np.where((status == 0) & ~np.isfinite(sum(checked)), 2, status)
@@ -89,7 +92,9 @@ def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, pa
     if not all(np.isfinite(array).all() for array in (y, guess, *parameters)):
         return np.full_like(guess, np.nan), 2
     start = guess[independent]
-    branch = step(guess, start, *parameters)[0][3][0]
+    (_, _, _, branch), first = step(guess, start, *parameters)
+    if first >= REFUSED:
+        return np.full_like(guess, np.nan), int(first)
     substeps, outcome = 1, 3
     while substeps <= max_substeps:
         q = guess
@@ -102,7 +107,7 @@ def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, pa
                     break
                 q = following
                 if residual[0] < tolerance and change[0] < tolerance:
-                    outcome = 0 if orientation[0] * branch > 0.0 else 4
+                    outcome = 0 if orientation[0] * branch[0] > 0.0 else 4
                     break
             if outcome:
                 break
@@ -146,7 +151,15 @@ def print_numpy(model: Model) -> dict[str, str]:
         "(*batch, size), matrices column by column, and the status (*batch). Outputs are NaN where the "
         "status is not 0."
     )
-    lines += ['"""', "", "from __future__ import annotations", "", "import numpy as np", "", *RUNTIME.splitlines()]
+    lines += [
+        '"""',
+        "",
+        "from __future__ import annotations",
+        "",
+        "import numpy as np",
+        "",
+        *RUNTIME.replace("REFUSED", str(NO_ROTATION)).splitlines(),
+    ]
     if any(isinstance(program, RankRevealing) for program in model.programs.values()):
         lines += ["", "", *SECOND_PATH.splitlines(), "", "", *_second_path_alone()]
     for name, program in model.programs.items():
@@ -178,6 +191,8 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
     unpacked = wrapped(", ".join(given) + ",", first=" " * 8, later=" " * 8)
     guards = several([f"({operand(slot)}, {decimal(threshold)})" for slot, threshold in program.guards])
     checked = several([operand(slot) for slot in checked_slots(program)])
+    tested = [(operand(slot), _bound(low), _bound(high), code) for slot, low, high, code in program.limits]
+    limits = f", {several([f'({slot}, {low}, {high}, {code})' for slot, low, high, code in tested])}" if tested else ""
     outputs = [several([operand(slot) for slot in slots]) for slots in program.results]
     body = [f"{slot} = {text}" for slot, text in statements(program, live_instructions(program)[0], TABLE, operand)]
     return [
@@ -187,8 +202,14 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
         *(["    (", *unpacked, "    ) = entries"] if given else []),
         '    with np.errstate(all="ignore"):',
         *(f"        {line}" for line in body),
-        *wrapped(f"return _finish(batch, {several(outputs)}, {guards}, {checked})", first=" " * 8, later=" " * 12),
+        *wrapped(
+            f"return _finish(batch, {several(outputs)}, {guards}, {checked}{limits})", first=" " * 8, later=" " * 12
+        ),
     ]
+
+
+def _bound(value: float | None) -> str:
+    return "None" if value is None else decimal(value)
 
 
 def _with_second_path(name: str, program: RankRevealing) -> list[str]:

@@ -8,6 +8,8 @@ from functools import partial
 import numpy as np
 
 from symscrew.description import markdown_text, members, namespace
+from symscrew.export.c_files import family
+from symscrew.export.c_form import library_sources
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain
 from symscrew.model import Model
@@ -21,7 +23,12 @@ ALWAYS = (
 
 
 def print_readme(
-    model: Model, targets: Mapping[str, str], precision: Precision = DOUBLE, further: Sequence[str] = ()
+    model: Model,
+    targets: Mapping[str, str],
+    precision: Precision = DOUBLE,
+    further: Sequence[str] = (),
+    *,
+    files: Sequence[str] = (),
 ) -> str:
     """The text; deterministic, its examples use the first test state of one function.
 
@@ -30,20 +37,23 @@ def print_readme(
         targets: name to what its files are, in which {0} stands for the model's name.
         precision: of the C.
         further: lines at the end.
+        files: all files of the folder, among them the sources of C.
     """
+    sources = library_sources(files, model.name) or [f"{model.name}.c"]
     name = _shown(model)
     program = model.programs[name]
     lines = [f"# {model.name}", "", *(f"{markdown_text(line)}  " for line in banner(model)[:3]), "", "## Files"]
-    lines += [f"- {about.format(model.name)}" for about in targets.values()]
+    for target, about in targets.items():
+        lines += [f"- {about.format(model.name)}", *(_sources(model, sources) if target == "c" else [])]
     lines += [f"- {text}" for text in ALWAYS]
     lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
     lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
     lines += ["", *_about(program, name)]
     examples: dict[str, list[Callable[..., list[str]]]] = {
-        "c": [partial(_c, precision=precision), partial(_cpp, precision=precision)],
+        "c": [partial(_c, precision=precision, sources=sources), partial(_cpp, precision=precision, sources=sources)],
         "casadi": [_casadi],
         "numpy": [_numpy],
-        "external": [_external],
+        "external": [partial(_external, sources=sources)],
         "javascript": [_javascript],
         "mjcf": [_mjcf],
         "urdf": [_urdf],
@@ -53,6 +63,19 @@ def print_readme(
             lines += ["", *example(model, name, program)]
     lines += ["", *further] if further else []
     return "\n".join([*lines, ""])
+
+
+def _sources(model: Model, sources: Sequence[str]) -> list[str]:
+    """What each source of the C holds."""
+    families: dict[str, list[str]] = {}
+    for function in model.programs:
+        families.setdefault(f"{model.name}_{family(function)}.c", []).append(f"`{function}`")
+    told = {source: f"{', '.join(families[source])}" for source in sources if source in families}
+    told[f"{model.name}_batch.c"] = "functions of many states; it reads the bodies of the others"
+    told[f"{model.name}_support.c"] = f"statuses, and with `{model.name}_support.h` what the sources share"
+    if sources == [f"{model.name}.c"]:
+        return [f"  - `{sources[0]}`: all functions"]
+    return [f"  - `{source}`: {told[source]}" for source in sources if source in told]
 
 
 def _shown(model: Model) -> str:
@@ -88,7 +111,9 @@ def _first(program: Program | Iteration) -> Port:
     return next(port for port in program.outputs if port.size)
 
 
-def _c(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
+def _c(
+    model: Model, name: str, program: Program | Iteration, *, precision: Precision, sources: Sequence[str]
+) -> list[str]:
     real = precision.real
     sizes = [f"{real} {p.name}_[{max(p.size, 1)}]" for p in program.outputs]
     states = _states(model, name, ("{", "}"), _typed_number(precision)).items()
@@ -110,8 +135,17 @@ def _c(model: Model, name: str, program: Program | Iteration, *, precision: Prec
         "    return outcome > 0;",
         "}",
     ]
-    command = f"`cc -std=c99 -O2 -fno-math-errno main.c {model.name}.c -lm -o main && ./main`"
-    return ["### C", "", "```c", *main, "```", "", command]
+    command = f"`cc -std=c99 -O2 -fno-math-errno main.c {' '.join(sources)} -lm -o main && ./main`"
+    return ["### C", "", "```c", *main, "```", "", command, *_fewer(name, sources)]
+
+
+def _fewer(name: str, sources: Sequence[str]) -> list[str]:
+    """Which of several sources one function takes."""
+    own = next((source for source in sources if source.endswith(f"_{family(name)}.c")), None)
+    support = next((source for source in sources if source.endswith("_support.c")), None)
+    if own is None or support is None:
+        return []
+    return ["", f"`{name}` by itself takes `{own}` and `{support}` only; functions of many states take all of them."]
 
 
 def _typed_number(precision: Precision) -> Callable[[float], str]:
@@ -126,7 +160,9 @@ def _typed(model: Model) -> list[str]:
     return [f"{line} /* such as p_.by_name.{chosen[0]} */"] if chosen else []
 
 
-def _cpp(model: Model, name: str, program: Program | Iteration, *, precision: Precision) -> list[str]:
+def _cpp(
+    model: Model, name: str, program: Program | Iteration, *, precision: Precision, sources: Sequence[str]
+) -> list[str]:
     states = _states(model, name, ("{", "}"), _typed_number(precision)).items()
     sizes = {port.name: port.size for port in program.inputs}
     typed = _typed(model)
@@ -149,8 +185,9 @@ def _cpp(model: Model, name: str, program: Program | Iteration, *, precision: Pr
         "    return result.ok() ? 0 : 1;",
         "}",
     ]
+    objects = " ".join(f"{source[:-2]}.o" for source in sources)
     command = (
-        f"`cc -std=c99 -O2 -fno-math-errno -c {model.name}.c && c++ -std=c++17 -O2 main.cpp {model.name}.o -o main`"
+        f"`cc -std=c99 -O2 -fno-math-errno -c {' '.join(sources)} && c++ -std=c++17 -O2 main.cpp {objects} -o main`"
     )
     return ["### C++", "", "```cpp", *main, "```", "", command]
 
@@ -191,7 +228,7 @@ def _casadi(model: Model, name: str, program: Program | Iteration) -> list[str]:
     return ["### CasADi", "", "```python", *main, "```"]
 
 
-def _external(model: Model, name: str, program: Program | Iteration) -> list[str]:
+def _external(model: Model, name: str, program: Program | Iteration, *, sources: Sequence[str]) -> list[str]:
     inputs = [f"{k}_ = {v}" for k, v in _states(model, name, ("[", "]")).items()]
     library = f"lib{model.name}_external.so"
     main = [
@@ -202,8 +239,8 @@ def _external(model: Model, name: str, program: Program | Iteration) -> list[str
         f"result = function({', '.join(f'{p.name}={p.name}_' for p in program.inputs)})",
         f"print(f\"{{float(result['{_first(program).name}'][0]):.12g}}\")",
     ]
-    sources = f"{model.name}.c {model.name}_jacobians.c {model.name}_external.c"
-    command = f"`cc -std=c99 -O2 -fno-math-errno -shared -fPIC {sources} -lm -o {library}`"
+    files = [*sources, f"{model.name}_jacobians.c", f"{model.name}_external.c"]
+    command = f"`cc -std=c99 -O2 -fno-math-errno -shared -fPIC {' '.join(files)} -lm -o {library}`"
     hessian = 'First derivatives only: give IPOPT the option `hessian_approximation="limited-memory"`.'
     return ["### CasADi external functions", "", command, "", hessian, "", "```python", *main, "```"]
 

@@ -86,7 +86,7 @@ def unit_contents(scene: Scene, *, version: int = 3) -> dict[str, bytes]:
     given = outside_inputs(scene)
     plant = loop_plant(scene, outside=tuple(given))
     q, v = initial_state(scene, plant.model, plant.parameters)
-    start = (q, v, initial_states(scene, plant.model))
+    start = (q, v, initial_states(scene, plant.model, q, v))
     entries = [entry for port in given.values() for entry in port]
     listed = variables(plant, start, entries)
     # the token names the sources, in which it stands itself: hashed first, then put in its place

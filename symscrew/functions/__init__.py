@@ -1,10 +1,12 @@
 """The functions of a model, by subject: each module turns a `System` into `Function`s with named ports."""
 
+from symscrew.functions.checked import SUFFIX, checked_functions
 from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, loop_notes, moved_by
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
 from symscrew.functions.forward import (
+    REASONS,
     closing_functions,
     driven,
     forward_functions,
@@ -42,6 +44,8 @@ from symscrew.functions.untried import untried_notes
 
 __all__ = [
     "NO_DRIVE",
+    "REASONS",
+    "SUFFIX",
     "THRESHOLD",
     "TWIST_LABELS",
     "TWIST_UNITS",
@@ -56,6 +60,7 @@ __all__ = [
     "all_reactions",
     "assembly",
     "base_parameters",
+    "checked_functions",
     "closing_functions",
     "closure_functions",
     "columns_port",

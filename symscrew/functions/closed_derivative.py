@@ -52,7 +52,7 @@ class Derivatives:
 
 def covers(system: System, acting: Acting) -> bool:
     """Whether the equations here hold for a system and what acts on it."""
-    plain = not (acting.needs_reactions or acting.simplified or acting.transmissions)
+    plain = not (acting.needs_reactions or acting.simplified or acting.transmissions or acting.bendings)
     return bool(system.cuts) and not system.cut_drives() and plain
 
 
@@ -93,7 +93,7 @@ def forward_derivatives(system: System, effects: Sequence[Effect], loops: Loops)
     independent = _Independent(loops)
     moving = ClosedMotion.steady(system, loops, independent.free_rates(loops.inputs("ydot")))
     acting, drives = driven(moving.system, effects)
-    admissible = Admissible(moving.system, loops, acting.reflected_inertia)
+    admissible = Admissible(moving.system, loops, acting.added_inertia)
     free, guards = admissible.solve([-r for r in admissible.residual(moving.system.inputs.a, acting)])
     motion = moving.with_gains(free)
     acting, _ = driven(motion.system, effects)
@@ -290,7 +290,7 @@ class ClosedMotion:
     def powers(self, acting: Acting, multipliers: Mapping[int, Node]) -> tuple[Matrix, Matrix, Matrix]:
         """Changes of N^T r, multipliers and drives held, by y, y_dot, y_ddot: columns of entries per free rate."""
         count, columns, system = len(self.columns), self.columns, self.system
-        tree = mass_matrix(system, acting.reflected_inertia)
+        tree = mass_matrix(system, acting.added_inertia)
         gains = [[inner(row, system.tree_rates(gain)) for row in tree] for gain in (*self.displaced, *self.following)]
         every = self._variation([*self.by_steps, *self.by_rates])
         changes = power_changes(every, acting, multipliers=multipliers, columns=columns, forces=gains)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from symscrew.algebra import Guard, Node, Tape, Vector, add, cross, dot, scale
 from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
-from symscrew.kinematics import System
+from symscrew.kinematics import Row, System
 from symscrew.loops import Loops, any_rods, closed_limbs, hub_links, limb_coordinates
-from symscrew.program import Function, Iteration, Port, lower
+from symscrew.program import NOT_ON_MECHANISM, Function, Iteration, NodeLimit, Port, lower
 
 # A pivot below this, without units, is reported as near-singular: seven digits of a result are left there. Above it the
 # status is 0 and nothing is said.
@@ -16,6 +16,11 @@ THRESHOLD = 1e-9
 # The same for a step of the assembly: it passes near singular configurations on its way, where a step is only worse,
 # and the result is judged by its residual; below this a step has no digit left.
 NEWTON_THRESHOLD = 1e-12
+# A pose whose loops are open by more than this, lengths divided by the characteristic length, is none of the mechanism,
+# and rates or accelerations that open them by this part of their own size are none of its motions. What was assembled,
+# integrated or written with eight digits is within 1e-8, in single precision 3e-7; at the limit results are off by
+# about as much as the loops are open.
+CLOSED = 1e-6
 # Largest Newton step [rad, or characteristic lengths]: a longer one is scaled down to it, as beyond about half a radian
 # the linear model of a rotation points to another assembly mode.
 STEP_LIMIT = 0.5
@@ -24,6 +29,30 @@ STEP_LIMIT = 0.5
 def guarded(guards: Sequence[Guard], threshold: float = THRESHOLD) -> list[tuple[Node, float]]:
     """Pivots with their run-time thresholds in the pivots' own units."""
     return [(guard.pivot, threshold / guard.scale) for guard in guards]
+
+
+def closed(system: System, openings: Sequence[tuple[Node, Row]], size: Node | None = None) -> tuple[NodeLimit, ...]:
+    """That loops open by no more than `CLOSED`, of `size` (a square, without units) if it is given.
+
+    `openings`: how far, or how fast, rows of cut joints open.
+    """
+    tape = system.tape
+    total = squares(system, [(value, row.unit == "N") for value, row in openings])
+    if size is not None:
+        return ((total - tape.constant(CLOSED**2) * size, None, 0.0, NOT_ON_MECHANISM),) if openings else ()
+    return ((total, None, CLOSED**2, NOT_ON_MECHANISM),) if openings else ()
+
+
+def squares(system: System, values: Sequence[tuple[Node, bool]]) -> Node:
+    """The sum of squares of (value, whether it is a length), lengths divided by the characteristic length."""
+    tape = system.tape
+    lengths, others = tape.zero, tape.zero
+    for value, is_length in values:
+        if is_length:
+            lengths = lengths + value * value
+        else:
+            others = others + value * value
+    return others + lengths * tape.constant(1.0 / system.length**2)
 
 
 def closure_functions(system: System, loops: Loops, notes: Sequence[str]) -> list[Function]:

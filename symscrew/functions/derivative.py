@@ -19,7 +19,7 @@ from symscrew.effects import Acting, Effect
 from symscrew.functions import closed_derivative, tree_derivative
 from symscrew.functions.closing import guarded
 from symscrew.functions.forward import driven
-from symscrew.kinematics import System
+from symscrew.kinematics import System, squared_length
 from symscrew.loops import Loops
 from symscrew.program import Function, Port
 
@@ -191,7 +191,7 @@ def _implicit(
     acting, _ = driven(moving, effects)
     if acting.needs_reactions:  # the forces depend on the solution: no equations without it
         return straight
-    admissible = Admissible(moving, loops, acting.reflected_inertia)
+    admissible = Admissible(moving, loops, acting.added_inertia)
     free, _, _ = admissible.accelerations(acting)
     held = [tape.symbol(f"held_{k}", "1", f"free joint acceleration {k + 1}, held") for k in range(len(free))]
     a = system.tree_rates(admissible.moved(admissible.curvature(), held))
@@ -397,6 +397,7 @@ def configuration_seeds(system: System, name: str, labels: Sequence[str], column
         for link in system.tree.links[1:]:
             entries, rates = list(q[link.q]), tuple(v[link.v])
             if len(entries) == 4:
+                seeds[squared_length(entries)] = {}  # which no motion changes
                 w, r = entries[0], (entries[1], entries[2], entries[3])
                 turn: Vector = scale(half, (rates[0], rates[1], rates[2]))
                 rates = (-dot(r, turn), *add(scale(w, turn), cross(r, turn)))

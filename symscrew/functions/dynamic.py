@@ -196,7 +196,7 @@ class Equations:
 def dynamic_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
     """Mass matrix, bias and, where there are drives, inverse dynamics and reactions."""
     equations = Equations(system, effects, cost=loops.cost)
-    functions = [_mass_matrix(system, equations.forces.reflected_inertia), _bias(system, effects)]
+    functions = [_mass_matrix(system, equations.forces), _bias(system, effects)]
     if system.drives:
         functions.append(_inverse_dynamics(equations))
         functions.append(_from_independent(system, effects, loops))
@@ -344,8 +344,8 @@ def _bias(system: System, effects: Sequence[Effect]) -> Function:
     return function(system, "bias", text, inputs=inputs, outputs=[(port, values)])
 
 
-def _mass_matrix(system: System, reflected: Mapping[int, Node]) -> Function:
-    matrix = mass_matrix(system, reflected)
+def _mass_matrix(system: System, acting: Acting) -> Function:
+    matrix = mass_matrix(system, acting.added_inertia)
     n = len(matrix)
     labels = tuple(f"{a.label}|{b.label}" for b in system.tree.v for a in system.tree.v)
     kinds = [c.kind == "length" for c in system.tree.v]
@@ -353,4 +353,5 @@ def _mass_matrix(system: System, reflected: Mapping[int, Node]) -> Function:
     port = Port("mass_matrix", (n, n), units, labels, "symmetric; kinetic energy = v.M.v / 2")
     text = "Mass matrix of the tree (cut joints open)."
     values = [matrix[i][j] for j in range(n) for i in range(n)]
-    return function(system, "mass_matrix", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)])
+    inputs = [(q_port(system), system.inputs.q), *(acting.inputs_of(values) if acting.bendings else [])]
+    return function(system, "mass_matrix", text, inputs=inputs, outputs=[(port, values)])

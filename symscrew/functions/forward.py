@@ -38,6 +38,8 @@ SINGULAR_NOTE = (
     "all bodies have mass and inertia, but near the reference configuration the loops are too near to losing rank to "
     "find the motions that they allow: forward dynamics is left out; describe the mechanism in another configuration"
 )
+REASONS = (MASSLESS_NOTE, SINGULAR_NOTE)
+"""Why a model has no forward dynamics, as its notes say it."""
 State = list[tuple[Port, Sequence[Node]]]
 
 
@@ -64,7 +66,7 @@ def accelerates(system: System, effects: Sequence[Effect], loops: Loops) -> bool
 
 def moves_mass(system: System, effects: Sequence[Effect], loops: Loops) -> bool:
     """Whether every motion that the loops allow moves mass: else accelerations do not follow from forces."""
-    return Admissible(system, loops, Acting(system, effects).reflected_inertia).moves_mass()
+    return Admissible(system, loops, Acting(system, effects).added_inertia).moves_mass()
 
 
 def left_out(system: System) -> str:
@@ -136,7 +138,7 @@ def _solved(system: System, effects: Sequence[Effect], loops: Loops) -> Solved:
 
 def _once(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads | None) -> Solved:
     acting, drives = driven(system, effects, loads)
-    free, a, guards = Admissible(system, loops, acting.reflected_inertia).accelerations(acting)
+    free, a, guards = Admissible(system, loops, acting.added_inertia).accelerations(acting)
     return Solved(acting, drives, free, a, tuple(guards), loads)
 
 
@@ -164,7 +166,7 @@ def _dense(system: System, effects: Sequence[Effect]) -> Function:
     acting, drives = driven(system, effects)
     n, m = len(system.tree.v), len(system.jacobian)
     force = [-value for value in generalised_forces(system, acting, [system.tape.zero] * n)]
-    matrix, columns = mass_matrix(system, acting.reflected_inertia), jacobian_in_v(system)
+    matrix, columns = mass_matrix(system, acting.added_inertia), jacobian_in_v(system)
     still = system.bias(system.rates([system.tape.zero] * n))
     outputs = [
         (_plain("inertia", n * n), [matrix[i][j] for j in range(n) for i in range(n)]),

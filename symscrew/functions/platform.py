@@ -2,30 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 from symscrew.algebra import Elimination, Node, divides, eliminate, named_entries, needed
 from symscrew.effects import Effect
-from symscrew.functions.closing import guarded
+from symscrew.functions.checked import SUFFIX, motion_size
+from symscrew.functions.closing import closed, guarded
 from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.kinematics import System, Turn, closure_rate
+from symscrew.kinematics import Row, System, Turn, closure_rate
 from symscrew.loops import (
     CrankLimb,
     LengthRow,
+    LimbForm,
     Loops,
     closed_limbs,
     hub_links,
     length_rows,
     limb_coordinates,
+    met_rows,
     reference_nodes,
 )
-from symscrew.program import Function, Port, roots_of
+from symscrew.program import OUT_OF_REACH, Function, NodeLimit, Port, roots_of
 
 
-def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
-    """`inverse_kinematics`, `inverse_velocity`, `inverse_dynamics_platform`; none without closed forms."""
+def platform_functions(
+    system: System, effects: Sequence[Effect], loops: Loops, *, checked: bool = False
+) -> list[Function]:
+    """`inverse_kinematics`, `inverse_velocity`, `inverse_dynamics_platform`; none without closed forms.
+
+    The pose is always looked at. `checked`: also variants of the others that look at rates and accelerations.
+    """
     limbs, hub = closed_limbs(system), hub_links(system)
     if limbs is None or hub is None:
         return []
@@ -73,7 +82,49 @@ def platform_functions(system: System, effects: Sequence[Effect], loops: Loops) 
             for way in ways
         ]
         result.append(min(dynamics, key=lambda way: loops.cost(roots_of(way))))
-    return result
+    rows = left_open(placed, limbs, found.openings)
+    result = _limited(result, found.reach, closed(system, rows))
+    moving = placed.at(found.q, found.turns, shortest.v, shortest.a)
+    return [*result, *(_looking(result[k], moving, rows, second=k > 1) for k in range(1, len(result)) if checked)]
+
+
+def _limited(
+    functions: Sequence[Function], reach: Sequence[tuple[str, Node]], on_mechanism: Sequence[NodeLimit]
+) -> list[Function]:
+    """The functions for poses within reach of all limbs and on the mechanism."""
+    names = tuple(dict.fromkeys(name for name, _ in reach))
+    within = [(radicand, 0.0, None, OUT_OF_REACH + names.index(name)) for name, radicand in reach]
+    return [replace(f, limits=(*f.limits, *within, *on_mechanism), reach=names) for f in functions]
+
+
+def _looking(function: Function, moving: System, rows: Sequence[tuple[Node, Row]], *, second: bool = False) -> Function:
+    """The variant that looks whether a motion keeps the loops closed, to first order or to second, too."""
+    kept = {row.label for _, row in rows}
+    every = [row for cut in moving.cuts for row in cut.rows]
+    rates = [value for cut in moving.cuts for value in closure_rate(cut, moving.linkage, moving.twist)]
+    limits = closed(moving, _of(rates, every, kept), motion_size(moving))
+    if second:
+        openings = moving.bias(moving.rates(moving.inputs.a))
+        limits += closed(moving, _of(openings, every, kept), motion_size(moving, second=True))
+    return replace(function, name=function.name + SUFFIX, limits=(*function.limits, *limits))
+
+
+def _of(values: Sequence[Node], rows: Sequence[Row], kept: Set[str]) -> list[tuple[Node, Row]]:
+    """How fast the rows that are left open."""
+    return [(value, row) for value, row in zip(values, rows, strict=True) if row.label in kept]
+
+
+def left_open(
+    placed: System, limbs: Sequence[LimbForm], known: Mapping[str, Node] = MappingProxyType({})
+) -> list[tuple[Node, Row]]:
+    """How far the loops are open in rows that do not hold for all poses of the platform; its limbs are placed.
+
+    `known`: by label, what limbs know of their rows themselves.
+    """
+    met = met_rows(limbs)
+    rows = [row for cut in placed.cuts for row in cut.rows]
+    values = zip(rows, placed.residual, strict=True)
+    return [(known.get(row.label, value), row) for row, value in values if row.label not in met]
 
 
 @dataclass(frozen=True)
@@ -132,7 +183,7 @@ def _drives(
 def _part(port: Port, name: str, entries: Sequence[int], description: str) -> Port:
     """A port with some entries of another."""
     units, labels = (tuple(values[k] for k in entries) for values in (port.units, port.labels))
-    return Port(name, (len(entries),), units, labels, description)
+    return Port(name, (len(entries),), units, labels, description, tuple(port.forms[k] for k in entries if port.forms))
 
 
 def _limb_elimination(

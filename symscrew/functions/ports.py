@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node
-from symscrew.kinematics import System
+from symscrew.algebra import Node, inputs_of
+from symscrew.kinematics import ROUNDED, System, squared_length
 from symscrew.loops import Loops
-from symscrew.program import Function, Port
+from symscrew.program import NO_ROTATION, QUATERNION, Function, NodeLimit, Port
 
 TWIST_UNITS = ("rad/s",) * 3 + ("m/s",) * 3
 TWIST_LABELS = ("wx", "wy", "wz", "vx", "vy", "vz")
@@ -20,8 +20,12 @@ MOMENTUM_LABELS = ("px", "py", "pz", "Lx", "Ly", "Lz")
 
 def q_port(system: System, name: str = "q", description: str = "configuration of the tree") -> Port:
     """Coordinates of the tree."""
-    tree = system.tree
-    return Port(name, (len(tree.q),), tuple(c.unit for c in tree.q), tuple(c.label for c in tree.q), description)
+    entries = system.tree.q
+    turns = tuple(QUATERNION if c.kind == QUATERNION else "" for c in entries)
+    forms = turns if any(turns) else ()
+    return Port(
+        name, (len(entries),), tuple(c.unit for c in entries), tuple(c.label for c in entries), description, forms
+    )
 
 
 def v_port(system: System, name: str = "v", description: str = "rates of the tree") -> Port:
@@ -99,14 +103,30 @@ def function(
         notes: what a user of the function must know.
     """
     ports, nodes = system.parameter_ports()
+    values = [[system.tape.node(n) for n in of] for _, of in outputs]
+    read = [*(n for of in values for n in of), *(pivot for pivot, _ in guards)]
     return Function(
         name,
         description,
         tuple(p for p, _ in inputs) + ports,
         tuple(p for p, _ in outputs),
         tuple(tuple(n) for _, n in inputs) + nodes,
-        tuple(tuple(system.tape.node(n) for n in values) for _, values in outputs),
+        tuple(map(tuple, values)),
         tuple(guards),
         tuple(notes),
         system.structure.limbs,
+        rotations(inputs, read),
     )
+
+
+def rotations(inputs: Sequence[tuple[Port, Sequence[Node]]], results: Sequence[Node]) -> tuple[NodeLimit, ...]:
+    """Quaternions among the inputs have unit length, up to rounding, as far as results depend on them."""
+    quaternions = [
+        nodes[k : k + 4]
+        for port, nodes in inputs
+        for k, form in enumerate(port.forms)
+        if form == QUATERNION and port.forms[:k].count(QUATERNION) % 4 == 0
+    ]
+    read = inputs_of(results) if quaternions else set()
+    found = [squared_length(quaternion) for quaternion in quaternions if read & set(quaternion)]
+    return tuple((length, 1 - ROUNDED, 1 + ROUNDED, NO_ROTATION) for length in found)

@@ -17,7 +17,7 @@ Seeds = Mapping[Node, Mapping[str, Node]]
 
 def covers(acting: Acting) -> bool:
     """Whether the derivatives here hold for what acts on a system."""
-    plain = not (acting.needs_reactions or acting.simplified or acting.transmissions)
+    plain = not (acting.needs_reactions or acting.simplified or acting.transmissions or acting.bendings)
     return plain and not acting.system.cuts
 
 

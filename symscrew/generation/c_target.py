@@ -15,7 +15,16 @@ from typing import Any
 import numpy as np
 
 from symscrew import runtime
-from symscrew.export import DOUBLE, print_c, print_cmake, print_cpp, print_example, rounded, single_errors
+from symscrew.export import (
+    DOUBLE,
+    library_sources,
+    print_c,
+    print_cmake,
+    print_cpp,
+    print_example,
+    rounded,
+    single_errors,
+)
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import Evaluate, Results, compare_values, evaluated, relative_difference
 from symscrew.model import Model
@@ -27,10 +36,35 @@ SMALLEST_ERROR = 1e-6  # a stated error below it counts as this, some units in t
 
 
 def files(order: Order) -> Mapping[str, str]:
-    """<name>.c, <name>.h, <name>.hpp, example.c, CMakeLists.txt."""
-    model, precision = order.model, order.precision
-    printed = print_c(_noted(model, order.measured), precision=precision) | print_cpp(model, precision)
-    return printed | {"example.c": print_example(model, precision), "CMakeLists.txt": print_cmake(model)}
+    """<name>.h, its sources, <name>.hpp, example.c, CMakeLists.txt."""
+    model, precision, form = order.model, order.precision, order.form
+    printed = print_c(
+        _noted(model, order.measured), precision=precision, batches=form.batches, several=not form.one_file
+    )
+    sources = library_sources(printed, model.name)
+    example = print_example(model, precision, sources)
+    return {
+        **printed,
+        **print_cpp(model, precision),
+        "example.c": example,
+        "CMakeLists.txt": print_cmake(model, sources),
+    }
+
+
+def section(order: Order) -> Sequence[str]:
+    """What to say to the compiler of a microcontroller, of code that has no functions of many states."""
+    if order.form.batches:
+        return []
+    sources = "*.c" if order.form.one_file else f"{order.model.name}_*.c"
+    return [
+        "## On a microcontroller",
+        "",
+        f"`arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -Os -c {sources}`",
+        "",
+        "`-Os` for the least flash, `-O2 -ffp-contract=fast` for the least time. Nothing but `math.h` is needed; the",
+        "stack of a call is what `symscrew embedded` measures. There are no functions of many states; functions of",
+        "closed loops are for the operation mode of the reference configuration, and return 1 elsewhere.",
+    ]
 
 
 def _noted(model: Model, measured: Sequence[Mapping[str, Any]]) -> Model:
@@ -51,14 +85,16 @@ def compare(case: Case) -> Iterator[Finding]:
     """Compiles without a warning, header as C++ too, and agrees by number."""
     yield from _compile(case.fresh, case.model.name)
     if runtime.find_compiler():
+        # what the folder has no batches of is called by those of the same bodies
+        source = case.fresh if case.form.batches else case.model
         if case.precision is DOUBLE:
-            yield compare_values("C", case.model, case.expected, _results(case.fresh))
+            yield compare_values("C", case.model, case.expected, _results(source))
         else:
-            yield _compare_single(case.fresh, case.model)
+            yield _compare_single(source, case.model)
 
 
-def _results(directory: Path) -> Evaluate:
-    compiled = runtime.load(directory, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
+def _results(source: Path | Model) -> Evaluate:
+    compiled = runtime.load(source, backend="c", flags=("-ffp-contract=off", *STRICT), trusted=True)  # just written
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]
@@ -67,9 +103,9 @@ def _results(directory: Path) -> Evaluate:
     return evaluate
 
 
-def _compare_single(directory: Path, model: Model) -> Finding:
+def _compare_single(source: Path | Model, model: Model) -> Finding:
     """C of type float against double on the same numbers: errors of the size that the header states."""
-    compiled, worst, where = runtime.load(directory, backend="c", trusted=True), 0.0, ""
+    compiled, worst, where = runtime.load(source, backend="c", precision="single", trusted=True), 0.0, ""
     for name, (_, stated) in single_errors(model).items():
         inputs = [rounded(np.atleast_2d(x)) for x in model.test_inputs[name]]
         exact, status = model(name, *inputs)
@@ -93,8 +129,7 @@ def _compile(directory: Path, name: str) -> Iterator[Finding]:
     if not compilers:
         yield True, "no C compiler here (apt install gcc): C neither compiled nor run"
     for compiler in compilers:  # what warnings need of an optimiser, they get where the library is compiled
-        sources = [f"{name}.c", "example.c", *(p.name for p in directory.glob("*_external.c"))]
-        sources += [p.name for p in directory.glob("*_jacobians.c")]
+        sources = sorted(path.name for path in directory.glob("*.c"))
         yield _run([compiler, *STRICT, "-fsyntax-only", *sources], directory, "reads it without warnings")
     plus = next((path for path in map(shutil.which, ("g++", "clang++")) if path), None)
     if plus:

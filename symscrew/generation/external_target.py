@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.export import jacobians_model, print_external
+from symscrew.export import jacobians_model, library_sources, print_external
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.generation.value_comparison import TOLERANCE, Results, compare_values, relative_difference
 from symscrew.program import Port
@@ -26,8 +26,10 @@ def compare(case: Case) -> Iterator[Finding]:
         return
     directory, model, expected = case.fresh, case.model, case.expected
     library = directory / f"lib{model.name}_external.so"
-    others = [str(directory / f"{model.name}{part}.c") for part in ("_jacobians", "_external")]
-    compile_c(directory / f"{model.name}.c", library, flags=("-ffp-contract=off", *others))
+    names = library_sources((path.name for path in directory.iterdir()), model.name)
+    others = [*names[1:], *(f"{model.name}{part}.c" for part in ("_jacobians", "_external"))]
+    more = [str(directory / other) for other in others]
+    compile_c(directory / names[0], library, flags=("-ffp-contract=off", *more))
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         ports = (model.programs[name].inputs, model.programs[name].outputs)

@@ -1,6 +1,6 @@
 """A model as files: those of every target, and what a user or `check` needs beside them.
 
-    targets (`symscrew.generation.targets`)  --files-->  <name>.h  <name>.c  <name>_numpy.py  *.casadi  ...
+    targets (`symscrew.generation.targets`)  --files-->  <name>.h  <name>_*.c  <name>_numpy.py  *.casadi  ...
     beside them          README.md  manifest.json  ops.json  test_vectors.json  mechanism.toml
     with hashes only     *.h  manifest.json  ops.json  mechanism.toml  hashes.json in place of the others
 
@@ -24,6 +24,8 @@ from symscrew.export import (
     HASHES,
     MANIFEST,
     PRECISIONS,
+    USUAL_FORM,
+    Form,
     OutputError,
     manifest,
     own_files,
@@ -49,6 +51,7 @@ def generate(
     precision: str = "double",
     measured: Sequence[Mapping[str, Any]] = (),
     hashes_only: bool = False,
+    form: Form = USUAL_FORM,
 ) -> tuple[Path, ...]:
     """Write the files of a model into `out_dir` and return their paths, sorted.
 
@@ -61,6 +64,7 @@ def generate(
             ops.json then.
         hashes_only: write what a reader learns from, and of the rest hashes.json with its hashes: enough for
             `check`, at most a tenth of the size, and no code that could be called.
+        form: of the C, in one file or in several, with functions of many states or without.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.
@@ -69,7 +73,7 @@ def generate(
     directory = Path(os.path.abspath(out_dir))
     with one_at_a_time(directory.parent):  # whoever writes there has an end
         _earlier_files(directory)
-    files = render(model, targets, precision=precision, measured=measured)
+    files = render(model, targets, precision=precision, measured=measured, form=form)
     files = with_hashes(files) if hashes_only else files
 
     def check() -> None:
@@ -94,6 +98,7 @@ def render(
     *,
     precision: str = "double",
     measured: Sequence[Mapping[str, Any]] = (),
+    form: Form = USUAL_FORM,
 ) -> dict[str, bytes]:
     """File name to content of everything that `generate` writes, without hashes.json.
 
@@ -107,7 +112,7 @@ def render(
     for target in targets:
         if target not in possible:
             raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
-    order = Order(model, PRECISIONS[precision], measured)
+    order = Order(model, PRECISIONS[precision], measured, form)
     made: dict[str, str | bytes] = {}
     further: list[str] = []
     for target in chosen:
@@ -116,12 +121,12 @@ def render(
     about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}
     made |= {
-        "README.md": print_readme(model, about, order.precision, further),
+        "README.md": print_readme(model, about, order.precision, further, files=[*made]),
         "ops.json": _table_text(counts | ({EMBEDDED: list(measured)} if measured else {})),
         "test_vectors.json": _vectors_text(model),
         "mechanism.toml": to_toml(model.mechanism),
     }
-    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision)
+    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision, form=form)
     made["manifest.json"] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
     return {name: data.encode("utf-8") if isinstance(data, str) else data for name, data in made.items()}
 

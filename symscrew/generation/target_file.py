@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from symscrew.export import Precision
+from symscrew.export import USUAL_FORM, Form, Precision
 from symscrew.generation.value_comparison import Results
 from symscrew.model import Model
 
@@ -23,11 +23,15 @@ Finding = tuple[bool, str]
 
 @dataclass(frozen=True)
 class Order:
-    """What is to be written: a model, the type of its numbers, what its C was measured to take on microcontrollers."""
+    """What is to be written: a model, the type of its numbers, what its C was measured to take on microcontrollers.
+
+    `form`: of the C, in one file or in several, with functions of many states or without.
+    """
 
     model: Model
     precision: Precision
     measured: Sequence[Mapping[str, Any]] = ()
+    form: Form = USUAL_FORM
 
 
 @dataclass(frozen=True)
@@ -42,3 +46,4 @@ class Case:
     fresh: Path
     directory: Path
     precision: Precision
+    form: Form = USUAL_FORM

@@ -56,7 +56,7 @@ class Target:
 
 
 ROOM = "symscrew.generation"
-C = "`{0}.h`, `{0}.c`: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
+C = "`{0}.h` and sources: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
 EXTERNAL = "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi"
 UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only"
 BOTH = ("double", "single")

@@ -15,7 +15,15 @@ from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Place
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.loop_closure import closure_bias, closure_rate, turns_are_lost
 from symscrew.kinematics.momentum_screws import MassProperties, momentum_rate, momentum_screw
-from symscrew.kinematics.pairs import LowerPair, Turn, pair_of, quaternion_matrix
+from symscrew.kinematics.pairs import (
+    ROUNDED,
+    LowerPair,
+    Turn,
+    pair_of,
+    quaternion_matrix,
+    squared_length,
+    unit_quaternion,
+)
 from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, own_screws, rates, twists
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
 from symscrew.kinematics.structure import characteristic_length
@@ -25,6 +33,7 @@ from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree
 __all__ = [
     "GROUND",
     "NO_SPREAD",
+    "ROUNDED",
     "BodyMotion",
     "ClosureJacobian",
     "Cut",
@@ -62,9 +71,11 @@ __all__ = [
     "rates",
     "regrouped",
     "spanning_tree",
+    "squared_length",
     "tree_displacement",
     "turns_are_lost",
     "twists",
+    "unit_quaternion",
     "universal_axes",
     "without_gyroscopic_moment",
 ]

@@ -10,9 +10,10 @@ before its rotation (w = turn v), which is where the limbs' wrenches arrive.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from symscrew.algebra import Node, Pose, Twist, Vector
 from symscrew.description import Mechanism
@@ -69,6 +70,7 @@ class System:
         self.linkage: Linkage = self.closure.linkage
         self.placed: tuple[Placement, ...] = self.linkage.placed
         self.cuts: tuple[Cut, ...] = self.closure.cuts
+        self.answers: dict[Hashable, Any] = {}  # what was asked of this system before
 
     def __repr__(self) -> str:
         counts = f"{len(self.tree.links) - 1} links, {len(self.tree.v)} rates, {len(self.cuts)} cut joints"

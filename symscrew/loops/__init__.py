@@ -9,6 +9,7 @@ from symscrew.loops.dependent_rates import Loops, counts_all_ways
 from symscrew.loops.limbs import (
     CrankLimb,
     LengthRow,
+    LimbForm,
     any_rods,
     closed_limbs,
     hub_links,
@@ -24,6 +25,7 @@ __all__ = [
     "Closure",
     "CrankLimb",
     "LengthRow",
+    "LimbForm",
     "Loops",
     "Mode",
     "any_rods",

@@ -28,7 +28,7 @@ from symscrew.algebra import (
     scale,
 )
 from symscrew.errors import DescriptionError
-from symscrew.kinematics import Link, System
+from symscrew.kinematics import Link, System, unit_quaternion
 from symscrew.loops.closure import Closure, closures
 
 SMALL = 60
@@ -230,8 +230,8 @@ class Loops:
         return eliminate(tape, rows, dict.fromkeys(range(count), 1.0), [1.0] * count)
 
     def quaternion(self, link: Link) -> tuple[Node, Vector]:
-        """Scalar and vector part of a spherical link's quaternion."""
-        w, x, y, z = self.system.inputs.q[link.q]
+        """Scalar and vector part of a spherical link's quaternion, of unit length."""
+        w, x, y, z = unit_quaternion(self.system.inputs.q[link.q])
         return w, (x, y, z)
 
     def quaternion_rate(self, entry: Independent, w: Sequence[Node]) -> Node:

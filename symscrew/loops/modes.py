@@ -18,7 +18,7 @@ import numpy as np
 
 from symscrew.algebra import Node, divides, inputs_of, named_entries, needed, substitute
 from symscrew.kinematics import System
-from symscrew.program import Function, roots_of, with_roots
+from symscrew.program import NOT_ON_MECHANISM, Function, roots_of, with_roots
 
 MOVES = 1e-6
 """Samples that differ by less, in radians or characteristic lengths, show no motion, and nothing then follows anything:
@@ -97,7 +97,25 @@ class Mode:
         tests = [self._configuration(read), *([self._rates(read)] if moving else [])]
         named_entries(tests, "in_mode", ["configuration", "rates"][: len(tests)])
         guards |= {test: HALF for test in tests if test.value is None}
-        return replace(found, guards=tuple(guards.items()))
+        limits = tuple(limit for limit in found.limits if not self._implied(*limit))
+        return replace(found, guards=tuple(guards.items()), limits=limits)
+
+    def _implied(self, opening: Node, low: float | None, high: float | None, status: int) -> bool:
+        """Whether all configurations of this mode, also others than the mechanism's, leave the loops closed.
+
+        Looked at where the sample states are moved at random, by a tenth of a radian or of the characteristic length.
+        """
+        inputs, tree = self.system.inputs, self.system.tree
+        turning = {inputs.q[k] for start, _ in tree.spheres for k in range(start, start + 4)}
+        read = inputs_of([opening])
+        if status != NOT_ON_MECHANISM or high is None or not read <= set(inputs.q) - turning:
+            return False
+        q = self.system.sample_states[0]
+        sizes = np.array([self.system.length if c.kind == "length" else 1.0 for c in tree.q])
+        moved = q + 0.1 * sizes * np.random.default_rng(5).uniform(-1, 1, q.shape)
+        values = self.system.numeric([opening], (inputs.q, moved))
+        reached = np.isfinite(values)
+        return bool(2 * reached.sum() > reached.size and (values[reached] < SAME * SAME).all())
 
     @cached_property
     def nodes(self) -> dict[Node, Node]:

@@ -35,7 +35,16 @@ if TYPE_CHECKING:
     )
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
-    from symscrew.mobility.motions import BranchRow, BranchTable, ScrewClass, screw_class
+    from symscrew.mobility.motions import (
+        BranchRow,
+        BranchTable,
+        ScrewClass,
+        SingularPose,
+        WholeMotion,
+        motion_lines,
+        motion_values,
+        screw_class,
+    )
     from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
 
@@ -51,7 +60,9 @@ __all__ = [
     "Mobility",
     "ScrewClass",
     "ScrewSystem",
+    "SingularPose",
     "Verdict",
+    "WholeMotion",
     "actuation_margins",
     "analyse_mobility",
     "check_proof",
@@ -66,6 +77,8 @@ __all__ = [
     "mobility_proof",
     "mobility_text",
     "mobility_values",
+    "motion_lines",
+    "motion_values",
     "screw_class",
     "sections",
     "verified",

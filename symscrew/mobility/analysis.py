@@ -41,7 +41,7 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.margin_ranks import Ranks, with_rank
 from symscrew.mobility.motion_verdicts import confirmed, why_complete, with_proof
-from symscrew.mobility.motions import BranchTable, branches_through
+from symscrew.mobility.motions import BranchTable, WholeMotion, branches_through, motion_along
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.proofs import MotionProof, motion_proof
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
@@ -275,6 +275,11 @@ class Mobility:
         complete = why_complete(self.finite, self.motion_proof)
         table = branches_through(self.network, self.finite, self.platform.body, complete=complete)
         return with_proof(table, self.finite, self.motion_proof)
+
+    @cached_property
+    def along(self) -> WholeMotion | str:
+        """What holds along the coordinate lines through the configuration, with singular poses. May take seconds."""
+        return motion_along(self.network, self.finite, self.platform.body, self.mechanism)
 
     @cached_property
     def motion_proof(self) -> MotionProof | None:

@@ -220,7 +220,7 @@ class PointEquations:
                 "transcription.formulation: friction that depends on the joints' loads needs the inverse formulation"
             )
         acting, _ = driven(moving, self.effects)
-        free, a, _ = Admissible(moving, loops, acting.reflected_inertia).accelerations(acting)
+        free, a, _ = Admissible(moving, loops, acting.added_inertia).accelerations(acting)
         y_ddot = loops.second_rates(free, moving.joint_rates(a), w)
         rates = [acting.state_rates[s.name] for s in acting.states]
         inputs = [*self._state(y_dot), *self.drives, *acting.inputs]

@@ -19,14 +19,31 @@ from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, jacobian
 from symscrew.program.json_form import from_lists, to_lists
 from symscrew.program.lanes import Pack, Packing, Vector, packed
-from symscrew.program.lowering import Function, lower, roots_of, with_roots
+from symscrew.program.lowering import Function, NodeLimit, lower, roots_of, with_roots
 from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
 from symscrew.program.rank_revealing import RANK, SWITCH, RankRevealing, evaluate_rank_revealing, second_path
-from symscrew.program.straight_line import COUNTED, STATUS, Instruction, Iteration, Port, Program
+from symscrew.program.straight_line import (
+    COUNTED,
+    NO_ROTATION,
+    NOT_ON_MECHANISM,
+    OUT_OF_REACH,
+    QUATERNION,
+    STATUS,
+    Instruction,
+    Iteration,
+    Limit,
+    Port,
+    Program,
+    status_texts,
+)
 
 __all__ = [
     "COUNTED",
+    "NOT_ON_MECHANISM",
     "NO_LIMBS",
+    "NO_ROTATION",
+    "OUT_OF_REACH",
+    "QUATERNION",
     "RANK",
     "STATUS",
     "SWITCH",
@@ -36,6 +53,8 @@ __all__ = [
     "Jacobian",
     "Limb",
     "Limbs",
+    "Limit",
+    "NodeLimit",
     "Pack",
     "Packing",
     "Port",
@@ -51,6 +70,7 @@ __all__ = [
     "packed",
     "roots_of",
     "second_path",
+    "status_texts",
     "to_lists",
     "with_roots",
 ]

@@ -44,7 +44,7 @@ def jacobian(source: Program | Iteration) -> Jacobian:
         for port in program.inputs
     )
     entries = [node for nodes in arguments for node in nodes]
-    results, guards, compared = _nodes(tape, program, entries)
+    results, tested, compared = _nodes(tape, program, entries)
     keys = [str(k) for k in range(len(entries))]
     seeds = {node: {key: tape.one} for node, key in zip(entries, keys, strict=True)}
     if isinstance(source, Iteration):
@@ -74,8 +74,19 @@ def jacobian(source: Program | Iteration) -> Jacobian:
             values.append(tuple(n for _, _, n in found))
         row += output.size
     text = f"Partial derivatives of {source.name} by the entries of its inputs."
+    pivots, bounded = tested[: len(program.guards)], tested[len(program.guards) :]
+    bounds = [limit[1:] for limit in program.limits]
     function = Function(
-        f"{source.name}_jacobian", text, program.inputs, tuple(ports), arguments, tuple(values), guards, program.notes
+        f"{source.name}_jacobian",
+        text,
+        program.inputs,
+        tuple(ports),
+        arguments,
+        tuple(values),
+        guards=tuple((node, threshold) for node, (_, threshold) in zip(pivots, program.guards, strict=True)),
+        notes=program.notes,
+        limits=tuple((node, *rest) for node, rest in zip(bounded, bounds, strict=True)),
+        reach=program.reach,
     )
     return Jacobian(source, lower(function), blocks)
 
@@ -94,10 +105,8 @@ def _port(output: Port, given: Port, entries: list[tuple[int, int]]) -> Port:
     return Port(f"d_{output.name}_d_{given.name}", (len(entries),), units, labels, text)
 
 
-def _nodes(
-    tape: Tape, program: Program, entries: list[Node]
-) -> tuple[list[tuple[Node, ...]], tuple[tuple[Node, float], ...], list[Node]]:
-    """The results and guards of a program on a tape, and the nodes that are compared with a limit."""
+def _nodes(tape: Tape, program: Program, entries: list[Node]) -> tuple[list[tuple[Node, ...]], list[Node], list[Node]]:
+    """The results of a program on a tape, what decides its status, and the nodes that are compared with a limit."""
     slots: dict[int, Node] = dict(enumerate(entries))
     compared: list[Node] = []
 
@@ -109,7 +118,7 @@ def _nodes(
         compared += args[:1] if instruction.op == "less" else []
         slots[instruction.target] = _applied(tape, instruction.op, args)
     results = [tuple(value(slot) for slot in slots_) for slots_ in program.results]
-    return results, tuple((value(slot), threshold) for slot, threshold in program.guards), compared
+    return results, [value(slot) for slot in program.tested], compared
 
 
 def _applied(tape: Tape, op: str, args: list[Node]) -> Node:

@@ -17,6 +17,7 @@ from symscrew.program.straight_line import Instruction, Iteration, Port, Program
 Lists = Mapping[str, Any]
 PORT = ("name", "shape", "units", "labels", "description", "forms")
 ITERATION = ("name", "description", "independent", "tolerance", "max_steps", "max_substeps", "notes")
+PROGRAM = ("name", "description", "results", "guards", "limits", "reach", "notes", "slots")
 SECOND = ("rates", "rows", "regular")
 
 
@@ -26,14 +27,9 @@ def to_lists(program: Program | Iteration) -> dict[str, Any]:
     if isinstance(program, Iteration):
         return {**{f: getattr(program, f) for f in ITERATION}, **ports, "step": to_lists(program.step)}
     made: dict[str, Any] = {
-        "name": program.name,
-        "description": program.description,
+        **{f: getattr(program, f) for f in PROGRAM},
         **ports,
         "operations": [[i.target, i.op, *i.args] for i in program.instructions],
-        "results": program.results,
-        "guards": program.guards,
-        "notes": program.notes,
-        "slots": program.slots,
     }
     if isinstance(program, RankRevealing):
         parts = {"dense": program.dense, "wrenches": program.wrenches}
@@ -48,7 +44,7 @@ def from_lists(lists: Lists) -> Program | Iteration:
     if "step" in lists:
         own |= {f: _tuple(lists[f]) for f in ITERATION}
         return Iteration(**own, step=from_lists(lists["step"]))  # type: ignore[arg-type]
-    own |= {key: _tuple(lists[key]) for key in ("name", "description", "results", "guards", "notes", "slots")}
+    own |= {key: _tuple(lists[key]) for key in PROGRAM}
     own["instructions"] = tuple(Instruction(target, op, tuple(args)) for target, op, *args in lists["operations"])
     if "second" not in lists:
         return Program(**own)

@@ -17,13 +17,17 @@ from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.passes import PASSES
 from symscrew.program.straight_line import Instruction, Port, Program
 
+NodeLimit = tuple[Node, float | None, float | None, int]
+
 
 @dataclass(frozen=True)
 class Function:
     """A function of the model before lowering: ports and the nodes behind them.
 
     `arguments` and `results` are the nodes of each input and output, `size` of them. `guards`: (node, threshold):
-    the function fails with status 1 where |node| <= threshold. `limbs` says which parts of the mechanism are equal.
+    the function fails with status 1 where |node| <= threshold. `limits`: (node, low, high, status): it fails with this
+    status where the node is not within low ... high (None: no limit); `reach`: see `Program`. `limbs` says which parts
+    of the mechanism are equal.
     """
 
     name: str
@@ -35,6 +39,8 @@ class Function:
     guards: tuple[tuple[Node, float], ...] = ()
     notes: tuple[str, ...] = ()
     limbs: Limbs = NO_LIMBS
+    limits: tuple[NodeLimit, ...] = ()
+    reach: tuple[str, ...] = ()
 
 
 def lower(function: Function) -> Program:
@@ -50,15 +56,18 @@ def lower(function: Function) -> Program:
 
 
 def roots_of(function: Function) -> list[Node]:
-    """All results, then the guarded pivots."""
-    return [n for nodes in function.results for n in nodes] + [g for g, _ in function.guards]
+    """All results, then the guarded pivots, then what has limits."""
+    results = [n for nodes in function.results for n in nodes]
+    return [*results, *(pivot for pivot, _ in function.guards), *(node for node, *_ in function.limits)]
 
 
 def with_roots(function: Function, roots: Sequence[Node]) -> Function:
     """The function with other results and guarded pivots, in the order of `roots_of`."""
     left = iter(roots)
     results = tuple(tuple(next(left) for _ in nodes) for nodes in function.results)
-    return replace(function, results=results, guards=tuple((next(left), t) for _, t in function.guards))
+    guards = tuple((next(left), t) for _, t in function.guards)
+    limits = tuple((next(left), low, high, status) for _, low, high, status in function.limits)
+    return replace(function, results=results, guards=guards, limits=limits)
 
 
 class _Lowering:
@@ -83,6 +92,8 @@ class _Lowering:
             slot = self.value(inner)
             if isinstance(slot, int):  # of several thresholds for one pivot the largest says it all
                 guards[slot] = max(threshold, guards.get(slot, threshold))
+        tested = [(self.value(limit[0]), limit[1:]) for limit in self.function.limits]
+        limits = tuple((slot, *rest) for slot, rest in tested if isinstance(slot, int))
         f = self.function
         return Program(
             f.name,
@@ -96,6 +107,8 @@ class _Lowering:
             next(self.next),
             self.origins(),
             f.limbs,
+            limits,
+            f.reach,
         )
 
     def origins(self) -> dict[int, Origin]:

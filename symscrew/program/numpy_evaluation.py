@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.algebra import apply_numpy
-from symscrew.program.straight_line import Iteration, Program
+from symscrew.program.straight_line import NO_ROTATION, Iteration, Program
 
 
 def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
@@ -36,11 +36,14 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         raise TypeError(f"{program.name} expects {len(program.inputs)} inputs ({names}), got {len(arguments)}")
     values, batch = _loaded(program, arguments)
     with np.errstate(all="ignore"):
-        for instruction in program.instructions:
-            args = [values[a] if isinstance(a, int) else a for a in instruction.args]
-            values[instruction.target] = apply_numpy(instruction.op, args)
+        for target, op, args in program.instructions:
+            values[target] = apply_numpy(op, [values[a] if type(a) is int else a for a in args])
         results = [_entries(values, slots, batch) for slots in program.results]
         status = np.zeros(batch, dtype=int)
+        for slot, low, high, code in program.limits:
+            value = values[slot]
+            within = (value >= (-np.inf if low is None else low)) & (value <= (np.inf if high is None else high))
+            status = np.where((status == 0) & ~within, np.where(np.isfinite(value), code, 2), status)
         for guard, threshold in program.guards:
             status = np.where((status == 0) & (np.abs(values[guard]) <= threshold), 1, status)
         total = sum((values[slot] for slot in program.checked), start=np.zeros(batch))
@@ -121,7 +124,9 @@ def _iterate(
 ) -> tuple[np.ndarray, int]:
     """One state: from the guess to y in 1, 2, 4, ... equal parts of the way, until one succeeds."""
     start = guess[list(iteration.independent)]
-    (_, _, _, sign), _ = evaluate(iteration.step, [guess, start, *parameters])
+    (_, _, _, sign), first = evaluate(iteration.step, [guess, start, *parameters])
+    if first >= NO_ROTATION:
+        return np.array(guess), int(first)
     substeps, outcome = 1, 3
     while substeps <= iteration.max_substeps:
         q, outcome = np.array(guess), 0

@@ -14,6 +14,7 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -45,12 +46,16 @@ PASSING = {"add": 2, "sub": 2, "mul": 2, "neg": 1, "div": 1, "sqrt": 1, "sin": 1
 A number divided by infinity is 0, so that an infinite divisor does not show; a comparison hides what it compares."""
 
 
+Limit = tuple[int, float | None, float | None, int]
+"""A slot, the least and the greatest value that it may have (None: any), and the status elsewhere."""
+
+
 @dataclass(frozen=True)
 class Port:
     """An input or output array: column-major entries with a name, shape, units and labels.
 
-    `forms`: of margins, what each entry is (`symscrew.mobility.margins.FORMS`); empty elsewhere. It does not
-    change the code.
+    `forms`: what each entry is, of margins (`symscrew.mobility.margins.FORMS`) and where some are a `QUATERNION`, four
+    in a row; empty elsewhere. It does not change the code.
     """
 
     name: str
@@ -66,8 +71,7 @@ class Port:
         return int(np.prod(self.shape)) if self.shape else 1
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """`target` = op(args); an arg is a slot number, or a float constant."""
 
     target: int
@@ -81,7 +85,9 @@ class Program:
 
     Slots 0 ... n-1 are the entries of all inputs in order, `slots` is how many there are in all. `results` are slots
     or constants, a tuple per output. `guards`: (slot, threshold): the function fails with status 1 where
-    |slot| <= threshold. `notes` are sentences for the user of the function.
+    |slot| <= threshold. `limits`: (slot, low, high, status): it fails with this status where the value is not within
+    low ... high, None being no limit, whatever the pivots are. `reach` names the limbs that can be out of reach, in the
+    order of their statuses from `OUT_OF_REACH` on. `notes` are sentences for the user of the function.
 
     `origins` says of slots what they are in the theory, `limbs` which parts of the mechanism are equal: both are for
     those who read or arrange the code, and change nothing of what is computed.
@@ -98,6 +104,8 @@ class Program:
     slots: int = 0
     origins: Mapping[int, Origin] = field(default_factory=dict, compare=False, repr=False)
     limbs: Limbs = field(default=NO_LIMBS, compare=False, repr=False)
+    limits: tuple[Limit, ...] = ()
+    reach: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({_signature(self)}, {self.operations['total']} operations)"
@@ -105,11 +113,16 @@ class Program:
     @property
     def operations(self) -> dict[str, int]:
         """Operations that the printed function executes: each counts 1; the status checks are included."""
+        return dict(self._counted)
+
+    @cached_property
+    def _counted(self) -> Mapping[str, int]:
         count = dict.fromkeys(CLASSES, 0)
         for instruction in self.instructions:
             count[COUNTED[instruction.op]] += 1
         # each guard costs an absolute value and a comparison; the sum of what is checked is tested for NaN and Inf
         count["compare"] += 2 * len(self.guards) + bool(self.checked)
+        count["compare"] += sum(bound is not None for _, low, high, _ in self.limits for bound in (low, high))
         count["add"] += max(0, len(self.checked) - 1)
         count["total"] = sum(count.values())
         return count
@@ -136,10 +149,15 @@ class Program:
             seen |= {arg for arg in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(arg, int)}
         return (*found[::-1], *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
+    @property
+    def tested(self) -> tuple[int, ...]:
+        """The slots that decide the status: guarded pivots, and what has limits."""
+        return (*(slot for slot, _ in self.guards), *(slot for slot, *_ in self.limits))
+
     @cached_property
     def live(self) -> tuple[list[Instruction], set[int]]:
         """The instructions that pivots and what is checked, so all results, need, and every slot that is read."""
-        needed = {*self.checked, *(slot for slot, _ in self.guards)}
+        needed = {*self.checked, *self.tested}
         found = []
         for instruction in reversed(self.instructions):
             if instruction.target in needed:
@@ -166,7 +184,7 @@ class Iteration:
     take y_k = y0 + (y - y0) k / n and repeat the step until residual and step are below `tolerance`, at most
     `max_steps` times; give up this n if the step fails, does not converge, or if the sign of the orientation
     differs from that at the guess. The first n that succeeds is the answer. Status 0 success, 3 not converged,
-    4 converged, but on another branch than the guess.
+    4 converged, but on another branch than the guess; 5 and above what the first step refuses in the guess.
     """
 
     name: str
@@ -203,7 +221,19 @@ STATUS = {
     2: "not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN",
     3: "not converged: the loops could not be closed from this guess; all outputs are NaN",
     4: "other branch: the loops close only on another assembly branch than the guess; all outputs are NaN",
+    5: "no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are NaN",
+    6: "not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN",
 }
+NO_ROTATION, NOT_ON_MECHANISM = 5, 6  # in the table above
+OUT_OF_REACH = 11  # of the first limb, of further ones the numbers after it; up to there are those of the table
+QUATERNION = "quaternion"  # of an entry of a port: one of w, x, y, z
+
+
+def status_texts(*programs: Program | Iteration) -> dict[int, str]:
+    """What every status means, those of limbs out of reach as these programs name them."""
+    names = dict.fromkeys(name for p in programs if isinstance(p, Program) for name in p.reach)
+    texts = (f"out of reach: limb {name} does not get there; all outputs are NaN" for name in names)
+    return {**STATUS, **dict(enumerate(texts, OUT_OF_REACH))}
 
 
 def digest(program: Program) -> str:
@@ -211,7 +241,8 @@ def digest(program: Program) -> str:
     # the text of repr(program.instructions), which takes three times as long
     body = ", ".join(f"Instruction(target={i.target}, op={i.op!r}, args={i.args!r})" for i in program.instructions)
     body = f"({body},)" if len(program.instructions) == 1 else f"({body})"
-    before, after = repr((program.name, program.inputs, program.outputs)), repr((program.results, program.guards))
+    tested = (program.guards, program.limits, program.reach) if program.limits else (program.guards,)
+    before, after = repr((program.name, program.inputs, program.outputs)), repr((program.results, *tested))
     return hashlib.sha256(f"{before[:-1]}, {body}, {after[1:]}".encode()).hexdigest()[:16]
 
 

@@ -26,7 +26,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.export import DOUBLE
+from symscrew.export import DOUBLE, library_sources
 from symscrew.model import Model
 from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
 from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
@@ -222,13 +222,15 @@ def _written(origin: Origin, files: Mapping[str, str], folder: Path) -> Sequence
     """C files in a folder; those to compile, the one with the model's name first."""
     for file, text in files.items():
         (folder / file).write_text(text, encoding="utf-8")
-    return [folder / f for f in sorted(files, key=lambda f: (f != f"{origin.name}.c", f)) if f.endswith(".c")]
+    return [folder / file for file in library_sources(files, origin.name)]
 
 
 def _functions(origin: Origin, made: Mapping[str, Evaluators]) -> dict[str, CompiledFunction]:
     own = origin.precision is DOUBLE  # numbers of another type are converted on the way
     return {
-        f: CompiledFunction(f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.direct)
+        f: CompiledFunction(
+            f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.direct, texts=origin.texts
+        )
         for f, of in made.items()
     }
 
@@ -238,7 +240,10 @@ def _in_casadi(origin: Origin) -> dict[str, CompiledFunction]:
     from symscrew.export import casadi_functions
 
     made = casadi_functions(origin.model())
-    return {f: CompiledFunction(f, *origin.ports[f], casadi_evaluator(made[f])) for f in origin.ports}
+    return {
+        f: CompiledFunction(f, *ports, casadi_evaluator(made[f]), texts=origin.texts)
+        for f, ports in origin.ports.items()
+    }
 
 
 def casadi_evaluator(function: Any) -> Evaluator:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -66,6 +66,7 @@ class CompiledFunction:
     strided: Evaluator | None = None
     direct: Direct | None = None
     threads: int = 1
+    texts: Mapping[int, str] = field(default_factory=lambda: STATUS, repr=False)
 
     def __repr__(self) -> str:
         given, found = (", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (self.inputs, self.outputs))
@@ -209,10 +210,13 @@ class CompiledFunction:
 
     def _failure(self, status: np.ndarray) -> str:
         if not status.shape:
-            return f"{self.name}: {STATUS[int(status)]}"
+            return f"{self.name}: {self._text(int(status))}"
         failed = np.argwhere(status > 0)
         first = tuple(int(i) for i in failed[0])
         return (
             f"{self.name}: {len(failed)} of {status.size} states failed; the first is state {first}: "
-            f"{STATUS[int(status[first])]}"
+            f"{self._text(int(status[first]))}"
         )
+
+    def _text(self, status: int) -> str:
+        return self.texts.get(status, f"status {status}, which this folder's manifest.json does not explain")

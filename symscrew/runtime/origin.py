@@ -15,8 +15,9 @@ import json
 import math
 import os
 import platform
+import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -29,25 +30,29 @@ from symscrew.errors import DescriptionError, shorten
 from symscrew.export import (
     HASHES,
     PRECISIONS,
+    Form,
     OutputError,
     Precision,
     effect_from_json,
     interface,
+    library_sources,
     model_hash,
+    plain,
     print_c,
+    read_form,
     read_hashes,
     read_manifest,
     read_port,
 )
 from symscrew.model import Model, derive
-from symscrew.program import Port
+from symscrew.program import STATUS, Port, status_texts
 from symscrew.runtime import user_cache
 
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 PACKAGE = Path(__file__).parents[1]
 DESCRIPTION = "mechanism.toml"
+FOLDER = "/"  # among the functions' texts: those of the folder itself
 LARGEST_ARRAY = 1 << 31  # entries of a port: a manifest that says more was not written here, and sizes could overflow
-NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,7 @@ class Origin:
     """A model's name, functions with their arrays, precision; `model` derives it.
 
     `files`: the C of one function, or of all (""). `sources`: C files of a folder, which are compiled as they stand.
+    `texts`: what statuses mean.
     """
 
     name: str
@@ -63,6 +69,7 @@ class Origin:
     model: Callable[[], Model]
     files: Callable[[str], Mapping[str, str]]
     sources: tuple[Path, ...] = ()
+    texts: Mapping[int, str] = field(default_factory=lambda: STATUS)
 
 
 def origin_of(source: Model | str | Path, precision: str | None, *, trusted: bool, lanes: bool) -> Origin:
@@ -79,12 +86,13 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
         def printed(function: str) -> Mapping[str, str]:
             return print_c(made.only([function]) if function else made, precision=real, lanes=lanes)
 
-        return Origin(made.name, own_ports, real, lambda: made, printed)
+        return Origin(made.name, own_ports, real, lambda: made, printed, texts=status_texts(*made.programs.values()))
     directory = Path(source)
     content = read_manifest(directory)
     name, ports, own = read_interface(directory, content)
     if read_hashes(directory):
         raise OutputError(f"{source}: holds hashes in place of its code ({HASHES}); generate it without --hashes-only")
+    told = _status_texts(content)
     if precision not in (None, own.name):
         raise ValueError(f"{source}: expected its own precision, {own.name}, got {precision}; generate it again")
 
@@ -94,19 +102,32 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
         return model
 
     if trusted:
-        named = (f for f in content["files"] if isinstance(f, str) and f.endswith(".c") and Path(f).name == f)
-        sources = sorted((f for f in named if not f.endswith(NOT_THE_LIBRARY)), key=lambda f: (f != f"{name}.c", f))
+        named = (f for f in content["files"] if isinstance(f, str) and Path(f).name == f)
+        sources = library_sources(named, name)
         if not sources:
             raise OutputError(f"{directory}/manifest.json: lists no C files; generate the target c")
-        return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources))
+        if not read_form(content).batches:
+            raise OutputError(
+                f"{directory}: has no functions of many states, by which it is called; load it without trusted=True, "
+                "which compiles the same functions with these"
+            )
+        return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources), told)
     texts: dict[str, Mapping[str, str]] = {}
 
     def files(function: str) -> Mapping[str, str]:
         if not texts:
-            texts.update(_proved(directory, name, own, derived))
+            texts.update(_proved(directory, name, own, derived, form=read_form(content)))
         return texts[function]
 
-    return Origin(name, ports, own, derived, files)
+    return Origin(name, ports, own, derived, files, texts=told)
+
+
+def _status_texts(content: Mapping[str, Any]) -> Mapping[int, str]:
+    """What statuses mean, as far as a manifest says it in words of a length that an error can hold."""
+    tables = [entry.get("status") for entry in content["functions"].values() if isinstance(entry, dict)]
+    rows = [row for table in tables if isinstance(table, dict) for row in table.items()]
+    told = {int(code): plain(str(text))[:200] for code, text in rows if re.fullmatch(r"1[1-9]|[2-9]\d", code)}
+    return {**STATUS, **told}
 
 
 def read_interface(directory: Path, content: Mapping[str, Any]) -> tuple[str, Ports, Precision]:
@@ -158,6 +179,7 @@ def model_of(directory: Path, content: Mapping[str, Any]) -> Model:
         "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
         "regressor": any("regressor" in name for name in functions),
         "one_mode": content.get("one_mode") is True,
+        "checked": any(name.endswith("_checked") for name in functions),
     }
     # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named
     chosen = content.get("independent") or None
@@ -189,7 +211,7 @@ def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, p
 
 
 def _proved(
-    directory: Path, name: str, precision: Precision, derived: Callable[[], Model]
+    directory: Path, name: str, precision: Precision, derived: Callable[[], Model], *, form: Form
 ) -> dict[str, Mapping[str, str]]:
     """C files of every function, after those of the folder have been found to be what its description gives."""
     read = [_bytes(directory / file) for file in (DESCRIPTION, "manifest.json")]
@@ -198,12 +220,14 @@ def _proved(
         kept = _texts(entry.read())
         if kept is None:
             model = derived()
-            whole = print_c(model, precision=precision)
             kept = {f: print_c(model.only([f]), precision=precision, lanes=False) for f in model.programs}
-            kept[""] = whole
+            several = not form.one_file
+            kept[""] = print_c(model, precision=precision, several=several)
+            without = {} if form.batches else print_c(model, precision=precision, several=several, batches=False)
+            kept[FOLDER] = without  # where the folder is not what is compiled
             entry.write(json.dumps(kept).encode("utf-8"))
-    for file, text in kept[""].items():
-        if file.endswith(".c") and _bytes(directory / file) != text.encode("utf-8"):
+    for file, text in (kept.pop(FOLDER) or kept[""]).items():
+        if file.endswith((".c", "_support.h")) and _bytes(directory / file) != text.encode("utf-8"):
             raise OutputError(
                 f"{directory}/{file}: is not the code that {DESCRIPTION} and manifest.json give with this version; "
                 "generate it again, or load it with trusted=True if you know where it comes from"
@@ -217,7 +241,7 @@ def _texts(kept: bytes | None) -> dict[str, dict[str, str]] | None:
         found = json.loads(kept) if kept is not None else None
     except (ValueError, RecursionError):
         return None
-    return found if isinstance(found, dict) and "" in found else None
+    return found if isinstance(found, dict) and "" in found and FOLDER in found else None
 
 
 def _bytes(path: Path) -> bytes:

@@ -78,9 +78,16 @@ def moves(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str
     return tuple(found)
 
 
-def initial_states(scene: Scene, model: Model) -> np.ndarray:
+def initial_states(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Values of the states at the start (states,): those of the effects, then those of the controller."""
-    effects = [state.initial for state in Acting(model.system, model.effects).states]
+    system = model.system
+    states = Acting(system, model.effects).states
+    effects = [float(state.initial) for state in states]
+    carried = {k: state.carried for k, state in enumerate(states) if state.carried is not None}
+    if carried:
+        given = system.numeric(list(carried.values()), (system.inputs.q, q[None]), (system.inputs.v, v[None]))
+        for k, value in zip(carried, given[0], strict=True):
+            effects[k] += float(value)
     return np.array([*effects, *(value for _, value in scene.states.values())], dtype=float)
 
 

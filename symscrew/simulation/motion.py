@@ -12,11 +12,13 @@ import numpy as np
 
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
+from symscrew.functions import REASONS
 from symscrew.model import Model
 from symscrew.program import Program
 from symscrew.runtime import CompileError, find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
+from symscrew.simulation.assembly_mode import AssemblyModes, changed
 from symscrew.simulation.derived_model import derived_model
 from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
@@ -37,7 +39,8 @@ class Run:
     are any), energy (n, 2) kinetic and potential [J], closure_error (n,) largest opening of the loops without units,
     energy_balance (n,) energy - energy at the start - work + what impacts took [J], `losses`: the latter in all by
     the joint's name, `estimate` of its error by another run, `doubts`: what the integrator has no treatment of,
-    `verdict`: the status with what was judged, `accurate`: whether that is good, reactions (n, 6 joints) or None.
+    `verdict`: the status with what was judged, `accurate`: whether that is good, `modes`: names of the assembly mode at
+    start and end (`symscrew.simulation.assembly_mode`), reactions (n, 6 joints) or None.
     """
 
     scene: Scene
@@ -64,6 +67,7 @@ class Run:
     doubts: tuple[str, ...] = ()
     accurate: bool = True
     verdict: str = ""
+    modes: tuple[str, str] = ("", "")
 
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
@@ -104,10 +108,9 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     """
     model = derived_model(scene.mechanism, scene.effects)
     if "forward_dynamics" not in model.programs:
-        raise DescriptionError(
-            f"{scene.name}: these effects leave nothing to simulate, since drives then do not determine accelerations "
-            "(quasi_static, or freedoms that move massless bodies only); inverse dynamics is there all the same"
-        )
+        quiet = "with quasi_static drives do not determine accelerations"
+        why = next((note for note in model.notes if note in REASONS), quiet)
+        raise DescriptionError(f"{scene.name}: nothing to simulate: {why}; inverse dynamics is there all the same")
     contacts = [c for e in scene.effects for c in e.contacts()]
     for contact in contacts:
         if contact.port in scene.inputs:
@@ -145,7 +148,7 @@ def simulate(
     """
     model, programs = prepared or prepare(scene, held=controller is not None)
     q, v = initial_state(scene, model, programs.parameters)
-    x = initial_states(scene, model)
+    x = initial_states(scene, model, q, v)
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
     history = _integrated(
@@ -250,6 +253,8 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     if programs.closure is not None:
         closure = np.abs(evaluated(model, "closure", known)["residual"] * programs.rows).max(axis=1, initial=0.0)
     reactions = evaluated(model, "forward_dynamics_reactions", known)["reactions"] if scene.reactions else None
+    named = AssemblyModes(model, programs.parameters)
+    modes = (named.name(history.q[0]), named.name(history.q[-1])) if n else ("", "")
     labels = [row.label for cut in model.system.cuts for row in cut.rows]
     crossings = tuple(
         Crossing(c.t, c.q, c.pivot / programs.pivot, c.lost, tuple(labels[k] for k in c.rows))
@@ -257,7 +262,7 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     )
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
-        history.events, history.ok, history.status, history.counters, programs.x_labels, history.backend,
-        {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
-        history.doubts,
+        (*history.events, *changed(*modes)), history.ok, history.status, history.counters, programs.x_labels,
+        history.backend, {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
+        history.doubts, modes=modes,
     )  # fmt: skip

@@ -18,7 +18,7 @@ import numpy as np
 from symscrew.runtime import compile_c
 from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
-from symscrew.simulation.recording import History, Passage, State
+from symscrew.simulation.recording import History, Passage, State, shown_time
 from symscrew.simulation.run_source import source, table_code
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
@@ -199,7 +199,7 @@ def _history(library: Library, log: RunLog, outcome: int) -> History:
     if outcome != 0 and (n == 0 or t > times[-1]):
         times = np.append(times, t)
         q, v, x = (np.append(a, [b], axis=0) for a, b in zip((q, v, x), last, strict=True))
-    text = "completed" if outcome == 0 else f"stopped at t = {t:.9g} s: {ENDINGS.get(outcome, 'unknown')}"
+    text = "completed" if outcome == 0 else f"stopped at t = {shown_time(t)} s: {ENDINGS.get(outcome, 'unknown')}"
     if outcome != 0 and plant.closure is not None and counters["pivot"] < NEAR_SINGULAR * plant.pivot:
         text += (
             f"; the closure is near-singular there (smallest pivot {counters['pivot'] / plant.pivot:.2g} of regular)"

@@ -157,7 +157,7 @@ class _Marching:
             if not self.samples:
                 self.samples.append((0.0, y))
                 self.contact_forces.append(np.zeros(len(self.rules)))
-            ok, status = False, f"stopped at t = {self.samples[-1][0]:.9g} s: {error}"
+            ok, status = False, f"stopped at t = {shown_time(self.samples[-1][0])} s: {error}"
         return self.history(ok, status)
 
     def sample(self, t: float, y: np.ndarray) -> None:

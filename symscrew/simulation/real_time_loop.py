@@ -82,7 +82,7 @@ def _header(scene: Scene, made: Plant, start: tuple[np.ndarray, np.ndarray]) -> 
     name, upper = scene.name, scene.name.upper()
     ports = {port.name: port for port in made.slopes.inputs}
     q, v = start
-    states = initial_states(scene, made.model)
+    states = initial_states(scene, made.model, q, v)
 
     def initial(key: str, values: np.ndarray) -> str:
         numbers = ", ".join(repr(float(value)) for value in values) or "0.0"

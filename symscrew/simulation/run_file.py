@@ -12,6 +12,7 @@ import numpy as np
 from symscrew.description import to_toml
 from symscrew.errors import DescriptionError
 from symscrew.simulation.motion import Run
+from symscrew.simulation.recording import shown_time
 from symscrew.whole_files import replaced
 
 FORMATS = (".npz", ".csv")  # ends of names of files that a run can be written into
@@ -49,6 +50,8 @@ def arrays(run: Run) -> dict[str, np.ndarray]:
         "scene": run.scene.text,
         "status": run.verdict or run.status,
         "backend": run.backend,
+        "assembly_mode_at_start": run.modes[0],
+        "assembly_mode_at_end": run.modes[1],
     }
     result = {
         "t": run.t, "q": run.q, "v": run.v, "u": run.u, "x": run.x, "energy": run.energy,
@@ -89,7 +92,7 @@ def run_summary(run: Run) -> list[str]:
     kinetic = float(run.energy[:, 0].max(initial=0.0))
     lines = [
         f"{run.scene.name}: {run.verdict or run.status}",
-        f"{len(run.t)} outputs to t = {run.t[-1]:.9g} s; " + ", ".join(
+        f"{len(run.t)} outputs to t = {shown_time(run.t[-1])} s; " + ", ".join(
             f"{int(n)} {key} steps" if key == "careful" else f"{int(n)} {key}"
             for key, n in run.counters.items()
             if key in ("steps", "rejected", "careful", "evaluations") and (n or key == "steps")
@@ -102,12 +105,16 @@ def run_summary(run: Run) -> list[str]:
         asked = "" if run.scene.integrator.step else f", asked for: {run.scene.integrator.tolerance:g}"
         lines.append(f"estimated error: {run.estimate.error:.1e} (rad, lengths by the characteristic length){asked}")
     lines += [f"impacts at {name} took {loss:.9g} J" for name, loss in run.losses.items()]
+    start, end = run.modes
+    if start:
+        same = "the same at start and end" if start == end else f"at the start; {end} at the end"
+        lines.append(f"assembly mode: {start}, {same}")
     names = labels(run)["q"]
     for c in run.crossings:
         place = ", ".join(f"{n} = {value:.6g}" for n, value in list(zip(names, c.q, strict=True))[:8])
         lines.append(
-            f"singular configuration passed at t = {c.t:.9g} s: {c.lost} row{'s' * (c.lost != 1)} of the closure lost, "
-            f"among {', '.join(c.rows)}; at {place}{', ...' if len(names) > 8 else ''}"
+            f"singular configuration passed at t = {shown_time(c.t)} s: {c.lost} row{'s' * (c.lost != 1)} of the "
+            f"closure lost, among {', '.join(c.rows)}; at {place}{', ...' if len(names) > 8 else ''}"
         )
     lines += list(run.events[:40]) + ([f"... {len(run.events)} events"] if len(run.events) > 40 else [])
     return lines

@@ -38,7 +38,9 @@ THRESHOLDS = {
     # below 1e-14 are left as they are, they are the same to the same side for many steps: errors of 1e-12 came of it.
     "CLOSED": 1e-13,
     "SETTLED": 1e-9,  # rates that miss the loops by less, of the largest one, need one correction, others a second one
-    "NEARLY_CLOSED": 1e-12,  # an opening that no longer halves is good enough below it; above it the run stops
+    # An opening that no longer halves is good enough below it; above it the run stops. Coordinates of more than a
+    # hundred lengths or radians leave more, in proportion (nearly_closed).
+    "NEARLY_CLOSED": 1e-12,
     "STRIDE": 0.05,  # of a chart's scale: longest stride along a branch between two corrections
     # Of a chart's scale: least distance of the places between which the zone is interpolated. Closer together they
     # enlarge what rounding leaves at them, and a run gets stuck (seen at 0.002).

@@ -12,7 +12,7 @@ import numpy as np
 
 from symscrew.program import evaluate
 from symscrew.scene import INTEGRATION_METHODS, Scene
-from symscrew.simulation.recording import History, State
+from symscrew.simulation.recording import History, State, shown_time
 from symscrew.simulation.state_programs import Plant
 
 # Mean steps above this part of the longest stable one count as bound by it, and an event says so: a step that stability
@@ -34,9 +34,9 @@ def with_longest_stable_step(scene: Scene, plant: Plant, history: History, start
     mean = scene.integrator.step or history.t[-1] / max(history.counters.get("steps", 1.0), 1.0)
     events = history.events
     if mean > CLOSE * longest:
-        bound = "are bound by" if history.ok else "are above or near"
+        bound, when = "are bound by" if history.ok else "are above or near", shown_time(history.t[-1])
         events += (
-            f"t = {history.t[-1]:.9g} s: steps of {mean:.3g} s {bound} the longest at which {method} is stable, about "
+            f"t = {when} s: steps of {mean:.3g} s {bound} the longest at which {method} is stable, about "
             f"{longest:.3g} s (a rate of {max(found):.3g} 1/s); an implicit method (cvodes, radau) has none",
         )
     return replace(history, counters={**history.counters, "longest_stable_step": longest}, events=events)

@@ -103,6 +103,7 @@ def plant(
     """
     system, forward = model.system, model.programs["forward_dynamics"]
     assert isinstance(forward, Program)
+    forward = replace(forward, limits=())  # quaternions between steps are the integrator's own, and it divides them
     given = {p.name: p for p in (controller.outputs if controller else ())}
     own = {p.name: p for p in forward.inputs}
     effect_states = own["x"].labels if "x" in own else ()

@@ -13,7 +13,7 @@ import numpy as np
 
 from symscrew.export import program_function
 from symscrew.scene import Scene, Table
-from symscrew.simulation.recording import History, State
+from symscrew.simulation.recording import History, State, shown_time
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.singular_watch import singular_watch
 from symscrew.simulation.state_programs import Plant
@@ -52,7 +52,7 @@ def integrate(
                 watch.seen(float(right), smallest)
         except (RuntimeError, RunError) as error:
             reason = str(error).splitlines()[-1][:200]
-            status, ok = f"stopped at t = {left:.9g} s: {reason}", False
+            status, ok = f"stopped at t = {shown_time(left)} s: {reason}", False
             break
         states.append(np.concatenate([q, v, found[nq + nv :]]))
         if progress is not None:

@@ -157,15 +157,18 @@ def alone(whole: Model, k: int, rest: Model) -> int:
 
     Drives and accelerations are linear in the wrenches that act. So no more is needed than the effect's own program
     standing alone: its force screws and their projection on what the mechanism can do, without the inertial forces
-    of its bodies. Of an effect that makes bodies heavier: the same bodies without their own masses. Where an effect
-    depends on the reactions: these as well, with what they belong to, as many times as they are taken in turn.
+    of its bodies. Of an effect that makes bodies heavier: the same bodies without their own masses, and its mass
+    matrix with its projection. Where an effect depends on the reactions: these as well, with what they belong to, as
+    many times as they are taken in turn.
     """
     effect, mechanism = whole.effects[k], whole.mechanism
     if effect.simplifies:
         return 0
     if "inertia" in effect.depends_on:
         light = replace(mechanism, bodies={name: Body(name) for name in mechanism.bodies})
-        return _largest(derive(light, whole.effects))
+        program = derive(light, whole.effects)
+        count, free = len(program.system.tree.v), len(program.independent) or len(program.system.tree.v)
+        return _largest(program) + program.programs["mass_matrix"].operations["total"] + 2 * free * count * count
     still = next(one for one in simplifications().values() if not one.keeps_motion)
     program, acting = derive(mechanism, (still, effect)), Acting(whole.system, whole.effects)
     own = _largest(program)

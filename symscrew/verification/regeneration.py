@@ -24,6 +24,7 @@ from symscrew.export import (
     FileHash,
     OutputError,
     file_hash,
+    read_form,
     read_hashes,
     read_json,
     read_manifest,
@@ -97,7 +98,8 @@ def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
     targets = [t for t in TARGETS if t in content.get("targets", TARGETS)]
     precision = "single" if content.get("precision") == "single" else "double"
     measured, hashes = _measured(directory), read_hashes(directory)
-    files = render(model, targets, precision=precision, measured=measured)
+    form = read_form(content)
+    files = render(model, targets, precision=precision, measured=measured, form=form)
     yield from _compare_operations(directory, model)
     for record in measured:
         yield _compare_embedded(record, model, precision)
@@ -110,7 +112,7 @@ def _check_one(directory: Path) -> Iterator[tuple[bool, str]]:
         fresh.mkdir()
         for name, data in files.items():
             (fresh / name).write_bytes(data)
-        case = Case(model, expected, fresh, directory, PRECISIONS[precision])
+        case = Case(model, expected, fresh, directory, PRECISIONS[precision], form)
         for target in sorted(with_brought(targets), key=_place):
             try:
                 yield from TARGETS[target].compare(case)

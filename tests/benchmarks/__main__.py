@@ -21,6 +21,7 @@ from . import (
     optimisation,
     reposed,
     simulation,
+    work_precision,
 )
 from .tables import table
 
@@ -32,6 +33,7 @@ BENCHMARKS = {
     "lean": (lean.run, 50),
     "arrays": (arrays.run, 25),
     "simulation": (simulation.run, 25),
+    "work_precision": (work_precision.run, 5),
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),
     "reposed": (reposed.run, 1),

@@ -8,6 +8,12 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 
 HEIGHT = "3/5"
+# (branch, where it hangs, its first point [m], step to the next point [1/20 m], axes of its joints), of the left side
+LEG = ("leg", "pelvis", ("0", "1/10", "-1/10"), (0, 0, -2), "zxyyyx")
+ARM = ("arm", "waist3", ("0", "1/5", "2/5"), (0, 1, 0), "yxzyxyz")
+FINGERS = tuple(
+    (finger, "arm7", ("0", "3/5", f"2/5 + {height}/50"), (0, 1, 0), "zyy") for height, finger in enumerate("abc")
+)
 
 
 def platform(limbs: int) -> Mechanism:
@@ -56,6 +62,46 @@ def chain(joints: int) -> Mechanism:
         )
         x, z = tip_x, tip_z
     return builder.build()
+
+
+def humanoid() -> Mechanism:
+    """A walking machine on a floating base with 50 driven revolute joints, as public descriptions of humanoids have.
+
+    Legs of 6, a waist of 3, a neck of 3, arms of 7 and three fingers of 3 on each; inertias of all links are full.
+    """
+    builder = MechanismBuilder("humanoid", platform="pelvis")
+    builder.body("pelvis", mass=9, com=["1/100", 0, "1/50"], inertia=["0.05", "0.04", "0.06"])
+    builder.joint("root", "free", parent="base", child="pelvis", point=[0, 0, 0])
+    middle = [
+        ("waist", "pelvis", ("0", "0", "1/10"), (0, 0, 1), "zxy"),
+        ("neck", "waist3", ("0", "0", "1/2"), (0, 0, 1), "zyx"),
+    ]
+    for branch in middle:
+        _branch(builder, *branch, side="", sign=1)
+    for side, sign in (("left_", 1), ("right_", -1)):
+        for branch in (LEG, ARM, *FINGERS):
+            _branch(builder, *branch, side=side, sign=sign)
+    return builder.build()
+
+
+def _branch(
+    builder: MechanismBuilder, name: str, on: str, start: tuple[str, str, str], step: tuple[int, int, int], axes: str,
+    *, side: str, sign: int,
+) -> None:  # fmt: skip
+    """Links one behind the other; of the right side y is mirrored."""
+    parent = on if on == "pelvis" or on.startswith("waist") else f"{side}{on}"
+    for k, axis in enumerate(axes, start=1):
+        x, y, z = (f"{a} + {n} * {k - 1}/20" for a, n in zip(start, step, strict=True))
+        point, link = [x, f"{sign} * ({y})", z], f"{side}{name}{k}"
+        com = [f"{x} + 1/100", f"{sign} * ({y} + {step[1]}/40)", f"{z} + {step[2]}/40"]
+        inertia = {
+            "principal": ["0.006", "0.005", "0.003"],
+            "axes": [["3/5", "4/5", "0"], ["-4/5", "3/5", "0"], ["0", "0", "1"]],
+        }
+        builder.body(link, mass=f"3/{k}", com=com, inertia=inertia)
+        direction = [int(axis == a) for a in "xyz"]
+        builder.joint(f"{link}_joint", "R", parent=parent, child=link, point=point, axes=[direction], driven=True)
+        parent = link
 
 
 def _on_circle(radius: float, angle: float, height: int | str) -> list:

@@ -9,14 +9,16 @@ import numpy as np
 import pytest
 from support.four_bars_in_a_row import n_four_bar
 
-from symscrew.description import MechanismBuilder
+from symscrew.description import MechanismBuilder, to_toml
 from symscrew.description.toml_tables import from_file
 from symscrew.errors import DescriptionError
 from symscrew.functions.forward import MASSLESS_NOTE, SINGULAR_NOTE, left_out
 from symscrew.kinematics import System
 from symscrew.model import Model, derive
 from symscrew.scene import load_scene, parse_scene
+from symscrew.simulation import prepare, simulate
 from symscrew.simulation.initial import initial_state
+from symscrew.simulation.recording import shown_time
 from symscrew.simulation.start_branch import leaves_every_branch
 
 SQUARE = """
@@ -99,6 +101,37 @@ def test_why_forward_dynamics_is_left_out() -> None:
     bare = MechanismBuilder("bare").body("a")
     bare.joint("A", "R", parent="base", child="a", point=[0, 0, 0], axes=[[0, 0, 1]])
     assert left_out(System(bare.build())) == MASSLESS_NOTE
+
+
+@pytest.mark.parametrize(
+    ("inertia", "effect", "why"),
+    [([0, 1, 1], "", "too near to losing rank"), ([0, 0, 0], "", "moves no mass"),
+     ([1, 1, 1], "quasi_static", "with quasi_static")],
+)  # fmt: skip
+def test_why_there_is_nothing_to_simulate(tmp_path: Path, inertia: list[int], effect: str, why: str) -> None:
+    builder = MechanismBuilder("arm").body("a", mass=int(any(inertia)), com=[0, 0, 0], inertia=inertia)
+    builder.joint("A", "R", parent="base", child="a", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    (tmp_path / "arm.toml").write_text(to_toml(builder.build()))
+    named = f'[[effects]]\ntype = "{effect}"\n' if effect else ""
+    (tmp_path / "scene.toml").write_text(f'[scene]\nmechanism = "arm.toml"\nduration = 1\n{named}')
+    with pytest.raises(DescriptionError, match=rf"nothing to simulate: .*{why}"):
+        prepare(load_scene(tmp_path / "scene.toml"))
+
+
+def test_a_step_longer_than_the_time_between_outputs_says_what_it_becomes(tmp_path: Path) -> None:
+    text = '[scene]\nmechanism = "four_bar"\nduration = 0.04\nrate = {}\n[integrator]\nmethod = "rk4"\nstep = 0.03\n'
+    for rate, said in ((100, True), (25, False)):
+        (tmp_path / "scene.toml").write_text(text.format(rate))
+        run = simulate(load_scene(tmp_path / "scene.toml"))
+        wanted = "the step of 0.03 s is longer than the 0.01 s between two outputs: steps of 0.01 s are taken"
+        assert any(event.startswith(wanted) for event in run.events) == said
+        assert run.counters["steps"] == (4 if said else 2)
+
+
+def test_times_of_events_have_all_digits_that_are_meant() -> None:
+    assert [shown_time(t) for t in (3.127450400377123, 2.5, 0.1 + 0.2, 1e-3 / 3)] == [
+        "3.127450400377", "2.5", "0.3", "0.000333333333"
+    ]  # fmt: skip
 
 
 def test_an_error_in_a_mechanism_file_names_that_file_once(tmp_path: Path) -> None:

@@ -16,7 +16,8 @@ from support.marks import slow
 from support.model_states import model
 
 from symscrew.export.c import print_c
-from symscrew.export.c_files import FAMILIES, FURTHER, family, library_sources
+from symscrew.export.c_files import FAMILIES, FURTHER, family
+from symscrew.export.c_form import library_sources
 from symscrew.generation.c_target import STRICT
 from symscrew.model import Model
 from symscrew.runtime import compile_c, find_compiler
@@ -62,7 +63,7 @@ def test_several_files_are_the_same_functions_as_one(found: Model | str, tmp_pat
 def test_every_file_compiles_alone_and_from_anywhere(compiler: str, tmp_path: Path) -> None:
     """No include path, no warning, whatever of the vectors is left out."""
     sources = written(model("four_bar"), tmp_path / "several", several=True)
-    assert len(sources) == 7
+    assert len(sources) == 9
     strict = WARNINGS if "tcc" not in compiler else ("-std=c99", "-Wall", "-Werror")
     for flags in ((), ("-DFOUR_BAR_SCALAR",)):
         command = [compiler, *strict, *flags, "-fsyntax-only", *map(str, sources)]
@@ -73,7 +74,7 @@ def test_every_file_compiles_alone_and_from_anywhere(compiler: str, tmp_path: Pa
 def test_one_function_alone_is_a_small_folder(tmp_path: Path) -> None:
     found = model("four_bar").only(["inverse_dynamics"])
     files = print_c(found, several=True, batches=False)
-    assert sorted(files) == ["four_bar.h", "four_bar_dynamics.c", "four_bar_support.c", "four_bar_support.h"]
+    assert sorted(files) == ["four_bar.h", "four_bar_inverse_dynamics.c", "four_bar_support.c", "four_bar_support.h"]
     assert "VECTORS" not in "".join(files.values())
     (tmp_path / "main.c").write_text(
         '#include "four_bar.h"\nint main(void) { double q[4] = {1.0}, v[3] = {0.0}, a[3] = {0.0}, u[1];\n'
@@ -119,3 +120,9 @@ def test_a_name_of_its_own_for_what_files_are_called(tmp_path: Path) -> None:
     for name in ("arm_batch", "arm_support"):
         files = print_c(replace(handmade.model(), name=name), several=True)
         assert len(files) == len(set(files)) and f"{name}_support.c" in files
+
+
+def test_second_paths_with_the_same_equations_have_one_function_for_them() -> None:
+    source = print_c(model("four_bar"))["four_bar.c"]
+    assert len(re.findall(r"^static int four_bar_\w+_dense\(", source, re.M)) == 1
+    assert source.count("(void)four_bar_forward_dynamics_dense(") == 2

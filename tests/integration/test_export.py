@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from support import handmade
 
+from symscrew.export.c_form import library_sources
 from symscrew.generation.c_target import STRICT
 from symscrew.generation.folder import generate
 from symscrew.generation.value_comparison import relative_difference
@@ -129,7 +130,7 @@ def test_a_c_compiler_is_present():
 @pytest.mark.parametrize("level", ["-O0", "-O2"])
 def test_c_compiles_without_warnings(generated, tmp_path, compiler, level):
     command = [compiler, *STRICT, "-Wshadow", level, "-o", str(tmp_path / "example")]
-    sources = [str(generated / "handmade.c"), str(generated / "example.c")]
+    sources = sorted(map(str, generated.glob("*.c")))
     result = subprocess.run([*command, *sources, "-lm"], capture_output=True, text=True, check=False)
     assert (result.stderr, result.returncode) == ("", 0)
     printed = subprocess.run([str(tmp_path / "example")], capture_output=True, text=True, check=True).stdout
@@ -146,7 +147,8 @@ def test_header_can_be_used_from_cpp(generated, tmp_path):
         'int status = handmade_guarded(x, y); std::printf("%d %g\\n", status, y[0]); return status; }\n'
     )
     library = tmp_path / "libhandmade.so"
-    compile_c(generated / "handmade.c", library)
+    first, *others = library_sources((path.name for path in generated.iterdir()), "handmade")
+    compile_c(generated / first, library, flags=[str(generated / other) for other in others])
     flags = [
         "-Wall",
         "-Wextra",
@@ -181,8 +183,8 @@ def test_ports_without_entries(tmp_path):
     command = [
         COMPILERS[0],
         *STRICT,
-        "-c",
-        str(tmp_path / "out/handmade.c"),
+        "-r",
+        *map(str, sorted((tmp_path / "out").glob("handmade_*.c"))),
         "-o",
         str(tmp_path / "hollow.o"),
     ]
@@ -263,15 +265,30 @@ def test_equal_input_gives_equal_bytes_in_every_process():
         "import hashlib; from support import handmade; from symscrew.generation.folder import render;"
         "print({k: hashlib.sha256(v).hexdigest() for k, v in sorted(render(handmade.model()).items())})"
     )
-    root = Path(__file__).parents[2]
-    printed = set()
+    printed = in_processes(code)
+    assert len(printed) == 1
+    assert "handmade_support.c" in printed.pop()
+
+
+@pytest.mark.slow
+def test_derivatives_are_made_in_the_same_order_in_every_process():
+    """A value that is read by others and is a result, often: who reads it first follows from no hash of a text."""
+    code = (
+        "from symscrew.algebra import Tape, differentiate; tape = Tape(); keys = [str(k) for k in range(12)];"
+        "x = [tape.symbol('x' + key, '1', 'input') for key in keys]; s = tape.function('sin', x[0]);"
+        "outputs = [*(s * other for other in x[1:]), *[s] * 12];"
+        "seeds = {node: {key: tape.one} for key, node in zip(keys, x)};"
+        "differentiate(tape, outputs, seeds, keys, order='markowitz'); print(tape.nodes)"
+    )
+    printed = in_processes(code)
+    assert len(printed) == 1 and "Node(mul" in printed.pop()
+
+
+def in_processes(code: str) -> set[str]:
+    """What Python code prints in processes whose hashes of texts differ."""
+    root, printed = Path(__file__).parents[2], set()
     for seed in ("1", "2"):
-        environment = {
-            **os.environ,
-            "PYTHONHASHSEED": seed,
-            "PYTHONPATH": f"{root}{os.pathsep}{root / 'tests'}",
-        }
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": f"{root}{os.pathsep}{root / 'tests'}"}
         command = [sys.executable, "-c", code]
         printed.add(subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout)
-    assert len(printed) == 1
-    assert "handmade.c" in printed.pop()
+    return printed

@@ -115,7 +115,7 @@ def test_the_description_is_kept(four_bar, output):
 @pytest.mark.slow
 def test_changed_bytes_and_values_are_found(output):
     """One changed byte in each of five files, an operation less and a value off by 1e-10 in what is recorded."""
-    names = ["four_bar.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"]
+    names = ["four_bar_momentum.c", "four_bar.h", "four_bar_numpy.py", "example.c", "CMakeLists.txt"]
     for name in names:
         content = bytearray((output / name).read_bytes())
         content[len(content) // 2] ^= 1

@@ -15,6 +15,7 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.taken_names import FUNCTIONS, MACROS, OTHERS, PER_TYPE, members, namespace, taken_as_file
 from symscrew.description.toml_file import parse_description
 from symscrew.errors import DescriptionError
+from symscrew.export.c_form import library_sources
 from symscrew.export.javascript import print_javascript
 from symscrew.formats import by_suffix
 from symscrew.generation.folder import TARGETS, generate
@@ -165,7 +166,9 @@ def test_odd_names_in_every_target(tmp_path: Path) -> None:
     )
     ((expected,),), _ = found("inverse_dynamics", q, v, a, p * [2.0, 3.0])  # type: ignore[misc]
     flags = ["-O1", "-fno-math-errno", "-I."]
-    run([find_compiler() or "", "-std=gnu99", *flags, "-c", "gamma.c", "-o", "gamma.o"], out)
+    sources = library_sources((path.name for path in out.iterdir()), "gamma")
+    sources.remove("use.c")
+    run([find_compiler() or "", "-std=gnu99", *flags, "-r", *sources, "-o", "gamma.o"], out)
     run([find_compiler() or "", "-std=gnu99", *flags, "use.c", "gamma.o", "-lm", "-o", "used_by_c"], out)
     run(["c++", "-std=gnu++20", *flags, "use.cpp", "gamma.o", "-lm", "-o", "used_by_cpp"], out)
     for program_file in ("./used_by_c", "./used_by_cpp"):

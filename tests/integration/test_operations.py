@@ -134,7 +134,7 @@ def count_angles(source: str, symbol: str) -> int:
     angles = re.search(r"\w+_angles\d+(?=\()", text)
     assert angles is not None
     text = source[source.index(f"void {angles[0]}(") :]
-    return len(re.findall(r"^    const double a\d+ =", text[: text.index("\n}")], re.M))
+    return len(re.findall(r"^    const double angle\d+ =", text[: text.index("\n}")], re.M))
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -16,6 +17,7 @@ from support.readme_examples import example, expected, printed, run
 
 from symscrew import catalogue
 from symscrew.description.builder import MechanismBuilder
+from symscrew.export.c_form import library_sources
 from symscrew.export.markdown import READABLE, print_markdown
 from symscrew.fmu.unit_archive import at_rest
 from symscrew.functions.quantities import Quantities
@@ -132,7 +134,8 @@ def test_cpp_header(directory, standard):
     if compiler is None:
         pytest.fail("this test needs a C++ compiler: apt-get install g++")
     if not (directory / "four_bar.o").is_file():
-        run("cc -std=c99 -O1 -c four_bar.c", directory)
+        sources = library_sources(json.loads((directory / "manifest.json").read_text())["files"], "four_bar")
+        run(f"cc -std=c99 -O1 -r -o four_bar.o {' '.join(sources)}", directory)
     (directory / "main.cpp").write_text(CPP)
     command = [compiler, f"-std={standard}", *STRICT, "main.cpp", "four_bar.o", "-o", "main"]
     right = subprocess.run([*command, "-DWRONG=0"], cwd=directory, capture_output=True, text=True, check=False)

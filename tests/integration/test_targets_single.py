@@ -14,6 +14,7 @@ from support.model_states import model
 
 from symscrew.cli.parser import main
 from symscrew.export.c import print_c
+from symscrew.export.c_form import library_sources
 from symscrew.export.c_precision import SINGLE
 from symscrew.export.c_single import single_errors, single_inputs
 from symscrew.generation.c_target import STRICT
@@ -96,7 +97,8 @@ def _compile_readme(out: Path) -> None:
     """The examples in C and C++ are of type float too: no warning, the drive to seven digits."""
     text = (out / "README.md").read_text()
     (u,), _ = model("four_bar")("inverse_dynamics", *(x[:1] for x in model("four_bar").test_inputs["inverse_dynamics"]))
-    objects = [COMPILER, *STRICT, "-O0", "-c", "four_bar.c", "-o", "four_bar.o"]
+    sources = library_sources((path.name for path in out.iterdir()), "four_bar")
+    objects = [COMPILER, *STRICT, "-O0", "-r", *sources, "-o", "four_bar.o"]
     c = [COMPILER, *STRICT, "-O0", "main.c", "four_bar.o", "-o", "main", "-lm"]
     cpp = [
         "c++",
@@ -130,7 +132,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     if COMPILER:
         assert any("single precision differs" in line for line in result.lines)
         done = subprocess.run(
-            [COMPILER, *STRICT, "-O0", "example.c", "four_bar.c", "-o", "example", "-lm"],
+            [COMPILER, *STRICT, "-O0", *sorted(path.name for path in out.glob("*.c")), "-o", "example", "-lm"],
             capture_output=True, text=True, check=False, cwd=out,
         )  # fmt: skip
         assert (done.returncode, done.stderr) == (0, "")

@@ -28,6 +28,7 @@ from symscrew.verification import check
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 FUNCTIONS = ("velocity", "inverse_dynamics", "forward_dynamics", "platform_jacobian")
 NAME = "four_bar"
+SOURCE = f"{NAME}_inverse_dynamics.c"  # one of those that are compiled
 Content = dict[str, Any]
 
 
@@ -64,18 +65,19 @@ def test_a_folder_as_it_was_written(folder: Path) -> None:
 @needs_compiler
 @pytest.mark.parametrize("change", ["constructor", "constant", "comment", "other file"])
 def test_c_that_its_description_does_not_give_is_not_compiled(folder: Path, change: str) -> None:
-    mark, code = folder.parent / "mark", (folder / f"{NAME}.c").read_text()
+    file = f"{NAME}_support.h" if change == "constant" else SOURCE
+    mark, code = folder.parent / "mark", (folder / file).read_text()
     changed = {
         "constructor": f"{code}\n#ifndef ONCE\n#define ONCE\n#include <stdio.h>\n"  # the file is read twice
         f'__attribute__((constructor)) static void run(void) {{ fclose(fopen("{mark}", "w")); }}\n#endif\n',
-        "constant": code.replace("9.81", "9.82", 1) if "9.81" in code else code.replace("0.5", "0.6", 1),
+        "constant": code.replace("= 9.81", "= 9.82", 1),
         "comment": f"/* a word more */\n{code}",
         "other file": '#include "/etc/passwd"\n',
     }[change]
     assert changed != code
-    (folder / f"{NAME}.c").write_text(changed)
+    (folder / file).write_text(changed)
     for _ in range(2):  # the second time, the cache knows what the description gives
-        with pytest.raises(OutputError, match=r"four_bar.c: is not the code that mechanism.toml .*trusted=True"):
+        with pytest.raises(OutputError, match=r"four_bar_\w+.[ch]: is not the code that mechanism.toml .*trusted=True"):
             load(folder, backend="c")
     assert not mark.exists()
     if change == "constructor":
@@ -189,8 +191,8 @@ def test_a_manifest_that_does_not_fit_the_c(folder: Path, change: Callable[[Cont
 
 @needs_compiler
 def test_c_of_another_version_is_refused(folder: Path) -> None:
-    code = (folder / f"{NAME}.c").read_text()
-    (folder / f"{NAME}.c").write_text(code.replace("_interface[", "_of_old["))
+    code = (folder / f"{NAME}_support.c").read_text()
+    (folder / f"{NAME}_support.c").write_text(code.replace("_interface[", "_of_old["))
     with pytest.raises(OutputError, match="says nothing of the sizes of its arrays"):
         load(folder, trusted=True)
 
@@ -239,7 +241,7 @@ def test_junk_in_a_manifest_is_one_error(folder: Path, place: tuple[str, ...], t
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", ["mechanism.toml", "manifest.json", f"{NAME}.c"])
+@pytest.mark.parametrize("name", ["mechanism.toml", "manifest.json", SOURCE])
 def test_a_missing_file_is_one_error(folder: Path, name: str) -> None:
     (folder / name).unlink()
     with pytest.raises((OutputError, DescriptionError), match=name):
@@ -261,7 +263,7 @@ def test_what_the_cache_says_of_a_folder_counts_for_these_bytes_only(folder: Pat
     works(folder)
     other = Path(shutil.copytree(folder, tmp_path / "other"))
     works(other)
-    (other / f"{NAME}.c").write_bytes((other / f"{NAME}.c").read_bytes() + b"\n")
+    (other / SOURCE).write_bytes((other / SOURCE).read_bytes() + b"\n")
     with pytest.raises(OutputError):
         load(other, backend="c")
     works(folder)

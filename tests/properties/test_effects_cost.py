@@ -59,6 +59,7 @@ ADDED = {
     "lash": effect("Backlash", "crank_R", "0.02", 4000, "0.01", "1.5", 3),
     "rolling": effect("RollingContact", "piston", "frame", "0.1", 30, "0.1", axis=(0, 1, 0), load=10),
     "clearance": effect("JointClearance", "frame", "piston", "0.001", 100000, friction="0.1", velocity="0.01"),
+    "flexible": effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5", damping="0.01"),
     "screw": effect("ScrewTransmission", "slider_P", "0.05", "0.8", velocity="0.01"),
     "payload": effect("Payload", "rod", 2, ("0.1", 0, "0.2")),
 }
@@ -72,11 +73,12 @@ def work(program: Program) -> int:
 
 @cache
 def crank() -> Mechanism:
-    """A slider-crank that the slider drives, with a point of the ground."""
+    """A slider-crank that the slider drives, with a point of the ground and points at the ends of its rod."""
     plain = catalogue.load(CRANK)
     joints = {name: replace(j, driven=(0,) if name == "slider_P" else ()) for name, j in plain.joints.items()}
-    frame = Point("frame", plain.ground, plain.joints["crank_R"].point)
-    return replace(plain, joints=joints, points={**plain.points, "frame": frame})
+    places = {"frame": (plain.ground, "crank_R"), "pin": ("rod", "rod_R"), "far": ("rod", "slider_R")}
+    points = {name: Point(name, body, plain.joints[joint].point) for name, (body, joint) in places.items()}
+    return replace(plain, joints=joints, points={**plain.points, **points})
 
 
 @cache
@@ -130,7 +132,7 @@ def test_an_effect_costs_no_more_than_its_own_program(name: str) -> None:
 PAIRS = [
     (one, other)
     for k, (one, other) in enumerate(itertools.combinations(EVERY, 2))
-    if one in LEFT_OUT or k % 2 == 0  # of what is added half: all of them hold, and take twice the time
+    if one in LEFT_OUT or k % 4 == 0  # of what is added a part: all of them hold, and take half a minute
 ]
 SHARED = 2
 """Operations of which an effect may leave a function fewer: what products share is factored one after the other, and a
@@ -159,7 +161,7 @@ SPIN = effect("NoGyroscopicTerms")
 
 @pytest.mark.parametrize(
     "name",
-    [SEED, *(pytest.param(n, marks=pytest.mark.slow) for n in ("delta", "stewart_6ups", "three_ups_upu_s_physical"))],
+    [SEED, *(pytest.param(n, marks=pytest.mark.slow) for n in ("delta", "three_ups_upu_s_physical"))],
 )
 def test_no_gyroscopic_terms_of_parallel_mechanisms(name: str) -> None:
     """The seed took 584 operations for 564 and 890 for 814: where nothing is saved, nothing is left out, and said."""
@@ -168,6 +170,6 @@ def test_no_gyroscopic_terms_of_parallel_mechanisms(name: str) -> None:
     assert not every_function_longer(less, whole)
     left_in = less.effects[1] != SPIN
     assert left_in == any("omega x J omega stays in" in note for note in less.notes)
-    assert left_in == (name != "stewart_6ups" and name != "delta")
+    assert left_in == (name != "delta")
     saved = whole.programs["bias"].operations["total"] - less.programs["bias"].operations["total"]
     assert saved == 0 if left_in else saved > 0

@@ -72,7 +72,10 @@ def test_forward_dynamics_undoes_inverse_dynamics(case: str) -> None:
     assert np.abs(a - given["a"]).max() < 1e-10 * max(1.0, np.abs(given["a"]).max())
 
 
-@pytest.mark.parametrize("case", BOOKS)
+LONGER = ("clearance", "clearance_axis", "rolling")  # half a second each; quick tests of their own hold the same
+
+
+@pytest.mark.parametrize("case", [pytest.param(c, marks=[pytest.mark.slow] * (c in LONGER)) for c in BOOKS])
 def test_energy_is_in_balance(case: str) -> None:
     """d(energy)/dt along the motion of forward dynamics = power of the drives + power of the effects."""
     found = model(case)

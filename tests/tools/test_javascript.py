@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.limb_platforms import platform
 from support.model_states import model
 from support.readme_examples import example, expected, printed, run
 
@@ -18,6 +19,8 @@ from symscrew.display.view.page import make_page
 from symscrew.export.javascript import print_javascript
 from symscrew.generation import javascript_target
 from symscrew.generation.folder import generate
+from symscrew.model import derive
+from symscrew.program import NO_ROTATION, NOT_ON_MECHANISM, OUT_OF_REACH
 from symscrew.verification.regeneration import check
 
 Array = np.ndarray
@@ -76,6 +79,29 @@ def test_javascript_reports_failures_like_the_evaluator(tmp_path: Path) -> None:
         got = numbers(answer["q" if function == "assemble" else "v"])
         assert np.allclose(got, result, rtol=0, atol=1e-11, equal_nan=True)
     assert {a["status"] for a in answers} >= {0, 2}
+
+
+@pytest.mark.parametrize("function", ["inverse_kinematics", "inverse_dynamics_platform", "assemble"])
+def test_javascript_refuses_what_the_evaluator_refuses(function: str, tmp_path: Path) -> None:
+    """Quaternions that are no rotations, poses off the mechanism and out of reach."""
+    found = derive(platform("PRS"))
+    ((file, text),) = print_javascript(found).items()
+    (tmp_path / file).write_text(text)
+    turned = next(i for i, port in enumerate(found.programs[function].inputs) if port.forms)
+    cases = []
+    for size, shift in ((1.0, 0.0), (1 + 4e-7, 0.0), (1 + 6e-7, 0.0), (0.0, 0.0), (1.0, 1e-3), (1.0, 50.0)):
+        inputs = [np.array(x[1]) for x in found.test_inputs[function]]
+        forms = found.programs[function].inputs[turned].forms
+        inputs[turned][[k for k, form in enumerate(forms) if form]] *= size
+        if function != "assemble":
+            inputs[turned][:3] += shift
+        cases.append(inputs)
+    calls = [["function", function, *(x.tolist() for x in inputs)] for inputs in cases]
+    answers = node(tmp_path, None, calls, script=file, constant=found.name)
+    expected = [int(found(function, *inputs)[1]) for inputs in cases]
+    assert [answer["status"] for answer in answers] == expected
+    assert expected[:4] == [0, 0, NO_ROTATION, NO_ROTATION]
+    assert function == "assemble" or (expected[4] == NOT_ON_MECHANISM and expected[5] >= OUT_OF_REACH)
 
 
 def pairing(wrench: Array, twist: Array) -> float:

@@ -18,7 +18,7 @@ from support.effect_oracles import inverse_only, relative
 import symscrew
 from symscrew import catalogue
 from symscrew import effects as known
-from symscrew.description.mechanism import Mechanism
+from symscrew.description.mechanism import Mechanism, Point
 from symscrew.effects.effect import Effect
 from symscrew.effects.gravity import Gravity
 from symscrew.effects.registry import check_effects, effect_from_table, effect_to_table, known_effects
@@ -60,6 +60,7 @@ ADDING = {
 DEPENDING = {
     "load": (effect("DryFriction", "slider_P", load="0.2", velocity="0.01"), "reactions"),
     "payload": (effect("Payload", "slider", 3, ("0.1", 0, 0)), "inertia"),
+    "flexible": (effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5"), "inertia"),
     "screw": (effect("ScrewTransmission", "slider_P", "0.01", "0.8", velocity="0.001"), "drives"),
     "massless": (effect("MasslessLimbs"), "inertia"),
     "no_gyroscopic": (effect("NoGyroscopicTerms"), "inertia"),
@@ -219,7 +220,14 @@ def drives(*names: str) -> np.ndarray:
     return u
 
 
-@pytest.mark.parametrize("one, other", list(itertools.combinations(ADDING, 2)))
+CONTACTS = {"lash", "rolling", "clearance"}  # beside each other and the wrench in every run, beside all in the slow one
+PAIRS = [
+    pytest.param(*pair, marks=[pytest.mark.slow] * bool(CONTACTS & {*pair} and not {*pair} <= {*CONTACTS, "wrench"}))
+    for pair in itertools.combinations(ADDING, 2)
+]
+
+
+@pytest.mark.parametrize("one, other", PAIRS)
 def test_force_screws_of_the_state_add_up(one: str, other: str) -> None:
     for name in (one, other):
         assert not ADDING[name].depends_on
@@ -236,6 +244,8 @@ def test_what_does_not_add_up_says_what_it_depends_on(name: str) -> None:
     described = catalogue.load("ur5" if name in ("no_gyroscopic", "tilting") else CRANK)
     if name == "screw":
         described = driven_slider(described)
+    if name == "flexible":
+        described = with_pins(described)
     if name == "payload":
         given = effect("Payload", "rod", 3, ("0.3", 0, "0.1"))
     if name == "massless":
@@ -253,6 +263,13 @@ def test_what_does_not_add_up_says_what_it_depends_on(name: str) -> None:
 
     together, apart = u(given, *others) - u(), (u(given) - u()) + (u(*others) - u())
     assert relative(together, apart) > 1e-6
+
+
+def with_pins(mechanism: Mechanism) -> Mechanism:
+    """The slider-crank with points at the joints of its rod."""
+    ends = {"pin": "rod_R", "far": "slider_R"}
+    pins = {name: Point(name, "rod", mechanism.joints[joint].point) for name, joint in ends.items()}
+    return replace(mechanism, points={**mechanism.points, **pins})
 
 
 def driven_slider(mechanism: Mechanism) -> Mechanism:

@@ -46,7 +46,7 @@ def test_generating_again_changes_nothing_and_removes_what_is_stale(model, tmp_p
     generate(model, directory, targets=("c",))
     names = {path.name for path in directory.iterdir()}
     assert "handmade_numpy.py" not in names
-    assert {"handmade.c", "notes.txt", "build"} <= names
+    assert {"handmade_support.c", "notes.txt", "build"} <= names
 
 
 def test_files_of_others_are_not_overwritten(model, tmp_path):
@@ -56,10 +56,10 @@ def test_files_of_others_are_not_overwritten(model, tmp_path):
         generate(model, tmp_path / "full")
     assert [path.name for path in tmp_path.rglob("*")] == ["full", "thesis.tex"]
     generate(model, tmp_path / "out", targets=("numpy",))
-    (tmp_path / "out/handmade.c").write_text("/* by hand */")
-    with pytest.raises(OutputError, match=r"handmade\.c was not written by this tool"):
+    (tmp_path / "out/handmade_support.c").write_text("/* by hand */")
+    with pytest.raises(OutputError, match=r"handmade_support\.c was not written by this tool"):
         generate(model, tmp_path / "out")
-    assert (tmp_path / "out/handmade.c").read_text() == "/* by hand */"
+    assert (tmp_path / "out/handmade_support.c").read_text() == "/* by hand */"
 
 
 def test_what_is_no_manifest_any_more_has_a_way_out(model, tmp_path):

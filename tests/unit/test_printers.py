@@ -34,7 +34,7 @@ def test_every_printer_knows_every_operation_and_the_test_program_uses_them_all(
 
 def test_header_says_all_that_a_user_must_know(model):
     header = c.print_header(model)
-    about = header[header.index(" * handmade_guarded:") : header.index("int handmade_guarded(")]
+    about = header[header.index("/* handmade_guarded:") : header.index("int handmade_guarded(")]
     total = model.programs["guarded"].operations["total"]
     for text in ("in x[2] [m]: test array x", "0 x 0; 1 x 1", "Returns 0, 1, 2", f"operations: {total} "):
         assert text in about

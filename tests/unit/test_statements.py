@@ -15,7 +15,7 @@ from support import handmade
 from support.model_states import model
 
 from symscrew.algebra import Origin, apply_numpy
-from symscrew.export.c_names import TAKEN
+from symscrew.export.c_names import TAKEN, TOGETHER, grouped
 from symscrew.export.folding import OPERATIONS, WIDTH, folded
 from symscrew.export.numpy import TABLE, print_numpy
 from symscrew.export.value_names import LONGEST, identifier, value_names
@@ -127,3 +127,13 @@ def test_long_names_give_way(letters: int, kept: bool) -> None:
     program = replace(program, origins={slot: Origin("omega", "p" * letters, "x")})
     assert len(identifier(program.origins[slot])) == letters + 8
     assert (value_names(program, ())[slot][0] == "p") == kept
+
+
+def test_reads_share_a_line_and_nothing_else_does() -> None:
+    reads = [f"const REAL a_{k} = READ(q, {k});" for k in range(9)]
+    other = ["const REAL b_1 = a_1 * a_2;", "REAL checked0 = a_1;", "const double c_1 = -pack3[1];"]
+    found = grouped([*reads, *other, reads[0]])
+    assert len(found) == 2 + len(other) + 1 and max(map(len, found)) <= TOGETHER and found[2:5] == other
+    assert [part for line in found[:2] for part in re.findall(r"a_\d = READ\(q, \d\)", line)] == [
+        text[11:-1] for text in reads
+    ]

@@ -27,7 +27,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.kinematics import Link, Rates, System, own_screws
+from symscrew.kinematics import Link, Rates, System, own_screws, squared_length
 
 Seeds = dict[Node, dict[str, Node]]
 Varied = list[Vector]  # a vector, then its changes along all directions
@@ -154,6 +154,7 @@ class Variation:
                     w, r = entries[0], (entries[1], entries[2], entries[3])
                     n = scale(half, (steps[0], steps[1], steps[2]))
                     steps = (-dot(r, n), *add(scale(w, n), cross(r, n)))
+                    seeds[squared_length(entries)] = {}  # which no motion changes
                 seed(seeds, direction.name, entries, steps)
         return seeds
 

@@ -7,6 +7,16 @@ frame, inertia  --lower_pair--> placement, twist, power of a wrench, unit screws
 
 from symscrew.kinematics.pairs.lower_pair import LowerPair, Site, Turn
 from symscrew.kinematics.pairs.pair_table import PAIRS, pair_of
-from symscrew.kinematics.pairs.spherical_pair import quaternion_matrix
+from symscrew.kinematics.pairs.spherical_pair import ROUNDED, quaternion_matrix, squared_length, unit_quaternion
 
-__all__ = ["PAIRS", "LowerPair", "Site", "Turn", "pair_of", "quaternion_matrix"]
+__all__ = [
+    "PAIRS",
+    "ROUNDED",
+    "LowerPair",
+    "Site",
+    "Turn",
+    "pair_of",
+    "quaternion_matrix",
+    "squared_length",
+    "unit_quaternion",
+]

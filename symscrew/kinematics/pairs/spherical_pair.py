@@ -32,6 +32,12 @@ STILL = 1e-12
 """Below this angle [rad] sin(a/2)/a is its limit 1/2, to better than a double's last digit; above it is divided."""
 
 
+ROUNDED = 1e-6
+"""Squares of quaternions' lengths may differ from 1 by this much, and the quaternion is divided by its length: numbers
+with eight digits are 1e-8 off, with seven or in single precision 3e-7. Beyond, nobody has rounded and it is refused;
+dividing by the length is right to first order only, which leaves 2e-12 here."""
+
+
 class Spherical(LowerPair):
     """S: w = turn v; the axes of w are the absolute ones of the reference configuration, carried by the parent."""
 
@@ -100,13 +106,34 @@ class Spherical(LowerPair):
         return transform(transpose(placement.turn), (x, y, z))
 
 
+def squared_length(quaternion: Sequence[Node]) -> Node:
+    """The sum of the squares of (w, x, y, z)."""
+    w, x, y, z = quaternion
+    return (w * w + x * x) + (y * y + z * z)
+
+
 def quaternion_matrix(w: Node, x: Node, y: Node, z: Node) -> Matrix:
-    """Rotation matrix of a unit quaternion, child axes to parent axes."""
-    x2, y2, z2 = 2 * x, 2 * y, 2 * z
-    xx, yy, zz, xy, xz, yz = x * x2, y * y2, z * z2, x * y2, x * z2, y * z2
+    """Rotation matrix of a quaternion, child axes to parent axes.
+
+    With n = w^2 + x^2 + y^2 + z^2 the factor of the products is 2/n, to first order 4 - 2 n: right to 2 (n - 1)^2,
+    which is 2e-12 where functions begin to refuse it (`ROUNDED`), without a division that all else would wait for.
+    """
+    four = w.tape.node(4)  # before the length: of a difference the tape takes the older term first, and moves signs out
+    twice = four - 2 * squared_length((w, x, y, z))
+    xx, yy, zz = x * x, y * y, z * z
+    x2, y2, z2 = twice * x, twice * y, twice * z
+    xy, xz, yz = x * y2, x * z2, y * z2
     wx, wy, wz = w * x2, w * y2, w * z2
     return (
-        (1 - (yy + zz), xy - wz, xz + wy),
-        (xy + wz, 1 - (xx + zz), yz - wx),
-        (xz - wy, yz + wx, 1 - (xx + yy)),
+        (1 - twice * (yy + zz), xy - wz, xz + wy),
+        (xy + wz, 1 - twice * (xx + zz), yz - wx),
+        (xz - wy, yz + wx, 1 - twice * (xx + yy)),
     )
+
+
+def unit_quaternion(quaternion: Sequence[Node]) -> list[Node]:
+    """A quaternion of nearly unit length divided by its length, to first order: right to 3/8 (n - 1)^2."""
+    tape = quaternion[0].tape
+    half = tape.reciprocal(tape.node(2))
+    factor = 3 * half - half * squared_length(quaternion)
+    return [factor * entry for entry in quaternion]

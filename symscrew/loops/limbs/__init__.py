@@ -10,10 +10,12 @@ from symscrew.loops.limbs.closed_forms import (
 )
 from symscrew.loops.limbs.crank_limbs import CrankLimb, RodLimb, rod_limb
 from symscrew.loops.limbs.crank_rates import LengthRow, length_rows
+from symscrew.loops.limbs.limb_form import LimbForm
 
 __all__ = [
     "CrankLimb",
     "LengthRow",
+    "LimbForm",
     "RodLimb",
     "any_rods",
     "closed_limbs",

@@ -6,11 +6,11 @@ two signs: those of a guess, so that the limb stays on the guess's branch.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence, Set
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import dataclass, field
 
-from symscrew.algebra import ZERO, Node
-from symscrew.kinematics import GROUND, Cut, Link, System, Turn
+from symscrew.algebra import ZERO, Node, needed
+from symscrew.kinematics import GROUND, Cut, Link, Row, System, Turn
 from symscrew.loops.limbs.crank_limbs import crank_limb, rod_limb
 from symscrew.loops.limbs.limb_form import LimbForm
 from symscrew.loops.limbs.planar_limbs import planar_limb
@@ -27,10 +27,16 @@ FORMS: tuple[Callable[[System, Cut], LimbForm | None], ...] = (
 
 @dataclass(frozen=True)
 class LimbCoordinates:
-    """q with the limbs' entries put in, and cosine and sine of the limbs' angles by link."""
+    """q with the limbs' entries put in, and cosine and sine of the limbs' angles by link.
+
+    `reach`: (limb's name, radicand [any unit]): below zero the limb does not get to where the platform holds it.
+    `openings`: of rows that the limbs leave open, by label, how far they are [m], where limbs know it themselves.
+    """
 
     q: tuple[Node, ...]
     turns: dict[int, Turn]
+    reach: tuple[tuple[str, Node], ...] = ()
+    openings: Mapping[str, Node] = field(default_factory=dict)
 
 
 def hub_links(system: System) -> tuple[Link, ...] | None:
@@ -68,8 +74,12 @@ def met_rows(limbs: Sequence[LimbForm]) -> frozenset[str]:
 
     The others are left to be solved for the platform's coordinates: see `left_open` of a limb.
     """
-    forces = ((limb.left_open, [row for row in limb.cut.rows if row.unit == "N"]) for limb in limbs)
-    return frozenset(row.label for left, rows in forces for k, row in enumerate(rows) if k not in left)
+    return frozenset(row.label for limb in limbs for k, row in enumerate(_forces(limb)) if k not in limb.left_open)
+
+
+def _forces(limb: LimbForm) -> list[Row]:
+    """The rows of a limb's cut joint that say where its tip is."""
+    return [row for row in limb.cut.rows if row.unit == "N"]
 
 
 def any_rods(limbs: Sequence[LimbForm]) -> bool:
@@ -100,16 +110,46 @@ def limb_coordinates(
     turning = [link.index for link in system.tree.links[1:] if link.motion.single and link.motion.turns]
     own = {link.index for limb in limbs for link in limb.links}
     turns: dict[int, Turn] = {i: (tape.one, zero) for i in turning if i in own}  # until they are found
+    reach: dict[Node, str] = {}
+    openings: dict[str, Node] = {}
     for limb in limbs:
         linkage = system.structure.linkage(q, turns)
-        found, slides = limb.solve(system, limb.target(linkage), near)
+        target = limb.target(linkage)
+        found, slides = limb.solve(system, target, near)
+        opening = limb.opening(system, target)
+        if opening is not None:
+            openings |= {row.label: opening for k, row in enumerate(_forces(limb)) if k in limb.left_open}
         turns |= found
+        for radicand in radicands([*(node for turn in found.values() for node in turn), *slides.values()]):
+            reach.setdefault(radicand, _name(system, limb))
         for k, value in slides.items():
             q[k] = value
         for index, turn in found.items():
             link = system.tree.links[index]
             q[link.q.start] = _angle(system, link, turn, near)
-    return LimbCoordinates(tuple(q), turns)
+    return LimbCoordinates(tuple(q), turns, tuple((name, radicand) for radicand, name in reach.items()), openings)
+
+
+def radicands(results: Sequence[Node]) -> list[Node]:
+    """Under the square roots that results need: what can be negative, which a sum of squares cannot."""
+    roots = sorted((node for node in needed(results) if node.op == "sqrt"), key=lambda node: node.index)
+    return [root.args[0] for root in roots if not _square(root.args[0])]
+
+
+def _square(node: Node) -> bool:
+    """Whether a node is a square, a constant that is not negative, or a sum of such."""
+    if node.value is not None:
+        return bool(node.value >= 0)
+    if node.op == "mul":
+        one, other = node.args
+        return one is other or (_square(one) and _square(other))
+    return node.op == "sqrt" or (node.op == "add" and all(map(_square, node.args)))
+
+
+def _name(system: System, limb: LimbForm) -> str:
+    """The limb's name in the description, or that of its first joint."""
+    named = system.mechanism.limbs.values()
+    return next((one.name for one in named if limb.cut.joint.name in one.joints), limb.links[0].joint)
 
 
 def reference_nodes(system: System) -> tuple[Node, ...]:

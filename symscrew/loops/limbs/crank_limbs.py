@@ -45,6 +45,15 @@ class RodLimb(LimbForm):
         """Cosine and sine of both angles by link; where the rod does not reach it points there all the same."""
         return self.along(system, subtract(target, self.centre), guess), {}
 
+    def opening(self, system: System, target: Vector) -> Node | None:
+        """By how much the rod is too short for where it points, to first order: from the squares of both lengths."""
+        tape, n = system.tape, subtract(target, self.centre)
+        x, y, z = transform(transpose(system.frames[self.first.index].rotation), n)
+        square = tape.settle(dot(self.tip, self.tip))
+        twice = tape.settle(2 * tape.sqrt(square))
+        short: Node = (x * x + y * y + z * z - square) * tape.settle(1 / twice)
+        return short
+
     def along(self, system: System, n: Vector, guess: Sequence[Node], length: Node | None = None) -> dict[int, Turn]:
         """The turns by which the rod is along n, given in axes of the link that carries it; `length`: that of n."""
         before = transform(transpose(system.frames[self.first.index].rotation), n)

@@ -36,6 +36,10 @@ class LimbForm(ABC):
     def solve(self, system: System, target: Vector, guess: Sequence[Node]) -> tuple[dict[int, Turn], dict[int, Node]]:
         """Cosine and sine of every angle by link, slides by index into q, on the branch of the guess (nodes of q)."""
 
+    def opening(self, system: System, target: Vector) -> Node | None:
+        """How far what is `left_open` is from closed [m], where that takes less than the closure's row; else None."""
+        return None
+
     def target(self, linkage: Linkage) -> Vector:
         """Where the platform holds the tip [m], in coordinates of the link that carries the limb."""
         return linkage.carry_point(self.cut.hub, self.links[0].parent, self.cut.hub_point)

@@ -104,7 +104,7 @@ class ClosureVariety:
             edge = self.network.edges[name]
             gap = _product(poses[f"{name} closed"], _inverse(poses[edge.child]))
             residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
-        return residuals, self._jacobian(screws)
+        return residuals, self.jacobians(screws)
 
     def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
         """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
@@ -145,7 +145,8 @@ class ClosureVariety:
             result[name] = found
         return result
 
-    def _jacobian(self, screws: Array) -> Array:
+    def jacobians(self, screws: Array) -> Array:
+        """The Jacobians N x rows x columns at points with these displaced screws."""
         result = self._zeros(len(screws), self.rows, self.columns)
         for k, loop in enumerate(self.network.loops()):
             for name, sign in loop:

@@ -6,14 +6,22 @@ Mobility --germs, branch_table--> branches with tangents, screw systems (screw_c
 
 from symscrew.mobility.motions.branch_table import BranchRow, BranchTable, branches_through
 from symscrew.mobility.motions.branch_words import branch_lines, branch_values
+from symscrew.mobility.motions.motion_words import motion_lines, motion_values
 from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.motions.singular_poses import SingularPose
+from symscrew.mobility.motions.whole_motion import WholeMotion, motion_along
 
 __all__ = [
     "BranchRow",
     "BranchTable",
     "ScrewClass",
+    "SingularPose",
+    "WholeMotion",
     "branch_lines",
     "branch_values",
     "branches_through",
+    "motion_along",
+    "motion_lines",
+    "motion_values",
     "screw_class",
 ]

@@ -116,7 +116,7 @@ def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
         screws, tangent = tangent_at(variety, q, dimension)
         tangents.append(tangent)
         twists.append(body_twists(network, variety, screws, body) @ tangent)
-        axes.append(_axes(network, variety, screws, twists[-1]))
+        axes.append(joint_axes(network, variety, screws, twists[-1]))
     length = float(network.length)
     classes = [screw_class(t.T * [1, 1, 1, length, length, length], length) for t in twists]
     platform = max(classes, key=lambda c: c.order)
@@ -151,7 +151,7 @@ def body_twists(network: Network, variety: ClosureVariety, screws: Array, body: 
     return rows
 
 
-def _axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
+def joint_axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
     """Joint freedoms whose screw is one of the platform's freedoms here, by name."""
     if not twists.size or np.abs(twists).max() < AT_REST:
         return ()

@@ -9,7 +9,7 @@ configuration, so a zero and the one opposite count as one where the line betwee
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -18,6 +18,7 @@ import numpy as np
 
 from symscrew.mobility.finite import (
     ClosureVariety,
+    Local,
     ReducedClosure,
     Witness,
     cone_directions,
@@ -113,11 +114,22 @@ def _smooth(network: Network, dimension: int) -> Germ:
 
 
 def _branches(network: Network, dimensions: dict[int, int]) -> Iterator[Germ]:
-    """Zeros on a sphere, grouped; `dimensions`: of branches by the instantaneous freedoms on them."""
+    """The branches at the configuration; `dimensions`: of branches by the instantaneous freedoms on them."""
     variety = ClosureVariety(network)
     motions = null_space(network.loop_rows(), network.freedoms).basis
     here = local_at(variety, np.zeros(variety.columns), motions=motions)
-    reduced = ReducedClosure(variety, here)
+    yield from germs_at(variety, here, dimensions)
+
+
+def germs_at(variety: ClosureVariety, here: Local, dimensions: Mapping[int, int]) -> Iterator[Germ]:
+    """The branches at any configuration: zeros on a sphere around it, grouped.
+
+    Args:
+        variety: of the part.
+        here: the configuration, with its rank.
+        dimensions: of branches by the instantaneous freedoms on them.
+    """
+    network, reduced = variety.network, ReducedClosure(variety, here)
     outer, inner = _zeros(reduced, quadratic_forms(variety, here))
     known: list[_Zero] = []
     for q, near in zip(outer, inner, strict=True):

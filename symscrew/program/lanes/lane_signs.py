@@ -11,8 +11,10 @@ calls up to 8 % slower (6-UPS: drives in y; drives of the 3RRR 4 %), in others t
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
+from heapq import heappop, heappush
+from typing import NamedTuple
 
 # Over all packs that can be had in two ways, or fewer if one changes nothing. More would only find fewer flips: the
 # signs of all lanes are right with any.
@@ -32,6 +34,14 @@ class Part:
     operands: tuple[tuple[int | None, bool, int], ...]
 
 
+class _Done(NamedTuple):
+    """The signs of a pack's result, how many operands are flipped for it, and whether it can be had in two ways."""
+
+    signs: int
+    flips: int
+    two: bool
+
+
 def fewest_flips(parts: Sequence[Part]) -> set[int]:
     """The packs, each after those that it reads, that flip the first operand, or have plus in every lane.
 
@@ -39,58 +49,58 @@ def fewest_flips(parts: Sequence[Part]) -> set[int]:
     """
     other: set[int] = set()
     place = {part.number: k for k, part in enumerate(parts)}
-    now = _flips(parts, other)
+    readers: dict[int, list[int]] = {}
+    for k, part in enumerate(parts):
+        for source in {source for source, _, _ in part.operands if source is not None}:
+            readers.setdefault(source, []).append(k)
+    done: dict[int, _Done] = {}
+    for part in parts:
+        done[part.number] = _done(part, done, other=False)
     for _ in range(ROUNDS):
-        before, ways = now.count, now.ways
-        for number in sorted(ways):
-            found = _flips(parts, other ^ {number}, now, place[number])
-            if found.count <= now.count:
-                other, now = other ^ {number}, found
-        if now.count == before:
+        changed = False
+        for number in sorted(number for number, found in done.items() if found.two):
+            tried = other ^ {number}
+            before = _change(parts, done, place[number], other=tried, readers=readers)
+            fewer = sum(found.flips - done[k].flips for k, found in before.items())
+            if fewer >= 0:
+                other = tried
+                changed |= fewer > 0
+            else:
+                done |= before
+        if not changed:
             break
-        now = _flips(parts, other)
     return other
 
 
-@dataclass(frozen=True)
-class _Flips:
-    """How many flips there are, in front of every pack too, the signs of packs, and those that can be had two ways.
+def _change(
+    parts: Sequence[Part], done: dict[int, _Done], start: int, *, other: Set[int], readers: Mapping[int, list[int]]
+) -> dict[int, _Done]:
+    """Bring up to date what follows from the choice at one pack; what it was before is returned."""
+    changed: dict[int, _Done] = {}
+    waiting = [start]
+    while waiting:
+        part = parts[heappop(waiting)]
+        before, now = done[part.number], _done(part, done, other=part.number in other)
+        if now != before:
+            changed[part.number], done[part.number] = before, now
+        if now.signs != before.signs:
+            for reader in readers.get(part.number, ()):
+                if reader not in waiting:
+                    heappush(waiting, reader)
+    return changed
 
-    The ways are those behind where the count started.
-    """
 
-    count: int
-    until: list[int]
-    made: dict[int, int]
-    ways: list[int]
-
-
-def _flips(parts: Sequence[Part], other: Set[int], known: _Flips | None = None, start: int = 0) -> _Flips:
-    """The flips; from a pack on if they are `known` in front of it, and up to more than there were then."""
-    made = dict(known.made) if known else {}
-    until = known.until[:start] if known else []
-    count, most = (known.until[start], known.count) if known else (0, None)
-    ways = []
-    for part in parts[start:]:
-        until.append(count)
-        busy = part.busy
-        signs = [own if source is None else own ^ made[source] for source, _, own in part.operands]
-        constant = part.op == "reciprocal" or any(constant for _, constant, _ in part.operands)
-        if part.op == "add":
-            two = not constant and (signs[0] ^ signs[1]) & busy not in (0, busy)
-            count += two
-            result = signs[1] if part.operands[0][1] or (two and part.number in other) else signs[0]
-        elif part.op == "sqrt":
-            two = False
-            count += signs[0] & busy != 0
-            result = 0
-        else:
-            result = signs[0] ^ signs[-1] if len(signs) > 1 else signs[0]
-            two = constant and result & busy not in (0, busy)
-            result = 0 if two and part.number in other else result
-        made[part.number] = result
-        if two:
-            ways.append(part.number)
-        if most is not None and count > most:
-            break
-    return _Flips(count, until, made, ways)
+def _done(part: Part, done: Mapping[int, _Done], *, other: bool) -> _Done:
+    """What a pack comes to; `other`: in its other way, if it has two."""
+    busy = part.busy
+    signs = [own if source is None else own ^ done[source].signs for source, _, own in part.operands]
+    if part.op == "sqrt":
+        return _Done(0, int(signs[0] & busy != 0), two=False)
+    constant = part.op == "reciprocal" or any(constant for _, constant, _ in part.operands)
+    if part.op == "add":
+        two = not constant and (signs[0] ^ signs[1]) & busy not in (0, busy)
+        result = signs[1] if part.operands[0][1] or (two and other) else signs[0]
+        return _Done(result, int(two), two)
+    result = signs[0] ^ signs[-1] if len(signs) > 1 else signs[0]
+    two = constant and result & busy not in (0, busy)
+    return _Done(0 if two and other else result, 0, two)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from symscrew.program.straight_line import Instruction
 
@@ -16,8 +16,7 @@ Operand = tuple[int | float, int]  # slot or constant, and its sign
 Row = tuple[int | None, ...]  # corresponding slots, one per lane
 
 
-@dataclass(frozen=True)
-class Operation:
+class Operation(NamedTuple):
     """An instruction with signed operands."""
 
     op: str

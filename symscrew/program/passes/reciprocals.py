@@ -18,6 +18,8 @@ from symscrew.algebra import Node, evaluation_order, handed_on, remade
 
 def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
     """The same expressions with fewer divisions."""
+    if not any(root.chain for root in roots):
+        return list(roots)  # none has a division
     order = evaluation_order(roots, {})
     inverted = {node.args[0].index for node in order if node.op == "reciprocal"}
     replaced: dict[int, tuple[Node, Node]] = {}  # reciprocal of x -> (y, 1 / (x y))

@@ -108,6 +108,16 @@ static void closure_rates(const Opening *o, const double *v, double *rates)
     }
 }
 
+/* An opening that rounding of the coordinates may leave: 45 units in the last place of the largest one. */
+static double nearly_closed(const double *q)
+{
+    double size = 1.0;
+    for (int i = 0; i < PLAIN_COUNT; ++i) {
+        size = fmax(size, 0.01 * fabs(q[PLAIN[i][0]]) / UNIT[PLAIN[i][1]]);
+    }
+    return NEARLY_CLOSED * size;
+}
+
 /* Puts q and v back onto the closure by steps of smallest weighted norm, down to rounding: what is left between would
  * be left to the same side step after step. The pivot found on the way tells how near a singular configuration is.
  * 0, or FAILED if the loops cannot be closed from here. */
@@ -122,13 +132,14 @@ static int settle(double *q, double *v, double *smallest)
     row_space(&o, RANK_FLOOR, &f);
     *smallest = f.smallest;
     for (int step = 0; step < MOST_CORRECTIONS; ++step) {
-        const double open = largest(o.residual, NR);
-        if (!(open < 1e299) || (open > NEARLY_CLOSED && open >= 0.5 * before)) {
+        const double open = largest(o.residual, NR), enough = nearly_closed(q);
+        if (!(open < 1e299) || (open > enough && open >= 0.5 * before)) {
             return FAILED;
         }
         if (open > 0.1 * before) {
             row_space(&o, RANK_FLOOR, &f);
         }
+        const int last = open < CLOSED || (open <= enough && open >= 0.5 * before);
         before = open;
         shortest(&f, o.residual, d);
         if (largest(d, NV) > 1.0) {
@@ -140,7 +151,7 @@ static int settle(double *q, double *v, double *smallest)
         }
         retract(q, z, moved);
         memcpy(q, moved, sizeof(double) * NQ);
-        if (open < CLOSED) {
+        if (last) {
             break;
         }
         if (step == MOST_CORRECTIONS - 1 || opening(q, &o) != 0) {

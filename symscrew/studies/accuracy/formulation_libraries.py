@@ -126,12 +126,15 @@ def formulated(plant: Plant, scene: Scene, start: Start, watch: Stopwatch) -> Fo
             kinds.append("minimal coordinates")
     text = watch("print", _source, plant, scene, programs, independent=independent, spheres=spheres)
     library = watch("compile", compiled, text, NATIVE_FLAGS)
-    return Formulated(library, plant, start, independent, tuple(kinds), ALPHA * _largest_mass(model, plant, start[0]))
+    return Formulated(library, plant, start, independent, tuple(kinds), ALPHA * _largest_mass(model, plant, start))
 
 
-def _largest_mass(model: Model, plant: Plant, q: Array) -> float:
-    given = [q, plant.parameters][: len(model.programs["mass_matrix"].inputs)]
-    matrix = model("mass_matrix", *given)[0][0].reshape(len(plant.units), -1)
+def _largest_mass(model: Model, plant: Plant, start: Start) -> float:
+    ports = model.programs["mass_matrix"].inputs
+    known = {"q": start[0], "x": start[2], "p": plant.parameters}
+    matrix = model("mass_matrix", *[known[port.name][: port.size] for port in ports])[0][0].reshape(
+        len(plant.units), -1
+    )
     return float(np.abs(matrix * plant.units[:, None] * plant.units).max())
 
 

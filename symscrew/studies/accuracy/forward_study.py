@@ -120,7 +120,7 @@ def falling(model: Model) -> Scene:
 def beginning(scene: Scene, model: Model, plant: Plant) -> Start:
     """q, v, x at the start."""
     q, v = initial_state(scene, model, plant.parameters)
-    x = initial_states(scene, model)
+    x = initial_states(scene, model, q, v)
     return q, v, np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
 
 

@@ -208,13 +208,15 @@ def _library(model: Model, folder: Path, *, lanes: bool) -> ctypes.CDLL:
     here.mkdir(parents=True, exist_ok=True)
     for file, text in print_c(model, lanes=lanes).items():
         (here / file).write_text(text, encoding="utf-8")
-    if model.name == SEED and "forward_dynamics" in model.programs:
-        header = Path(__file__).with_name("runge_kutta.h")
+    source = here / f"{model.name}.c"
+    if model.name == SEED and "forward_dynamics" in model.programs:  # in a file of its own: the C may include itself
+        header, whole = Path(__file__).with_name("runge_kutta.h"), here / "with_step.c"
         step = f"#define JOIN(a, b) a##_##b\n#define JOINED(a, b) JOIN(a, b)\n#define STEP {SEED}_step\n"
-        with (here / f"{SEED}.c").open("a", encoding="utf-8") as code:
-            code.write(f'{step}#define FORWARD {SEED}_forward_dynamics\n#include "{header}"\n')
+        step = f'{step}#define FORWARD {SEED}_forward_dynamics\n#include "{header}"\n'
+        whole.write_text(f'#include "{source.name}"\n{step}', encoding="utf-8")
+        source = whole
     library = here / f"{model.name}.so"
-    compile_c(here / f"{model.name}.c", library)
+    compile_c(source, library)
     return ctypes.CDLL(str(library))
 
 

@@ -1,0 +1,29 @@
+"""In which form the C of a model is printed: in several files or in one, with functions of many states or without."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
+
+
+@dataclass(frozen=True)
+class Form:
+    """`one_file`: one source in place of several by families; `batches`: with functions of many states."""
+
+    one_file: bool = False
+    batches: bool = True
+
+
+USUAL_FORM = Form()
+
+
+def library_sources(files: Iterable[str], name: str) -> list[str]:
+    """The C files of a folder that make the library of a model's functions, in the order to name them: all of them.
+
+    >>> library_sources(["arm_support.c", "arm.h", "arm_batch.c", "example.c", "arm_external.c"], "arm")
+    ['arm_batch.c', 'arm_support.c']
+    """
+    own = [file for file in files if file.endswith(".c") and not file.endswith(NOT_THE_LIBRARY)]
+    return sorted(own, key=lambda file: (file != f"{name}.c", file))

@@ -1,0 +1,109 @@
+"""The motion along coordinate lines in words and as JSON values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from symscrew.description import Mechanism
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.motions.branch_words import freedom_names
+from symscrew.mobility.motions.singular_poses import SingularPose
+from symscrew.mobility.motions.whole_motion import WholeMotion
+
+MOST_POSES = 12
+"""Singular poses in words; of more, how many there are. All are in the JSON."""
+KINDS = {
+    "closure": "constraint singularity: the closure loses rank",
+    "drives": "actuation singularity: a freedom is left with all drives locked",
+    "platform": "dead point: the body has fewer freedoms",
+    "coordinate": "end of the coordinate's range",
+}
+
+
+def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, body: str) -> list[str]:
+    """What holds along the lines, and the singular poses, a line each."""
+    names = freedom_names(network)
+    lines = [f"{found.poses} poses along {', '.join(names[c] for c in found.columns)}, each alone (sampled)"]
+    for system in found.classes[:1]:
+        kept = "at every regular pose" if len(found.classes) == 1 else "at most regular poses"
+        pitch = "" if found.constant else ", pitches not constant"
+        lines.append(f"{body} {system.type}, {system}: {kept}{pitch}")
+    lines += [f"{body} {system.type}, {system}: elsewhere" for system in found.classes[1:]]
+    for axis, why in found.axes.items():
+        lines.append(f"{body} moves about or along {axis} all along ({f'proved: {why}' if why else 'sampled'})")
+    lines.append(f"never move: {', '.join(found.idle)} (sampled)" if found.idle else "every joint moves")
+    for pose in found.singular[:MOST_POSES]:
+        lines.append(_pose(pose, network, mechanism, body))
+    if len(found.singular) > MOST_POSES:
+        lines.append(f"and {len(found.singular) - MOST_POSES} more singular poses")
+    if not found.singular:
+        lines.append("no singular pose on these lines")
+    return lines
+
+
+def _pose(pose: SingularPose, network: Network, mechanism: Mechanism, body: str) -> str:
+    kinds = "; ".join(_kind(kind, body) for kind in pose.kinds)
+    text = f"at {_value(pose, network, mechanism)}: {kinds}"
+    if "closure" in pose.kinds:
+        crossing = ", ".join(map(str, pose.branches))
+        text += f"; {pose.instantaneous} instantaneous freedoms"
+        text += f"; branches of dimension {crossing} meet" if pose.branches else "; its branches were not told apart"
+    return text
+
+
+def _kind(kind: str, body: str) -> str:
+    if kind == "platform":
+        return KINDS[kind].replace("the body", body)
+    return KINDS.get(kind, f"limb singularity: the screws of {kind} become dependent")
+
+
+def _number(pose: SingularPose, network: Network, mechanism: Mechanism) -> tuple[str, float, bool]:
+    """(name, value as the description counts it [rad, m], whether it is a length)."""
+    for edge in network.edges.values():
+        for index, (motion, start) in enumerate(edge.motions):
+            if start == pose.column:
+                reference = mechanism.joints[edge.name].reference
+                begin = float(mechanism.number(reference[index])) if index < len(reference) else 0.0
+                scale = float(network.length) if motion.prismatic else 1.0
+                return freedom_names(network)[start], begin + scale * float(pose.q[start]), motion.prismatic
+    raise AssertionError("a coordinate is a freedom of a joint")
+
+
+def _value(pose: SingularPose, network: Network, mechanism: Mechanism) -> str:
+    name, value, long = _number(pose, network, mechanism)
+    return f"{name} = {value:.6g} m" if long else f"{name} = {value:.6g} rad ({np.degrees(value):.4g} deg)"
+
+
+def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) -> dict[str, Any]:
+    """The same as JSON values."""
+    names = freedom_names(network)
+    return {
+        "coordinates": [names[c] for c in found.columns],
+        "poses": found.poses,
+        "judgement": "sampled",
+        "classes": [{"type": c.type, "class": c.name, "principal_pitches": list(c.pitches)} for c in found.classes],
+        "constant": found.constant,
+        "idle_joints": list(found.idle),
+        "axes": [{"axis": axis, "proved": bool(why), "why": why} for axis, why in found.axes.items()],
+        "lines": [{"coordinate": names[c], "direction": sign, "end": end} for c, sign, end in found.ends],
+        "singular_poses": [_singular(pose, network, mechanism) for pose in found.singular],
+    }
+
+
+def _singular(pose: SingularPose, network: Network, mechanism: Mechanism) -> dict[str, Any]:
+    name, value, long = _number(pose, network, mechanism)
+    return {
+        "coordinate": name,
+        "value": value,
+        "unit": "m" if long else "rad",
+        "kinds": list(pose.kinds),
+        "instantaneous": pose.instantaneous,
+        "branches": list(pose.branches),
+        "displacements": _rounded(pose.q),
+    }
+
+
+def _rounded(values: np.ndarray[Any, Any]) -> list[float]:
+    return [round(float(c), 9) for c in values]

@@ -1,0 +1,148 @@
+"""Along the motion: what holds on all of the branch that was looked at, and its singular poses.
+
+smooth configuration --coordinate_lines--> poses --tangents--> type, joints at rest, axes: WholeMotion
+                                         --singular_poses--> where it is singular
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from symscrew.description import Mechanism
+from symscrew.mobility.finite import ClosureVariety, FiniteMobility
+from symscrew.mobility.joint_network import Network
+from symscrew.mobility.motions.branch_table import AT_REST, body_twists, joint_axes
+from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
+from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.motions.singular_poses import SingularPose, singular_poses
+
+Array = np.ndarray[Any, Any]
+
+EVERY = 7
+"""Of the poses on the lines each seventh is asked for its screw system: 15 in a turn."""
+CLEAR = 1e-4
+"""Poses nearer to a singularity than this, as a part of the median of the margin, are no generic ones."""
+
+
+@dataclass(frozen=True)
+class WholeMotion:
+    """The motion along the coordinate lines through a smooth configuration.
+
+    Attributes:
+        columns: freedoms that are the independent coordinates.
+        poses: number of poses that were looked at.
+        classes: classes of the platform's freedoms at regular poses, the most frequent first.
+        constant: whether there is one class, with the same principal pitches everywhere.
+        idle: joints that never move.
+        axes: joint axes that are axes of the platform's freedoms at every regular pose -> why that is proved, or "".
+        singular: singular poses.
+        ends: how each line ended, by column and direction.
+    """
+
+    columns: tuple[int, ...]
+    poses: int
+    classes: tuple[ScrewClass, ...]
+    constant: bool
+    idle: tuple[str, ...]
+    axes: Mapping[str, str]
+    singular: tuple[SingularPose, ...]
+    ends: tuple[tuple[int, int, str], ...]
+
+
+def motion_along(network: Network, finite: FiniteMobility, body: str, mechanism: Mechanism) -> WholeMotion | str:
+    """What holds along the coordinate lines through the configuration and the singular poses on them; or why not.
+
+    Args:
+        network: the configuration.
+        finite: what really moves: lines are followed from smooth points only.
+        body: whose freedoms.
+        mechanism: whose limbs.
+    """
+    if finite.dof is None or not finite.smooth:
+        return "the configuration is no smooth point: its branches are in the table, --at goes to one of them"
+    limbs = {name: limb.joints for name, limb in mechanism.limbs.items()}
+    return _followed(network, finite.dof, body, limbs) if finite.dof else "nothing moves"
+
+
+def _followed(network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]]) -> WholeMotion:
+    variety = ClosureVariety(network)
+    origin = np.zeros(variety.columns)
+    first = Setting(network, variety, dimension, body, 0, network.driven, {})
+    pose = pose_at(first, origin, (), None)
+    setting = Setting(network, variety, dimension, body, _generic_order(first), network.driven, _limbs(network, limbs))
+    columns = independent_columns(network, pose.motions, network.driven)
+    tracks = [
+        track(setting, column, tuple(c for c in columns if c != column), sign) for column in columns for sign in (1, -1)
+    ]
+    regular = list(_regular(tracks))
+    length = float(network.length)
+    classes: dict[tuple[str, str], list[ScrewClass]] = {}
+    common: set[str] | None = None
+    moving = np.zeros(variety.columns)
+    for pose in regular:
+        screws = variety.forward(pose.q[None])[0][0]
+        twists = body_twists(network, variety, screws, body) @ pose.motions
+        found = screw_class(twists.T * [1, 1, 1, length, length, length], length)
+        classes.setdefault((found.type, found.name), []).append(found)
+        own = set(joint_axes(network, variety, screws, twists))
+        common = own if common is None else common & own
+        moving = np.maximum(moving, np.abs(pose.motions).max(axis=1))
+    order = sorted(classes.values(), key=len, reverse=True)
+    pitches = [c.pitches for group in order for c in group]
+    same = len(order) == 1 and all(np.allclose(p, pitches[0], rtol=1e-6, atol=1e-6 * length) for p in pitches)
+    idle = tuple(e.name for e in network.edges.values() if e.screws and moving[list(e.columns)].max() < AT_REST)
+    axes = {name: _proof(network, body, name, order[0][0]) for name in sorted(common or ())} if order else {}
+    ends = tuple((t.column, 1 if k % 2 == 0 else -1, t.end) for k, t in enumerate(tracks))
+    total = sum(len(t.poses) for t in tracks)
+    return WholeMotion(columns, total, tuple(g[0] for g in order), same, idle, axes,
+                       singular_poses(setting, tracks), ends)  # fmt: skip
+
+
+def _limbs(network: Network, limbs: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[tuple[int, ...], int]]:
+    """Limb -> (columns, rank at the reference); limbs of one joint cannot lose rank."""
+    result = {}
+    for name, joints in limbs.items():
+        columns = tuple(c for joint in joints for c in network.edges[joint].columns)
+        if len(columns) > 1:
+            rows = np.array([[float(c) for c in network.screws[k]] for k in columns])
+            result[name] = (columns, int(np.linalg.matrix_rank(rows, tol=AT_REST)))
+    return result
+
+
+def _generic_order(setting: Setting) -> int:
+    """Freedoms of the body a little away from the reference, where they are most."""
+    orders = [0]
+    pose = pose_at(setting, np.zeros(setting.variety.columns), (), None)
+    columns = independent_columns(setting.network, pose.motions, setting.drives)
+    for column in columns[:2]:
+        held = tuple(c for c in columns if c != column)
+        line = track(setting, column, held, 1) if setting.network.chords else None
+        for there in line.poses[1:6] if line else (pose,):
+            screws = setting.variety.forward(there.q[None])[0][0]
+            twists = body_twists(setting.network, setting.variety, screws, setting.body) @ there.motions
+            orders.append(int((np.linalg.svd(twists, compute_uv=False) > CLEAR).sum()))
+    return max(orders)
+
+
+def _regular(tracks: list[Track]) -> list[Pose]:
+    """Some of the poses on the lines, none at a singularity."""
+    result = []
+    for line in tracks:
+        typical = {kind: float(np.median([p.margins[kind] for p in line.poses])) for kind in line.poses[0].margins}
+        regular = [p for p in line.poses if all(v > CLEAR * typical[kind] for kind, v in p.margins.items())]
+        result += regular[1::EVERY]
+    return result
+
+
+def _proof(network: Network, body: str, axis: str, found: ScrewClass) -> str:
+    """Why the body moves about a joint's axis on the whole branch; empty where that was only seen."""
+    for edge in network.edges.values():
+        ends = {edge.parent, edge.child}
+        named = axis.endswith(f" of {edge.name}")
+        if named and ends == {network.ground, body} and len(edge.screws) == found.order:
+            return f"{edge.name} joins {body} to {network.ground} and has no other freedom"
+    return ""

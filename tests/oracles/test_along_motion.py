@@ -1,0 +1,113 @@
+"""Along the motion: singular poses against the geometry of linkages, and what holds on the whole branch."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values
+from symscrew.mobility.finite import ClosureVariety
+
+
+@cache
+def found(name: str) -> Mobility:
+    return analyse_mobility(build(ENTRIES[name]) if name in ENTRIES else catalogue.load(name))
+
+
+def along(name: str) -> WholeMotion:
+    result = found(name).along
+    assert isinstance(result, WholeMotion)
+    return result
+
+
+def places(name: str, q: np.ndarray) -> dict[str, np.ndarray]:
+    """Where the joints are, in units of the mechanism, by the displacements of the bodies that carry them."""
+    network = found(name).network
+    variety = ClosureVariety(network)
+    poses = variety.forward(q[None])[1]
+    centre = np.array([float(c) for c in variety.centre])
+    result = {}
+    for edge in network.edges.values():
+        rotation, translation = (part[0] for part in poses[edge.parent])
+        result[edge.name] = rotation @ (np.array([float(c) for c in edge.point]) - centre) + translation
+    return result
+
+
+def in_line(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> bool:
+    return float(np.linalg.norm(np.cross(b - a, c - b))) < 1e-6
+
+
+def test_dead_points_of_a_four_bar() -> None:
+    """The rocker rests where crank and coupler are in line, once stretched and once folded."""
+    poses = along("four_bar").singular
+    assert [pose.kinds for pose in poses] == [("platform",)] * 2
+    reaches = []
+    for pose in poses:
+        at = places("four_bar", pose.q)
+        assert in_line(at["A"], at["B"], at["C"])
+        reaches.append(np.linalg.norm(at["C"] - at["A"]))
+    crank, coupler = (np.linalg.norm(at[x] - at[y]) for x, y in ("AB", "BC"))
+    assert sorted(reaches) == pytest.approx([abs(coupler - crank), coupler + crank])
+
+
+def test_a_parallelogram_has_two_change_points() -> None:
+    poses = along("parallelogram").singular
+    assert len(poses) == 2
+    for pose in poses:
+        at = places("parallelogram", pose.q)
+        assert in_line(at["J1"], at["J2"], at["J3"]) and in_line(at["J2"], at["J3"], at["J4"])
+        assert pose.kinds == ("closure",) and pose.instantaneous == 2 and pose.branches == (1, 1)
+
+
+def test_a_slider_ends_where_crank_and_rod_are_in_line() -> None:
+    poses = along("slider_crank").singular
+    assert len(poses) == 2 and all({"coordinate", "platform"} <= set(pose.kinds) for pose in poses)
+    for pose in poses:
+        at = places("slider_crank", pose.q)
+        assert in_line(at["J1"], at["J2"], at["J3"])
+
+
+@pytest.mark.parametrize("name", ["four_bar", "parallelogram", "slider_crank"])
+def test_singular_poses_close_and_lose_what_they_say(name: str) -> None:
+    variety = ClosureVariety(found(name).network)
+    for pose in along(name).singular:
+        residuals, jacobians = variety.evaluate(pose.q[None])
+        assert np.abs(residuals).max() < 1e-9
+        rank = variety.columns - found(name).dof
+        lost = np.linalg.svd(jacobians[0], compute_uv=False)[rank - 1] < 1e-6
+        assert lost == ("closure" in pose.kinds)
+
+
+def test_what_holds_on_the_whole_branch() -> None:
+    rocker = along("four_bar")
+    assert [c.type for c in rocker.classes] == ["1R"] and rocker.constant and not rocker.idle
+    assert rocker.axes == {"the axis of D": "D joins rocker to base and has no other freedom"}
+    bennett = along("bennett")
+    assert not bennett.constant and bennett.singular == ()  # no special pose: Bennett's linkage turns all round
+    folded = along("kinematotropic_double_fold-mode2")
+    assert folded.idle == ("J1", "J4", "J5") and folded.classes[0].type == "0"
+
+
+def test_in_words_json_and_by_command(capsys: pytest.CaptureFixture[str]) -> None:
+    one = found("parallelogram")
+    values = motion_values(along("parallelogram"), one.network, one.mechanism)
+    assert [pose["branches"] for pose in values["singular_poses"]] == [[1, 1], [1, 1]]
+    assert values["judgement"] == "sampled"
+    lines = motion_lines(along("parallelogram"), one.network, one.mechanism, "coup")
+    assert any("branches of dimension 1, 1 meet" in line for line in lines)
+    assert isinstance(found("parallelogram-change_point").along, str)
+    assert main(["mobility", "four_bar", "--along"]) == 0
+    assert "the axis of D all along (proved" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_a_sarrus_linkage_folds_at_four_poses() -> None:
+    """Legs stretched twice and folded twice in a turn: there both limbs lose a screw, and branches meet."""
+    poses = along("sarrus").singular
+    assert len(poses) == 4 and all("closure" in pose.kinds for pose in poses)
+    assert sorted(len(pose.branches) for pose in poses) == [2, 2, 2, 2]
