@@ -1,6 +1,6 @@
 """Everything that is known to go wrong around this package, done for real: what comes of each.
 
-    attack (name, what it does) --in a process of its own, at most LIMIT seconds--> outcome in a sentence
+    attack (name, what it does) --in a process of its own, within LIMIT--> outcome in a sentence
 
 An attack makes a file by somebody else, or breaks what is around the program, and uses the program as a user does. It
 gives a sentence on what came of it, or raises `WorkedError`. A crash, a hang, a traceback of any other kind and a mark
@@ -34,12 +34,14 @@ from symscrew import catalogue
 from symscrew.cli import main
 from symscrew.errors import DescriptionError
 from symscrew.export import OutputError, read_manifest
-from symscrew.generation import generate
+from symscrew.generation import folder as written
+from symscrew.generation import generate, render
 from symscrew.model import derive
 from symscrew.runtime import CompileError, load
 from symscrew.verification import check
 
-LIMIT = 60.0  # seconds of an attack: the longest compile a few functions
+LIMIT = 60  # seconds of the processor for an attack: the longest compile a few functions
+PATIENCE = 300.0  # seconds by the clock: a machine may be busy with other things
 FUNCTIONS = ("velocity", "inverse_dynamics", "forward_dynamics")
 REFUSALS = (DescriptionError, OutputError, CompileError, TypeError)
 Work = Callable[[Path], str]
@@ -88,19 +90,21 @@ def carry_out(one: Attack) -> Outcome:
         if child == 0:
             _child(one, place, says)
         os.close(says)
-        end = time.monotonic() + LIMIT
+        end = time.monotonic() + PATIENCE
         while (ended := os.waitpid(child, os.WNOHANG))[0] == 0 and time.monotonic() < end:
             time.sleep(0.01)
         if ended[0] == 0:
             os.kill(child, signal.SIGKILL)
             os.waitpid(child, 0)
             os.close(hears)
-            return Outcome(one, False, f"HANGS: no end after {LIMIT:.0f} s")
+            return Outcome(one, False, f"HANGS: no end after {PATIENCE:.0f} s")
         status = os.waitstatus_to_exitcode(ended[1])
         with os.fdopen(hears, encoding="utf-8") as answer:
             text = answer.read()
         if (place / "mark").exists():
             return Outcome(one, False, "CODE OF THE ATTACKER RAN")
+        if status == -signal.SIGXCPU:
+            return Outcome(one, False, f"HANGS: no end after {LIMIT} s of the processor")
         if status != 0:
             return Outcome(one, False, text or f"CRASHED: signal or status {status}")
         return Outcome(one, True, text)
@@ -108,6 +112,7 @@ def carry_out(one: Attack) -> Outcome:
 
 def _child(one: Attack, place: Path, says: int) -> None:
     status, text = 1, "ended by itself"
+    resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
     faulthandler.disable()  # a crash is an outcome here
     try:
         with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
@@ -428,6 +433,8 @@ def _killed(place: Path) -> str:
     generate(four_bar(), new, ("numpy",))
     old_content, new_content = content(out), content(new)
     shutil.rmtree(new)
+    printed = {targets: render(four_bar(), targets) for targets in (("c",), ("numpy",))}
+    written.render = lambda model, targets, **_: printed[tuple(targets)]  # once: printing is not what is attacked
     counts = {"old": 0, "new": 0}
     for step in range(500):
         was_killed = killed_at(lambda: generate(four_bar(), out, ("numpy",)), step)
@@ -445,7 +452,7 @@ def _killed(place: Path) -> str:
     raise WorkedError("no end")
 
 
-@attack("disk", "full, at six sizes, while generate and draw write")
+@attack("disk", "full, at four sizes, while generate and draw write")
 def _full(place: Path) -> str:
     from .faults import content, with_files_up_to
 
@@ -462,8 +469,8 @@ def _full(place: Path) -> str:
         else:
             raise WorkedError("generate says that it is done")
 
-    for size in (0, 1, 100, 1000, 5000, 10_000):
-        draws = size in (100, 10_000)  # a picture takes seconds
+    for size in (0, 1, 1000, 10_000):
+        draws = size == 10_000  # a picture takes seconds
         if with_files_up_to(size, work) != 0:
             raise WorkedError(f"{size} bytes: no error in a sentence")
         if content(place) != before:
@@ -482,7 +489,7 @@ def _read_only(place: Path) -> str:
     return refused(lambda: generate(four_bar(), place / "x" / "out", ("c",)), "cannot be written")
 
 
-@attack("disk", "two runs of generate at once, twenty times")
+@attack("disk", "two runs of generate at once, five times")
 def _two(place: Path) -> str:
     from .faults import content
 
@@ -494,7 +501,7 @@ def _two(place: Path) -> str:
     for targets in (("c",), ("numpy",)):
         if (child := os.fork()) == 0:
             try:
-                for _ in range(20):
+                for _ in range(5):
                     generate(model, place / "out", targets)
                 os._exit(0)
             finally:

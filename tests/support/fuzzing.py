@@ -28,7 +28,7 @@ LONGEST = 4000  # letters of an error
 COMMON: dict[str, Any] = {"deadline": None, "database": None, "suppress_health_check": list(HealthCheck)}
 PROFILES = {
     "short": settings(max_examples=4, derandomize=True, **COMMON),
-    "long": settings(max_examples=100, derandomize=True, **COMMON),
+    "long": settings(max_examples=60, derandomize=True, **COMMON),
 }
 HUNT = settings(max_examples=3000, derandomize=False, print_blob=True, **COMMON)
 PROFILE = pytest.mark.parametrize("profile", ["short", pytest.param("long", marks=pytest.mark.slow)])
