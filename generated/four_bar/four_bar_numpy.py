@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 86f6eec574493080
+Programs: a0c731ff08fbdb23
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -19,13 +19,21 @@ from __future__ import annotations
 import numpy as np
 
 
+def _real(argument):
+    """An argument as an array of doubles; of complex numbers NumPy would take the real part."""
+    array = np.asarray(argument)
+    if array.dtype.kind == "c":
+        raise TypeError(f"expected real numbers, got {array.dtype}; take x.real if its imaginary part is zero")
+    return np.asarray(array, dtype=float)
+
+
 def _entries(name, sizes, arguments):
     """Every entry of every argument as an array over the batch, and the shape of the batch."""
     if len(arguments) != len(sizes):
         raise TypeError(f"{name} expects {len(sizes)} arrays, got {len(arguments)}")
     entries, batch = [], ()
     for (port, size), argument in zip(sizes.items(), arguments):
-        array = np.asarray(argument, dtype=float)
+        array = _real(argument)
         if array.shape[-1:] != (size,):
             raise ValueError(f"{name}: {port} has {size} entries in its last dimension, got {array.shape}")
         batch = np.broadcast_shapes(batch, array.shape[:-1])
@@ -33,7 +41,7 @@ def _entries(name, sizes, arguments):
     return entries, batch
 
 
-def _finish(batch, outputs, guards, checked):
+def _finish(batch, outputs, guards, checked, limits=()):
     """Outputs as arrays (*batch, size), NaN where the status (*batch) is not 0."""
     results = []
     for columns in outputs:
@@ -43,6 +51,9 @@ def _finish(batch, outputs, guards, checked):
             result[..., k] = column
         results.append(result)
     status = np.zeros(batch, dtype=int)
+    for value, low, high, code in limits:
+        within = (value >= (-np.inf if low is None else low)) & (value <= (np.inf if high is None else high))
+        status = np.where((status == 0) & ~within, np.where(np.isfinite(value), code, 2), status)
     for value, threshold in guards:
         status = np.where((status == 0) & (np.abs(value) <= threshold), 1, status)
     status = np.where((status == 0) & ~np.isfinite(sum(checked)), 2, status)
@@ -56,7 +67,9 @@ def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, pa
     if not all(np.isfinite(array).all() for array in (y, guess, *parameters)):
         return np.full_like(guess, np.nan), 2
     start = guess[independent]
-    branch = step(guess, start, *parameters)[0][3][0]
+    (_, _, _, branch), first = step(guess, start, *parameters)
+    if first >= 5:
+        return np.full_like(guess, np.nan), int(first)
     substeps, outcome = 1, 3
     while substeps <= max_substeps:
         q = guess
@@ -69,7 +82,7 @@ def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, pa
                     break
                 q = following
                 if residual[0] < tolerance and change[0] < tolerance:
-                    outcome = 0 if orientation[0] * branch > 0.0 else 4
+                    outcome = 0 if orientation[0] * branch[0] > 0.0 else 4
                     break
             if outcome:
                 break
@@ -81,7 +94,7 @@ def _iterate(step, independent, tolerance, max_steps, max_substeps, y, guess, pa
 
 def _iterate_batch(arguments, *settings):
     """`_iterate` state by state."""
-    arrays = [np.asarray(argument, dtype=float) for argument in arguments]
+    arrays = [_real(argument) for argument in arguments]
     batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
     rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
     found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
@@ -93,7 +106,7 @@ def _rank_revealing(first, dense, wrenches, arguments, *settings):
     """Results of `first`; where it fails by a small pivot, those of the second path."""
     results, status = first(*arguments)
     for state in map(tuple, np.argwhere(status == 1)):
-        inputs = [np.broadcast_to(np.asarray(x, float), (*status.shape, np.shape(x)[-1]))[state] for x in arguments]
+        inputs = [np.broadcast_to(_real(x), (*status.shape, np.shape(x)[-1]))[state] for x in arguments]
         reactions = (lambda a, m, x=inputs: wrenches(*x, a, m)[0]) if wrenches else None
         found, status[state] = second_path(*dense(*inputs)[0], *settings, reactions)
         for result, value in zip(results, found):
@@ -2109,7 +2122,8 @@ def inverse_kinematics(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 39 (add 13, mul 18, div 1, sqrt 1, trig 4, compare 2)
+      11 out of reach: limb A does not get there; all outputs are NaN
+    Operations: 40 (add 13, mul 18, div 1, sqrt 1, trig 4, compare 3)
     """
     entries, batch = _entries("inverse_kinematics", {"pose": 1}, arguments)
     (
@@ -2126,14 +2140,16 @@ def inverse_kinematics(*arguments):
         minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t9
         t10 = t5 * minus_crank_lever_moment_y_by_C_fz
         t11 = 0.5 * t9
-        t14 = np.sqrt(0.005625 - t11 * t11)
+        t13 = 0.005625 - t11 * t11
+        t14 = np.sqrt(t13)
         t16 = np.where(0.0 != 0.0, -t14, t14)
         crank_lever_moment_x_by_C_fz = 6.666666666666667 * t16
         crank_sin = t8 * (t10 - t2 * crank_lever_moment_x_by_C_fz)
         A_q = np.arctan2(crank_sin, t8 * (t2 * minus_crank_lever_moment_y_by_C_fz + t5 * crank_lever_moment_x_by_C_fz))
         t24 = 8.0 * t16 - 5.333333333333333 * t9
         B_q = np.arctan2(t24, 4.0 * t9 + 10.666666666666666 * t16)
-        return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose))
+        return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose), ((t13, 0.0, None,
+            11),))
 
 
 def inverse_velocity(*arguments):
@@ -2150,7 +2166,8 @@ def inverse_velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 56 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 4)
+      11 out of reach: limb A does not get there; all outputs are NaN
+    Operations: 57 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 5)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 1, "rate": 1}, arguments)
     (
@@ -2170,7 +2187,8 @@ def inverse_velocity(*arguments):
         minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t8
         t10 = t2 * minus_crank_lever_moment_y_by_C_fz
         t11 = 0.5 * t8
-        t14 = np.sqrt(0.005625 - t11 * t11)
+        t13 = 0.005625 - t11 * t11
+        t14 = np.sqrt(t13)
         t16 = np.where(0.0 != 0.0, -t14, t14)
         crank_lever_moment_x_by_C_fz = 6.666666666666667 * t16
         crank_cos = t9 * (t10 + t5 * crank_lever_moment_x_by_C_fz)
@@ -2189,7 +2207,7 @@ def inverse_velocity(*arguments):
         t36 = coupler_sin * t27 + coupler_cos * t31 + (t7 + 0.2275) * crank_omega_z
         B_v = -(2.0 * t36)
         return _finish(batch, ((crank_omega_z, B_v, D_rate),), ((crank_lever_moment_z_by_C_fx,
-            3.01689e-10),), (crank_lever_moment_z_by_C_fx, B_v))
+            3.01689e-10),), (crank_lever_moment_z_by_C_fx, B_v), ((t13, 0.0, None, 11),))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -2209,7 +2227,8 @@ def inverse_dynamics_platform(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 144 (add 45, mul 87, div 3, sqrt 1, trig 2, compare 6)
+      11 out of reach: limb A does not get there; all outputs are NaN
+    Operations: 145 (add 45, mul 87, div 3, sqrt 1, trig 2, compare 7)
     """
     entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "acceleration": 1}, arguments)
     (
@@ -2226,7 +2245,8 @@ def inverse_dynamics_platform(*arguments):
         t7 = t3 + t5 * t5
         t8 = t7 - 0.2725
         t9 = 0.5 * t8
-        t12 = np.sqrt(0.005625 - t9 * t9)
+        t11 = 0.005625 - t9 * t9
+        t12 = np.sqrt(t11)
         t14 = np.where(0.0 != 0.0, -t12, t12)
         crank_lever_moment_z_by_C_fx = 2.0 * t14
         rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_acc
@@ -2281,7 +2301,8 @@ def inverse_dynamics_platform(*arguments):
         t92 = coupler_sin * (0.3 * minus_coupler_U_xx) + coupler_cos * (0.3 * minus_coupler_alpha_z) - t74
         A_balance = t89 - (0.15 * t92 + (0.03075 * minus_crank_alpha_z + 2.133675 * crank_sin))
         return _finish(batch, ((A_balance,),), ((crank_lever_moment_z_by_C_fx, 3.01689e-10),
-            (minus_C_closure_fx_by_D, 5.057800000000001e-10)), (minus_C_closure_fx_by_D, A_balance))
+            (minus_C_closure_fx_by_D, 5.057800000000001e-10)), (minus_C_closure_fx_by_D, A_balance),
+            ((t11, 0.0, None, 11),))
 
 
 def _assemble_step(*arguments):

@@ -43,6 +43,8 @@
 #define UR5_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN */
 #define UR5_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess; all outputs are NaN */
 #define UR5_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess; all outputs are NaN */
+#define UR5_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are NaN */
+#define UR5_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN */
 
 /* Entries of arrays that several functions have. */
 /* q[6] [rad]: configuration of the tree */
@@ -82,6 +84,10 @@ enum ur5_reactions { UR5_REACTIONS_SHOULDER_PAN_JOINT_FX, UR5_REACTIONS_SHOULDER
     UR5_REACTIONS_WRIST_2_JOINT_MY, UR5_REACTIONS_WRIST_2_JOINT_MZ, UR5_REACTIONS_WRIST_3_JOINT_FX,
     UR5_REACTIONS_WRIST_3_JOINT_FY, UR5_REACTIONS_WRIST_3_JOINT_FZ, UR5_REACTIONS_WRIST_3_JOINT_MX,
     UR5_REACTIONS_WRIST_3_JOINT_MY, UR5_REACTIONS_WRIST_3_JOINT_MZ };
+/* Their sizes, and those of other arrays that are the same in all functions. */
+enum { UR5_Q_SIZE = 6, UR5_V_SIZE = 6, UR5_A_SIZE = 6, UR5_POSITIONS_SIZE = 3, UR5_RATES_SIZE = 6, UR5_Y_DOT_SIZE =
+    6, UR5_Y_DDOT_SIZE = 6, UR5_U_SIZE = 6, UR5_REACTIONS_SIZE = 36 };
+/* the 6 bodies: shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link */
 
 #ifdef __cplusplus
 extern "C" {
@@ -89,69 +95,52 @@ extern "C" {
 
 const char *ur5_status_text(int status);
 
-/*
- * ur5_body_poses: Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes.
+/* ur5_body_poses: Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes.
  *   out poses[72] (12x6, column by column): per body: rotation (column-major) and translation
- *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: Rxx [1], Ryx
- *     [1], Rzx [1], Rxy [1], Ryy [1], Rzy [1], Rxz [1], Ryz [1], Rzz [1], x [m], y [m], z [m]
- *   Returns 0, 2; operations: 201 (add 100, mul 88, trig 12, compare 1)
- */
-enum { UR5_BODY_POSES_Q_SIZE = 6, UR5_BODY_POSES_POSES_SIZE = 72 };
+ *     for each of the 6 bodies: Rxx [1], Ryx [1], Rzx [1], Rxy [1], Ryy [1], Rzy [1], Rxz [1], Ryz [1], Rzz [1], x
+ *     [m], y [m], z [m]
+ *   Returns 0, 2; operations: 201 (add 100, mul 88, trig 12, compare 1) */
+enum { UR5_BODY_POSES_POSES_SIZE = 72 };
 int ur5_body_poses(const double *q, double *poses);
 int ur5_body_poses_batch(size_t count, const double *q, double *poses, int *status);
 int ur5_body_poses_batch_soa(size_t count, size_t stride, const double *q, double *poses, int *status);
 
-/*
- * ur5_body_twists: Twists at O in absolute axes, eq. (6).
+/* ur5_body_twists: Twists at O in absolute axes, eq. (6).
  *   out twists[36] (6x6, column by column): twist (omega ; v_O) of every body
- *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: wx [rad/s],
- *     wy [rad/s], wz [rad/s], vx [m/s], vy [m/s], vz [m/s]
- *   Returns 0, 2; operations: 170 (add 67, mul 92, trig 10, compare 1)
- */
-enum { UR5_BODY_TWISTS_Q_SIZE = 6, UR5_BODY_TWISTS_V_SIZE = 6, UR5_BODY_TWISTS_TWISTS_SIZE = 36 };
+ *     for each of the 6 bodies: wx [rad/s], wy [rad/s], wz [rad/s], vx [m/s], vy [m/s], vz [m/s]
+ *   Returns 0, 2; operations: 170 (add 67, mul 92, trig 10, compare 1) */
+enum { UR5_BODY_TWISTS_TWISTS_SIZE = 36 };
 int ur5_body_twists(const double *q, const double *v, double *twists);
 int ur5_body_twists_batch(size_t count, const double *q, const double *v, double *twists, int *status);
 int ur5_body_twists_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *twists,
     int *status);
 
-/*
- * ur5_body_twist_rates: Componentwise time derivatives of the twists at O, by the screw bracket.
+/* ur5_body_twist_rates: Componentwise time derivatives of the twists at O, by the screw bracket.
  *   out twist_rates[36] (6x6, column by column): rate of every body's twist
- *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: wx [rad/s^2],
- *     wy [rad/s^2], wz [rad/s^2], vx [m/s^2], vy [m/s^2], vz [m/s^2]
- *   Returns 0, 2; operations: 361 (add 148, mul 202, trig 10, compare 1)
- */
-enum { UR5_BODY_TWIST_RATES_Q_SIZE = 6, UR5_BODY_TWIST_RATES_V_SIZE = 6, UR5_BODY_TWIST_RATES_A_SIZE = 6,
-    UR5_BODY_TWIST_RATES_TWIST_RATES_SIZE = 36 };
+ *     for each of the 6 bodies: wx [rad/s^2], wy [rad/s^2], wz [rad/s^2], vx [m/s^2], vy [m/s^2], vz [m/s^2]
+ *   Returns 0, 2; operations: 361 (add 148, mul 202, trig 10, compare 1) */
+enum { UR5_BODY_TWIST_RATES_TWIST_RATES_SIZE = 36 };
 int ur5_body_twist_rates(const double *q, const double *v, const double *a, double *twist_rates);
-int ur5_body_twist_rates_batch(size_t count, const double *q, const double *v, const double *a, double
-    *twist_rates, int *status);
-int ur5_body_twist_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
-    *a, double *twist_rates, int *status);
+int ur5_body_twist_rates_batch(size_t count, const double *q, const double *v, const double *a, double *twist_rates,
+    int *status);
+int ur5_body_twist_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *a,
+    double *twist_rates, int *status);
 
-/*
- * ur5_forward_kinematics: Positions of the named points in absolute axes.
+/* ur5_forward_kinematics: Positions of the named points in absolute axes.
  *   out positions[3] (3x1, column by column) [m]: absolute positions of the named points
- *   Returns 0, 2; operations: 45 (add 16, mul 18, trig 10, compare 1)
- */
-enum { UR5_FORWARD_KINEMATICS_Q_SIZE = 6, UR5_FORWARD_KINEMATICS_POSITIONS_SIZE = 3 };
+ *   Returns 0, 2; operations: 45 (add 16, mul 18, trig 10, compare 1) */
 int ur5_forward_kinematics(const double *q, double *positions);
 int ur5_forward_kinematics_batch(size_t count, const double *q, double *positions, int *status);
-int ur5_forward_kinematics_batch_soa(size_t count, size_t stride, const double *q, double *positions, int
-    *status);
+int ur5_forward_kinematics_batch_soa(size_t count, size_t stride, const double *q, double *positions, int *status);
 
-/*
- * ur5_point_motion: Positions, velocities and accelerations of the named points in absolute axes.
+/* ur5_point_motion: Positions, velocities and accelerations of the named points in absolute axes.
  *   out positions[3] (3x1, column by column) [m]: absolute positions of the named points
  *   out velocities[3] (3x1, column by column) [m/s]: their velocities
- *     0 flange.x; 1 flange.y; 2 flange.z
+ *     in the order of positions
  *   out accelerations[3] (3x1, column by column) [m/s^2]: their accelerations
- *     0 flange.x; 1 flange.y; 2 flange.z
- *   Returns 0, 2; operations: 329 (add 130, mul 186, trig 12, compare 1)
- */
-enum { UR5_POINT_MOTION_Q_SIZE = 6, UR5_POINT_MOTION_V_SIZE = 6, UR5_POINT_MOTION_A_SIZE = 6,
-    UR5_POINT_MOTION_POSITIONS_SIZE = 3, UR5_POINT_MOTION_VELOCITIES_SIZE = 3, UR5_POINT_MOTION_ACCELERATIONS_SIZE =
-    3 };
+ *     in the order of positions
+ *   Returns 0, 2; operations: 329 (add 130, mul 186, trig 12, compare 1) */
+enum { UR5_POINT_MOTION_VELOCITIES_SIZE = 3, UR5_POINT_MOTION_ACCELERATIONS_SIZE = 3 };
 int ur5_point_motion(const double *q, const double *v, const double *a, double *positions, double *velocities,
     double *accelerations);
 int ur5_point_motion_batch(size_t count, const double *q, const double *v, const double *a, double *positions,
@@ -159,302 +148,203 @@ int ur5_point_motion_batch(size_t count, const double *q, const double *v, const
 int ur5_point_motion_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *a,
     double *positions, double *velocities, double *accelerations, int *status);
 
-/*
- * ur5_joint_screws: Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes.
+/* ur5_joint_screws: Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes.
  *   out screws[36] (6x6, column by column): unit screw (e ; r x e) of every joint freedom
- *     for each of shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, wrist_3_joint:
- *     wx [1], wy [1], wz [1], vx [m], vy [m], vz [m]
- *   Returns 0, 2; operations: 132 (add 55, mul 66, trig 10, compare 1)
- */
-enum { UR5_JOINT_SCREWS_Q_SIZE = 6, UR5_JOINT_SCREWS_SCREWS_SIZE = 36 };
+ *     for each of q: wx [1], wy [1], wz [1], vx [m], vy [m], vz [m]
+ *   Returns 0, 2; operations: 132 (add 55, mul 66, trig 10, compare 1) */
+enum { UR5_JOINT_SCREWS_SCREWS_SIZE = 36 };
 int ur5_joint_screws(const double *q, double *screws);
 int ur5_joint_screws_batch(size_t count, const double *q, double *screws, int *status);
 int ur5_joint_screws_batch_soa(size_t count, size_t stride, const double *q, double *screws, int *status);
 
-/*
- * ur5_joint_points: Positions of the joints' points, carried by the child body: where the joint reactions act.
+/* ur5_joint_points: Positions of the joints' points, carried by the child body: where the joint reactions act.
  *   out points[18] (3x6, column by column) [m]: absolute position of every joint's point
- *     for each of shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, wrist_3_joint:
- *     x, y, z
- *   Returns 0, 2; operations: 76 (add 34, mul 33, trig 8, compare 1)
- */
-enum { UR5_JOINT_POINTS_Q_SIZE = 6, UR5_JOINT_POINTS_POINTS_SIZE = 18 };
+ *     for each of q: x, y, z
+ *   Returns 0, 2; operations: 76 (add 34, mul 33, trig 8, compare 1) */
+enum { UR5_JOINT_POINTS_POINTS_SIZE = 18 };
 int ur5_joint_points(const double *q, double *points);
 int ur5_joint_points_batch(size_t count, const double *q, double *points, int *status);
 int ur5_joint_points_batch_soa(size_t count, size_t stride, const double *q, double *points, int *status);
 
-/*
- * ur5_platform_jacobian: Screw Jacobian of wrist_3_link: twist at O = jacobian v.
+/* ur5_platform_jacobian: Screw Jacobian of wrist_3_link: twist at O = jacobian v.
  *   out jacobian[36] (6x6, column by column) [1]: twist of wrist_3_link at O per rate of the tree
- *     for each of shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, wrist_3_joint:
- *     wx, wy, wz, vx, vy, vz
- *   Returns 0, 2; operations: 132 (add 55, mul 66, trig 10, compare 1)
- */
-enum { UR5_PLATFORM_JACOBIAN_Q_SIZE = 6, UR5_PLATFORM_JACOBIAN_JACOBIAN_SIZE = 36 };
+ *     for each of q: wx, wy, wz, vx, vy, vz
+ *   Returns 0, 2; operations: 132 (add 55, mul 66, trig 10, compare 1) */
+enum { UR5_PLATFORM_JACOBIAN_JACOBIAN_SIZE = 36 };
 int ur5_platform_jacobian(const double *q, double *jacobian);
 int ur5_platform_jacobian_batch(size_t count, const double *q, double *jacobian, int *status);
-int ur5_platform_jacobian_batch_soa(size_t count, size_t stride, const double *q, double *jacobian, int
-    *status);
+int ur5_platform_jacobian_batch_soa(size_t count, size_t stride, const double *q, double *jacobian, int *status);
 
-/*
- * ur5_joint_displacements: Displacements of all joints, cut ones included; spherical joints as rotation vector in the
+/* ur5_joint_displacements: Displacements of all joints, cut ones included; spherical joints as rotation vector in the
  * parent's axes.
  *   out displacements[6] [rad]: all joints
- *     0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint; 5 wrist_3_joint
- *   Returns 0, 2; operations: 6 (add 5, compare 1)
- */
-enum { UR5_JOINT_DISPLACEMENTS_Q_SIZE = 6, UR5_JOINT_DISPLACEMENTS_DISPLACEMENTS_SIZE = 6 };
+ *     in the order of q
+ *   Returns 0, 2; operations: 6 (add 5, compare 1) */
+enum { UR5_JOINT_DISPLACEMENTS_DISPLACEMENTS_SIZE = 6 };
 int ur5_joint_displacements(const double *q, double *displacements);
 int ur5_joint_displacements_batch(size_t count, const double *q, double *displacements, int *status);
-int ur5_joint_displacements_batch_soa(size_t count, size_t stride, const double *q, double *displacements, int
-    *status);
+int ur5_joint_displacements_batch_soa(size_t count, size_t stride, const double *q, double *displacements, int *status);
 
-/*
- * ur5_joint_rates: Rates of all joints, cut ones included; spherical joints along the parent's axes.
+/* ur5_joint_rates: Rates of all joints, cut ones included; spherical joints along the parent's axes.
  *   out rates[6] [rad/s]: all joints
- *   Returns 0, 2; operations: 12 (add 11, compare 1)
- */
-enum { UR5_JOINT_RATES_Q_SIZE = 6, UR5_JOINT_RATES_V_SIZE = 6, UR5_JOINT_RATES_RATES_SIZE = 6 };
+ *   Returns 0, 2; operations: 12 (add 11, compare 1) */
 int ur5_joint_rates(const double *q, const double *v, double *rates);
 int ur5_joint_rates_batch(size_t count, const double *q, const double *v, double *rates, int *status);
 int ur5_joint_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *rates,
     int *status);
 
-/*
- * ur5_drive_rates: Rates of the driven freedoms, in the order of u.
+/* ur5_drive_rates: Rates of the driven freedoms, in the order of u.
  *   out rates[6] [rad/s]: rates of the driven freedoms; power = u . rates
- *   Returns 0, 2; operations: 12 (add 11, compare 1)
- */
-enum { UR5_DRIVE_RATES_Q_SIZE = 6, UR5_DRIVE_RATES_V_SIZE = 6, UR5_DRIVE_RATES_RATES_SIZE = 6 };
+ *   Returns 0, 2; operations: 12 (add 11, compare 1) */
 int ur5_drive_rates(const double *q, const double *v, double *rates);
 int ur5_drive_rates_batch(size_t count, const double *q, const double *v, double *rates, int *status);
 int ur5_drive_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *rates,
     int *status);
 
-/*
- * ur5_velocity: Rates of the tree from the rates of the independent coordinates.
+/* ur5_velocity: Rates of the tree from the rates of the independent coordinates.
  *   out v[6] [rad/s]: rates of the tree
  *   Returns 0, 2; operations: 12 (add 11, compare 1)
  *   Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint,
- *     wrist_2_joint, wrist_3_joint
- */
-enum { UR5_VELOCITY_Q_SIZE = 6, UR5_VELOCITY_Y_DOT_SIZE = 6, UR5_VELOCITY_V_SIZE = 6 };
+ *     wrist_2_joint, wrist_3_joint */
 int ur5_velocity(const double *q, const double *y_dot, double *v);
 int ur5_velocity_batch(size_t count, const double *q, const double *y_dot, double *v, int *status);
-int ur5_velocity_batch_soa(size_t count, size_t stride, const double *q, const double *y_dot, double *v, int
-    *status);
+int ur5_velocity_batch_soa(size_t count, size_t stride, const double *q, const double *y_dot, double *v, int *status);
 
-/*
- * ur5_null_space: Null space of the closure: v = null_space y_dot.
+/* ur5_null_space: Null space of the closure: v = null_space y_dot.
  *   out null_space[36] (6x6, column by column) [1]: columns: v for a unit rate of each y
- *     0 shoulder_pan_joint|shoulder_pan_joint; 1 shoulder_lift_joint|shoulder_pan_joint;
- *     2 elbow_joint|shoulder_pan_joint; 3 wrist_1_joint|shoulder_pan_joint; 4 wrist_2_joint|shoulder_pan_joint;
- *     5 wrist_3_joint|shoulder_pan_joint; 6 shoulder_pan_joint|shoulder_lift_joint;
- *     7 shoulder_lift_joint|shoulder_lift_joint; 8 elbow_joint|shoulder_lift_joint;
- *     9 wrist_1_joint|shoulder_lift_joint; 10 wrist_2_joint|shoulder_lift_joint; 11 wrist_3_joint|shoulder_lift_joint;
- *     12 shoulder_pan_joint|elbow_joint; 13 shoulder_lift_joint|elbow_joint; 14 elbow_joint|elbow_joint;
- *     15 wrist_1_joint|elbow_joint; 16 wrist_2_joint|elbow_joint; 17 wrist_3_joint|elbow_joint;
- *     18 shoulder_pan_joint|wrist_1_joint; 19 shoulder_lift_joint|wrist_1_joint; 20 elbow_joint|wrist_1_joint;
- *     21 wrist_1_joint|wrist_1_joint; 22 wrist_2_joint|wrist_1_joint; 23 wrist_3_joint|wrist_1_joint;
- *     24 shoulder_pan_joint|wrist_2_joint; 25 shoulder_lift_joint|wrist_2_joint; 26 elbow_joint|wrist_2_joint;
- *     27 wrist_1_joint|wrist_2_joint; 28 wrist_2_joint|wrist_2_joint; 29 wrist_3_joint|wrist_2_joint;
- *     30 shoulder_pan_joint|wrist_3_joint; 31 shoulder_lift_joint|wrist_3_joint; 32 elbow_joint|wrist_3_joint;
- *     33 wrist_1_joint|wrist_3_joint; 34 wrist_2_joint|wrist_3_joint; 35 wrist_3_joint|wrist_3_joint
+ *     rows in the order of q, columns of q
  *   Returns 0, 2; operations: 6 (add 5, compare 1)
  *   Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint,
- *     wrist_2_joint, wrist_3_joint
- */
-enum { UR5_NULL_SPACE_Q_SIZE = 6, UR5_NULL_SPACE_NULL_SPACE_SIZE = 36 };
+ *     wrist_2_joint, wrist_3_joint */
+enum { UR5_NULL_SPACE_NULL_SPACE_SIZE = 36 };
 int ur5_null_space(const double *q, double *null_space);
 int ur5_null_space_batch(size_t count, const double *q, double *null_space, int *status);
 int ur5_null_space_batch_soa(size_t count, size_t stride, const double *q, double *null_space, int *status);
 
-/*
- * ur5_acceleration: Accelerations of the tree from the second rates of the independent coordinates.
+/* ur5_acceleration: Accelerations of the tree from the second rates of the independent coordinates.
  *   out a[6] [rad/s^2]: accelerations of the tree (rates of v)
  *   Returns 0, 2; operations: 18 (add 17, compare 1)
  *   Note: independent coordinates y: shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint,
- *     wrist_2_joint, wrist_3_joint
- */
-enum { UR5_ACCELERATION_Q_SIZE = 6, UR5_ACCELERATION_V_SIZE = 6, UR5_ACCELERATION_Y_DDOT_SIZE = 6,
-    UR5_ACCELERATION_A_SIZE = 6 };
+ *     wrist_2_joint, wrist_3_joint */
 int ur5_acceleration(const double *q, const double *v, const double *y_ddot, double *a);
 int ur5_acceleration_batch(size_t count, const double *q, const double *v, const double *y_ddot, double *a,
     int *status);
-int ur5_acceleration_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
-    *y_ddot, double *a, int *status);
+int ur5_acceleration_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *y_ddot,
+    double *a, int *status);
 
-/*
- * ur5_momentum_screws: Momentum screws of all bodies at O, eq. (31).
+/* ur5_momentum_screws: Momentum screws of all bodies at O, eq. (31).
  *   out momenta[36] (6x6, column by column): momentum screw (p ; L_O) per body
- *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: px [kg m/s],
- *     py [kg m/s], pz [kg m/s], Lx [kg m^2/s], Ly [kg m^2/s], Lz [kg m^2/s]
+ *     for each of the 6 bodies: px [kg m/s], py [kg m/s], pz [kg m/s], Lx [kg m^2/s], Ly [kg m^2/s], Lz [kg m^2/s]
  *   out total[6]: sum over all bodies
  *     0 px [kg m/s]; 1 py [kg m/s]; 2 pz [kg m/s]; 3 Lx [kg m^2/s]; 4 Ly [kg m^2/s]; 5 Lz [kg m^2/s]
- *   Returns 0, 2; operations: 816 (add 352, mul 451, trig 12, compare 1)
- */
-enum { UR5_MOMENTUM_SCREWS_Q_SIZE = 6, UR5_MOMENTUM_SCREWS_V_SIZE = 6, UR5_MOMENTUM_SCREWS_MOMENTA_SIZE = 36,
-    UR5_MOMENTUM_SCREWS_TOTAL_SIZE = 6 };
+ *   Returns 0, 2; operations: 816 (add 352, mul 451, trig 12, compare 1) */
+enum { UR5_MOMENTUM_SCREWS_MOMENTA_SIZE = 36, UR5_MOMENTUM_SCREWS_TOTAL_SIZE = 6 };
 int ur5_momentum_screws(const double *q, const double *v, double *momenta, double *total_);
 int ur5_momentum_screws_batch(size_t count, const double *q, const double *v, double *momenta, double *total_,
     int *status);
-int ur5_momentum_screws_batch_soa(size_t count, size_t stride, const double *q, const double *v, double
-    *momenta, double *total_, int *status);
+int ur5_momentum_screws_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *momenta,
+    double *total_, int *status);
 
-/*
- * ur5_momentum_rates: Rates of the momentum screws: sums of all force screws, eq. (35).
+/* ur5_momentum_rates: Rates of the momentum screws: sums of all force screws, eq. (35).
  *   out momentum_rates[36] (6x6, column by column): rate of every momentum screw
- *     for each of shoulder_link, upper_arm_link, forearm_link, wrist_1_link, wrist_2_link, wrist_3_link: fx [N], fy
- *     [N], fz [N], mx [N m], my [N m], mz [N m]
- *   Returns 0, 2; operations: 1396 (add 598, mul 785, trig 12, compare 1)
- */
-enum { UR5_MOMENTUM_RATES_Q_SIZE = 6, UR5_MOMENTUM_RATES_V_SIZE = 6, UR5_MOMENTUM_RATES_A_SIZE = 6,
-    UR5_MOMENTUM_RATES_MOMENTUM_RATES_SIZE = 36 };
+ *     for each of the 6 bodies: fx [N], fy [N], fz [N], mx [N m], my [N m], mz [N m]
+ *   Returns 0, 2; operations: 1396 (add 598, mul 785, trig 12, compare 1) */
+enum { UR5_MOMENTUM_RATES_MOMENTUM_RATES_SIZE = 36 };
 int ur5_momentum_rates(const double *q, const double *v, const double *a, double *momentum_rates);
-int ur5_momentum_rates_batch(size_t count, const double *q, const double *v, const double *a, double
-    *momentum_rates, int *status);
-int ur5_momentum_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
-    *a, double *momentum_rates, int *status);
+int ur5_momentum_rates_batch(size_t count, const double *q, const double *v, const double *a, double *momentum_rates,
+    int *status);
+int ur5_momentum_rates_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *a,
+    double *momentum_rates, int *status);
 
-/*
- * ur5_energy: Kinetic energy and potential energy of the effects (gravity: zero at O).
+/* ur5_energy: Kinetic energy and potential energy of the effects (gravity: zero at O).
  *   out energy[2] [J]: kinetic and potential energy
  *     0 kinetic; 1 potential
- *   Returns 0, 2; operations: 228 (add 84, mul 133, trig 10, compare 1)
- */
-enum { UR5_ENERGY_Q_SIZE = 6, UR5_ENERGY_V_SIZE = 6, UR5_ENERGY_ENERGY_SIZE = 2 };
+ *   Returns 0, 2; operations: 228 (add 84, mul 133, trig 10, compare 1) */
+enum { UR5_ENERGY_ENERGY_SIZE = 2 };
 int ur5_energy(const double *q, const double *v, double *energy);
 int ur5_energy_batch(size_t count, const double *q, const double *v, double *energy, int *status);
-int ur5_energy_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *energy, int
-    *status);
+int ur5_energy_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *energy, int *status);
 
-/*
- * ur5_mass_matrix: Mass matrix of the tree (cut joints open).
+/* ur5_mass_matrix: Mass matrix of the tree (cut joints open).
  *   out mass_matrix[36] (6x6, column by column) [kg m^2]: symmetric; kinetic energy = v.M.v / 2
- *     0 shoulder_pan_joint|shoulder_pan_joint; 1 shoulder_lift_joint|shoulder_pan_joint;
- *     2 elbow_joint|shoulder_pan_joint; 3 wrist_1_joint|shoulder_pan_joint; 4 wrist_2_joint|shoulder_pan_joint;
- *     5 wrist_3_joint|shoulder_pan_joint; 6 shoulder_pan_joint|shoulder_lift_joint;
- *     7 shoulder_lift_joint|shoulder_lift_joint; 8 elbow_joint|shoulder_lift_joint;
- *     9 wrist_1_joint|shoulder_lift_joint; 10 wrist_2_joint|shoulder_lift_joint; 11 wrist_3_joint|shoulder_lift_joint;
- *     12 shoulder_pan_joint|elbow_joint; 13 shoulder_lift_joint|elbow_joint; 14 elbow_joint|elbow_joint;
- *     15 wrist_1_joint|elbow_joint; 16 wrist_2_joint|elbow_joint; 17 wrist_3_joint|elbow_joint;
- *     18 shoulder_pan_joint|wrist_1_joint; 19 shoulder_lift_joint|wrist_1_joint; 20 elbow_joint|wrist_1_joint;
- *     21 wrist_1_joint|wrist_1_joint; 22 wrist_2_joint|wrist_1_joint; 23 wrist_3_joint|wrist_1_joint;
- *     24 shoulder_pan_joint|wrist_2_joint; 25 shoulder_lift_joint|wrist_2_joint; 26 elbow_joint|wrist_2_joint;
- *     27 wrist_1_joint|wrist_2_joint; 28 wrist_2_joint|wrist_2_joint; 29 wrist_3_joint|wrist_2_joint;
- *     30 shoulder_pan_joint|wrist_3_joint; 31 shoulder_lift_joint|wrist_3_joint; 32 elbow_joint|wrist_3_joint;
- *     33 wrist_1_joint|wrist_3_joint; 34 wrist_2_joint|wrist_3_joint; 35 wrist_3_joint|wrist_3_joint
- *   Returns 0, 2; operations: 179 (add 85, mul 85, trig 8, compare 1)
- */
-enum { UR5_MASS_MATRIX_Q_SIZE = 6, UR5_MASS_MATRIX_MASS_MATRIX_SIZE = 36 };
+ *     rows in the order of q, columns of q
+ *   Returns 0, 2; operations: 179 (add 85, mul 85, trig 8, compare 1) */
+enum { UR5_MASS_MATRIX_MASS_MATRIX_SIZE = 36 };
 int ur5_mass_matrix(const double *q, double *mass_matrix);
 int ur5_mass_matrix_batch(size_t count, const double *q, double *mass_matrix, int *status);
 int ur5_mass_matrix_batch_soa(size_t count, size_t stride, const double *q, double *mass_matrix, int *status);
 
-/*
- * ur5_bias: Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T
+/* ur5_bias: Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T
  * multipliers.
  *   out bias[6] [N m]: generalised forces at a = 0
- *     0 shoulder_pan_joint; 1 shoulder_lift_joint; 2 elbow_joint; 3 wrist_1_joint; 4 wrist_2_joint; 5 wrist_3_joint
- *   Returns 0, 2; operations: 290 (add 118, mul 161, trig 10, compare 1)
- */
-enum { UR5_BIAS_Q_SIZE = 6, UR5_BIAS_V_SIZE = 6, UR5_BIAS_BIAS_SIZE = 6 };
+ *     in the order of q
+ *   Returns 0, 2; operations: 290 (add 118, mul 161, trig 10, compare 1) */
+enum { UR5_BIAS_BIAS_SIZE = 6 };
 int ur5_bias(const double *q, const double *v, double *bias);
 int ur5_bias_batch(size_t count, const double *q, const double *v, double *bias, int *status);
-int ur5_bias_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *bias, int
-    *status);
+int ur5_bias_batch_soa(size_t count, size_t stride, const double *q, const double *v, double *bias, int *status);
 
-/*
- * ur5_inverse_dynamics: Drives from a consistent state of the tree, by the rates of the momentum screws.
+/* ur5_inverse_dynamics: Drives from a consistent state of the tree, by the rates of the momentum screws.
  *   out u[6] [N m]: drive forces and torques
- *   Returns 0, 2; operations: 314 (add 132, mul 171, trig 10, compare 1)
- */
-enum { UR5_INVERSE_DYNAMICS_Q_SIZE = 6, UR5_INVERSE_DYNAMICS_V_SIZE = 6, UR5_INVERSE_DYNAMICS_A_SIZE = 6,
-    UR5_INVERSE_DYNAMICS_U_SIZE = 6 };
+ *   Returns 0, 2; operations: 314 (add 132, mul 171, trig 10, compare 1) */
 int ur5_inverse_dynamics(const double *q, const double *v, const double *a, double *u);
-int ur5_inverse_dynamics_batch(size_t count, const double *q, const double *v, const double *a, double *u, int
-    *status);
-int ur5_inverse_dynamics_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
-    *a, double *u, int *status);
+int ur5_inverse_dynamics_batch(size_t count, const double *q, const double *v, const double *a, double *u, int *status);
+int ur5_inverse_dynamics_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *a,
+    double *u, int *status);
 
-/*
- * ur5_inverse_dynamics_independent: Drives from the configuration and the rates and second rates of the independent
+/* ur5_inverse_dynamics_independent: Drives from the configuration and the rates and second rates of the independent
  * coordinates.
  *   out u[6] [N m]: drive forces and torques
- *   Returns 0, 2; operations: 314 (add 132, mul 171, trig 10, compare 1)
- */
-enum { UR5_INVERSE_DYNAMICS_INDEPENDENT_Q_SIZE = 6, UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DOT_SIZE = 6,
-    UR5_INVERSE_DYNAMICS_INDEPENDENT_Y_DDOT_SIZE = 6, UR5_INVERSE_DYNAMICS_INDEPENDENT_U_SIZE = 6 };
+ *   Returns 0, 2; operations: 314 (add 132, mul 171, trig 10, compare 1) */
 int ur5_inverse_dynamics_independent(const double *q, const double *y_dot, const double *y_ddot, double *u);
-int ur5_inverse_dynamics_independent_batch(size_t count, const double *q, const double *y_dot, const double
-    *y_ddot, double *u, int *status);
-int ur5_inverse_dynamics_independent_batch_soa(size_t count, size_t stride, const double *q, const double
-    *y_dot, const double *y_ddot, double *u, int *status);
+int ur5_inverse_dynamics_independent_batch(size_t count, const double *q, const double *y_dot, const double *y_ddot,
+    double *u, int *status);
+int ur5_inverse_dynamics_independent_batch_soa(size_t count, size_t stride, const double *q, const double *y_dot,
+    const double *y_ddot, double *u, int *status);
 
-/*
- * ur5_joint_reactions: Drives and all joint reactions at once, at O in absolute axes.
+/* ur5_joint_reactions: Drives and all joint reactions at once, at O in absolute axes.
  *   out u[6] [N m]: drive forces and torques
  *   out reactions[36] (6x6, column by column): wrench (f ; m_O) from parent on child without the drive's share
- *   Returns 0, 2; operations: 901 (add 402, mul 486, trig 12, compare 1)
- */
-enum { UR5_JOINT_REACTIONS_Q_SIZE = 6, UR5_JOINT_REACTIONS_V_SIZE = 6, UR5_JOINT_REACTIONS_A_SIZE = 6,
-    UR5_JOINT_REACTIONS_U_SIZE = 6, UR5_JOINT_REACTIONS_REACTIONS_SIZE = 36 };
+ *   Returns 0, 2; operations: 901 (add 402, mul 486, trig 12, compare 1) */
 int ur5_joint_reactions(const double *q, const double *v, const double *a, double *u, double *reactions);
 int ur5_joint_reactions_batch(size_t count, const double *q, const double *v, const double *a, double *u,
     double *reactions, int *status);
-int ur5_joint_reactions_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
-    *a, double *u, double *reactions, int *status);
+int ur5_joint_reactions_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *a,
+    double *u, double *reactions, int *status);
 
-/*
- * ur5_forward_dynamics: Accelerations of the tree from a consistent state and the drives.
+/* ur5_forward_dynamics: Accelerations of the tree from a consistent state and the drives.
  *   out a[6] [rad/s^2]: accelerations of the tree (rates of v)
- *   Returns 0, 1, 2; operations: 587 (add 254, mul 310, div 4, trig 10, compare 9)
- */
-enum { UR5_FORWARD_DYNAMICS_Q_SIZE = 6, UR5_FORWARD_DYNAMICS_V_SIZE = 6, UR5_FORWARD_DYNAMICS_U_SIZE = 6,
-    UR5_FORWARD_DYNAMICS_A_SIZE = 6 };
+ *   Returns 0, 1, 2; operations: 587 (add 254, mul 310, div 4, trig 10, compare 9) */
 int ur5_forward_dynamics(const double *q, const double *v, const double *u, double *a);
-int ur5_forward_dynamics_batch(size_t count, const double *q, const double *v, const double *u, double *a, int
-    *status);
-int ur5_forward_dynamics_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double
-    *u, double *a, int *status);
+int ur5_forward_dynamics_batch(size_t count, const double *q, const double *v, const double *u, double *a, int *status);
+int ur5_forward_dynamics_batch_soa(size_t count, size_t stride, const double *q, const double *v, const double *u,
+    double *a, int *status);
 
-/*
- * ur5_forward_dynamics_independent: Second rates of the independent coordinates from the configuration, their rates
+/* ur5_forward_dynamics_independent: Second rates of the independent coordinates from the configuration, their rates
  * and the drives.
  *   out y_ddot[6] [rad/s^2]: their second rates
- *   Returns 0, 1, 2; operations: 581 (add 249, mul 309, div 4, trig 10, compare 9)
- */
-enum { UR5_FORWARD_DYNAMICS_INDEPENDENT_Q_SIZE = 6, UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DOT_SIZE = 6,
-    UR5_FORWARD_DYNAMICS_INDEPENDENT_U_SIZE = 6, UR5_FORWARD_DYNAMICS_INDEPENDENT_Y_DDOT_SIZE = 6 };
+ *   Returns 0, 1, 2; operations: 581 (add 249, mul 309, div 4, trig 10, compare 9) */
 int ur5_forward_dynamics_independent(const double *q, const double *y_dot, const double *u, double *y_ddot);
-int ur5_forward_dynamics_independent_batch(size_t count, const double *q, const double *y_dot, const double
-    *u, double *y_ddot, int *status);
-int ur5_forward_dynamics_independent_batch_soa(size_t count, size_t stride, const double *q, const double
-    *y_dot, const double *u, double *y_ddot, int *status);
+int ur5_forward_dynamics_independent_batch(size_t count, const double *q, const double *y_dot, const double *u,
+    double *y_ddot, int *status);
+int ur5_forward_dynamics_independent_batch_soa(size_t count, size_t stride, const double *q, const double *y_dot,
+    const double *u, double *y_ddot, int *status);
 
-/*
- * ur5_forward_dynamics_reactions: Accelerations of the tree and all joint reactions, at O in absolute axes, from a
+/* ur5_forward_dynamics_reactions: Accelerations of the tree and all joint reactions, at O in absolute axes, from a
  * consistent state and drives.
  *   out a[6] [rad/s^2]: accelerations of the tree (rates of v)
  *   out reactions[36] (6x6, column by column): wrench (f ; m_O) from parent on child without the drive's share
- *   Returns 0, 1, 2; operations: 1255 (add 576, mul 654, div 4, trig 12, compare 9)
- */
-enum { UR5_FORWARD_DYNAMICS_REACTIONS_Q_SIZE = 6, UR5_FORWARD_DYNAMICS_REACTIONS_V_SIZE = 6,
-    UR5_FORWARD_DYNAMICS_REACTIONS_U_SIZE = 6, UR5_FORWARD_DYNAMICS_REACTIONS_A_SIZE = 6,
-    UR5_FORWARD_DYNAMICS_REACTIONS_REACTIONS_SIZE = 36 };
-int ur5_forward_dynamics_reactions(const double *q, const double *v, const double *u, double *a, double
-    *reactions);
-int ur5_forward_dynamics_reactions_batch(size_t count, const double *q, const double *v, const double *u,
-    double *a, double *reactions, int *status);
+ *   Returns 0, 1, 2; operations: 1255 (add 576, mul 654, div 4, trig 12, compare 9) */
+int ur5_forward_dynamics_reactions(const double *q, const double *v, const double *u, double *a, double *reactions);
+int ur5_forward_dynamics_reactions_batch(size_t count, const double *q, const double *v, const double *u, double *a,
+    double *reactions, int *status);
 int ur5_forward_dynamics_reactions_batch_soa(size_t count, size_t stride, const double *q, const double *v,
     const double *u, double *a, double *reactions, int *status);
 
-/*
- * ur5_limb_margins: Limb (serial) singularities: 0 where the joint screws of a limb become dependent.
+/* ur5_limb_margins: Limb (serial) singularities: 0 where the joint screws of a limb become dependent.
  *   out margins[1] [1]: signed volume: arm (arm)
- *   Returns 0, 2; operations: 64 (add 19, mul 37, trig 7, compare 1)
- */
-enum { UR5_LIMB_MARGINS_Q_SIZE = 6, UR5_LIMB_MARGINS_MARGINS_SIZE = 1 };
+ *   Returns 0, 2; operations: 64 (add 19, mul 37, trig 7, compare 1) */
+enum { UR5_LIMB_MARGINS_MARGINS_SIZE = 1 };
 int ur5_limb_margins(const double *q, double *margins);
 int ur5_limb_margins_batch(size_t count, const double *q, double *margins, int *status);
 int ur5_limb_margins_batch_soa(size_t count, size_t stride, const double *q, double *margins, int *status);

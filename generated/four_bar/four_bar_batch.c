@@ -1,0 +1,1768 @@
+/*
+ * four_bar: functions of many states.
+ * Generated with four_bar.h, which says of what; do not edit.
+ */
+#include "four_bar_support.h"
+
+#include <string.h>
+
+/* Batch functions take 8 states at once; FOUR_BAR_STATE_BY_STATE or FOUR_BAR_SCALAR: one by one. */
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__AVX512F__)
+#define FOUR_BAR_WIDE 8
+#elif defined(__AVX__)
+#define FOUR_BAR_WIDE 4
+#else
+#define FOUR_BAR_WIDE 2
+#endif
+typedef double four_bar_wide __attribute__((vector_size(FOUR_BAR_WIDE * 8)));
+typedef long long four_bar_wide_mask __attribute__((vector_size(FOUR_BAR_WIDE * 8)));
+typedef double four_bar_wide_there
+    __attribute__((vector_size(FOUR_BAR_WIDE * 8), aligned(8), may_alias));
+#define FOUR_BAR_ZERO ((four_bar_wide){0.0})
+static inline four_bar_wide four_bar_wide_sqrt(four_bar_wide x)
+{
+    four_bar_wide root = x;
+    for (int k = 0; k < FOUR_BAR_WIDE; ++k) {
+        root[k] = sqrt(x[k]);
+    }
+    return root;
+}
+static inline four_bar_wide four_bar_wide_select(four_bar_wide c, four_bar_wide a, four_bar_wide b)
+{
+    const four_bar_wide_mask other = (four_bar_wide_mask)(c == FOUR_BAR_ZERO);
+    return (four_bar_wide)(((four_bar_wide_mask)a & ~other) | ((four_bar_wide_mask)b & other));
+}
+#endif
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#define FOUR_BAR_ROOM 312
+#define FOUR_BAR_BLOCK(block) block
+#else
+#define FOUR_BAR_ROOM 39
+#define FOUR_BAR_BLOCK(block) NULL
+#endif
+
+/* A function of one state for the batches: its arrays, and what calls it for one state, and for eight side by side. */
+typedef struct {
+    size_t inputs, outputs;
+    size_t size[6]; /* entries of every array */
+    int (*called)(const double *const *in, double *const *out);
+    void (*block)(size_t stride, const double *const *in, double *const *out, double *total);
+} four_bar_batched;
+
+/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
+FOUR_BAR_UNUSED static inline void four_bar_prefetch(size_t size, size_t stride, const double *array)
+{
+#if defined(__GNUC__)
+    for (size_t k = 0; k < size; ++k) {
+        __builtin_prefetch(array + k * stride);
+    }
+#else
+    (void)size;
+    (void)stride;
+    (void)array;
+#endif
+}
+
+/* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one
+   fills the lanes that are left. */
+FOUR_BAR_UNUSED static inline void four_bar_gather(
+    size_t size, size_t first, size_t some, size_t stride, const double *restrict array,
+    double *restrict block)
+{
+    if (stride == 0) {
+        for (size_t lane = 0; lane < 8; ++lane) {
+            const double *state = array + (first + (lane < some ? lane : some - 1)) * size;
+            for (size_t k = 0; k < size; ++k) {
+                block[k * 8 + lane] = state[k];
+            }
+        }
+        return;
+    }
+    for (size_t k = 0; k < size; ++k) {
+        const double *entry = array + k * stride + first;
+        for (size_t lane = 0; lane < 8; ++lane) {
+            block[k * 8 + lane] = entry[lane < some ? lane : some - 1];
+        }
+    }
+}
+
+FOUR_BAR_UNUSED static inline void four_bar_scatter(
+    size_t size, size_t first, size_t some, size_t stride, const double *restrict block,
+    double *restrict array)
+{
+    if (stride == 0) {
+        for (size_t lane = 0; lane < some; ++lane) {
+            double *state = array + (first + lane) * size;
+            for (size_t k = 0; k < size; ++k) {
+                state[k] = block[k * 8 + lane];
+            }
+        }
+        return;
+    }
+    for (size_t k = 0; k < size; ++k) {
+        double *entry = array + k * stride + first;
+        for (size_t lane = 0; lane < some; ++lane) {
+            entry[lane] = block[k * 8 + lane];
+        }
+    }
+}
+
+/* Zeros in the states of a block. */
+FOUR_BAR_UNUSED static inline void four_bar_zero_block(double *array, size_t size, size_t stride)
+{
+    for (size_t k = 0; k < size; ++k) {
+        for (size_t lane = 0; lane < 8; ++lane) {
+            array[k * stride + lane] = 0.0;
+        }
+    }
+}
+
+/* State `index`: where it is, or copied to `work` if its entries lie apart. */
+FOUR_BAR_UNUSED static inline int four_bar_one(
+    const four_bar_batched *function, size_t index, size_t stride,
+    const double *const *in, double *const *out, double *work)
+{
+    const double *read[6] = {NULL};
+    double *written[6] = {NULL};
+    for (size_t n = 0; n < function->inputs; ++n) {
+        const size_t size = function->size[n];
+        if (size == 0 || stride == 0) {
+            read[n] = size == 0 ? in[n] : in[n] + index * size;
+            continue;
+        }
+        for (size_t k = 0; k < size; ++k) {
+            work[k] = in[n][k * stride + index];
+        }
+        read[n] = work;
+        work += size;
+    }
+    for (size_t n = 0; n < function->outputs; ++n) {
+        const size_t size = function->size[function->inputs + n];
+        written[n] = stride != 0 ? work : size == 0 ? out[n] : out[n] + index * size;
+        work += stride != 0 ? size : 0;
+    }
+    const int outcome = function->called(read, written);
+    for (size_t n = 0; n < function->outputs && stride != 0; ++n) {
+        for (size_t k = 0; k < function->size[function->inputs + n]; ++k) {
+            out[n][k * stride + index] = written[n][k];
+        }
+    }
+    return outcome;
+}
+
+/* Up to eight states from `first` on; a stride of 0 means one state after the other. */
+FOUR_BAR_UNUSED static inline int four_bar_some(
+    const four_bar_batched *function, size_t first, size_t some, size_t stride,
+    const double *const *in, double *const *out, int *status, double *work)
+{
+    int worst = 0, together = 0;
+    double total[8] = {0.0};
+    if (some > 2 && function->block != NULL) {
+        const double *read[6] = {NULL};
+        double *written[6] = {NULL}, *place = work;
+        const int there = some == 8 && stride != 0;
+        const size_t *size = function->size, *sized = size + function->inputs;
+        for (size_t n = 0; n < function->inputs; ++n) {
+            if (size[n] == 0) {
+                read[n] = in[n];
+            } else if (there) {
+                read[n] = in[n] + first;
+            } else {
+                four_bar_gather(size[n], first, some, stride, in[n], place);
+                read[n] = place;
+                place += size[n] * 8;
+            }
+            if (there && first + 2 * 8 <= stride && size[n] != 0) {
+                four_bar_prefetch(size[n], stride, read[n] + 8);
+            }
+        }
+        for (size_t n = 0; n < function->outputs; ++n) {
+            written[n] = !there ? place : sized[n] == 0 ? out[n] : out[n] + first;
+            place += there ? 0 : sized[n] * 8;
+            if (there && first + 2 * 8 <= stride && sized[n] != 0) {
+                four_bar_prefetch(sized[n], stride, written[n] + 8);
+            }
+        }
+        function->block(there ? stride : 8, read, written, total);
+        for (size_t n = 0; n < function->outputs && !there; ++n) {
+            four_bar_scatter(sized[n], first, some, stride, written[n], out[n]);
+        }
+        together = 1;
+    }
+    if (together) { /* the sum of all is finite if each is: else look at each */
+        const double first_half = (total[0] + total[1]) + (total[2] + total[3]);
+        const double every = first_half + ((total[4] + total[5]) + (total[6] + total[7]));
+        if (isfinite(every)) {
+            for (size_t lane = 0; status != NULL && lane < some; ++lane) {
+                status[first + lane] = 0;
+            }
+            return 0;
+        }
+    }
+    for (size_t lane = 0; lane < some; ++lane) {
+        int outcome = 0;
+        if (!together || !isfinite(total[lane])) {
+            outcome = four_bar_one(function, first + lane, stride, in, out, work);
+        }
+        if (status != NULL) {
+            status[first + lane] = outcome;
+        }
+        worst = outcome > worst ? outcome : worst;
+    }
+    return worst;
+}
+
+/* All states of a function, block by block, each in memory of its own on the stack. */
+FOUR_BAR_UNUSED static inline int four_bar_states(
+    const four_bar_batched *function, size_t count, size_t stride,
+    const double *const *in, double *const *out, int *status)
+{
+    int worst = 0;
+    const size_t blocks = count / 8 + (count % 8 != 0);
+#if defined(_OPENMP) && _OPENMP >= 201107
+#pragma omp parallel for schedule(static) reduction(max : worst) if (count >= 1024)
+#endif
+    for (size_t number = 0; number < blocks; ++number) {
+        const size_t first = number * 8;
+        const size_t some = count - first < 8 ? count - first : 8;
+        double work[FOUR_BAR_ROOM];
+        const int outcome = four_bar_some(function, first, some, stride, in, out, status, work);
+        worst = outcome > worst ? outcome : worst;
+    }
+    return worst;
+}
+
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX512F__) && !defined(FOUR_BAR_SCALAR)
+typedef double four_bar_lanes8 __attribute__((vector_size(64)));
+four_bar_lanes8 _ZGVeN8v_sin(four_bar_lanes8);
+four_bar_lanes8 _ZGVeN8v_cos(four_bar_lanes8);
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 8) {
+        four_bar_lanes8 all, s, c;
+        memcpy(&all, angle + k, sizeof(all));
+        s = _ZGVeN8v_sin(all);
+        c = _ZGVeN8v_cos(all);
+        memcpy(sine + k, &s, sizeof(s));
+        memcpy(cosine + k, &c, sizeof(c));
+    }
+}
+#else
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 4) {
+        four_bar_sincos(4, angle + k, sine + k, cosine + k);
+    }
+}
+#endif
+
+#undef BODY
+#undef REAL
+#undef READ
+#undef SINES
+#undef WRITE
+#undef CONSTANT
+#undef SQRT
+#undef ABS
+#undef LESS
+#undef SELECT
+#undef FOURS
+#undef FOUR
+#undef SUM_OF_FOUR
+#undef SMALL
+#undef OR
+#undef FINITE_UNLESS
+#undef FINITE
+#undef UNCHECKED
+#undef NOT_BELOW
+#undef NOT_ABOVE
+#undef RESULT
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#define FOUR_BAR_VECTORS
+/* ... and here as many states as a vector holds: entry k of an argument lies at k * stride. */
+#define BODY(function) __attribute__((noinline)) static void function##_wide
+#define REAL four_bar_wide
+#define READ(array, k) (*(const four_bar_wide_there *)&(array)[(k) * stride])
+#define SINES(array, k) (*(const four_bar_wide_there *)&(array)[(k) * 8])
+#define WRITE(array, k, x) (*(four_bar_wide_there *)&(array)[(k) * stride] = (x))
+#define CONSTANT(x) ((x) - FOUR_BAR_ZERO)
+#define SQRT(x) four_bar_wide_sqrt(x)
+#define ABS(x) four_bar_wide_abs((x) - FOUR_BAR_ZERO)
+#define LESS(a, b) four_bar_wide_less((a) - FOUR_BAR_ZERO, (b) - FOUR_BAR_ZERO)
+#define SELECT(condition, a, b) four_bar_wide_select((condition) - FOUR_BAR_ZERO, (a) - FOUR_BAR_ZERO, (b) - FOUR_BAR_ZERO)
+#define FOURS four_bar_wide
+#define FOUR(array, k) \
+    ((READ(array, k) + READ(array, (k) + 1)) + (READ(array, (k) + 2) + READ(array, (k) + 3)))
+#define SUM_OF_FOUR(x) (x)
+#define SMALL(pivot, limit) ((four_bar_wide_mask)((pivot) <= (limit)) & (four_bar_wide_mask)((pivot) >= -(limit)))
+#define OR |
+/* All bits set are a NaN. */
+#define FINITE_UNLESS(small, sum) \
+    (void)stride, *(four_bar_wide_there *)total = (four_bar_wide)((four_bar_wide_mask)(sum) | (small))
+#define FINITE(sum) (void)stride, *(four_bar_wide_there *)total = (sum)
+#define UNCHECKED() (void)stride, *(four_bar_wide_there *)total = FOUR_BAR_ZERO
+#define NOT_BELOW(x, low, status) checked0 = (four_bar_wide)((four_bar_wide_mask)checked0 | ~(four_bar_wide_mask)((x) >= (low)))
+#define NOT_ABOVE(x, high, status) checked0 = (four_bar_wide)((four_bar_wide_mask)checked0 | ~(four_bar_wide_mask)((x) <= (high)))
+#define RESULT(checked, array, k, x) \
+    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
+#include "four_bar_kinematics.c"
+#include "four_bar_loops.c"
+#include "four_bar_momentum.c"
+#include "four_bar_inverse_dynamics.c"
+#include "four_bar_reactions.c"
+#include "four_bar_forward_dynamics.c"
+#include "four_bar_margins.c"
+#undef BODY
+#undef REAL
+#undef READ
+#undef SINES
+#undef WRITE
+#undef CONSTANT
+#undef SQRT
+#undef ABS
+#undef LESS
+#undef SELECT
+#undef FOURS
+#undef FOUR
+#undef SUM_OF_FOUR
+#undef SMALL
+#undef OR
+#undef FINITE_UNLESS
+#undef FINITE
+#undef UNCHECKED
+#undef NOT_BELOW
+#undef NOT_ABOVE
+#undef RESULT
+
+static void four_bar_body_poses_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict poses = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_body_poses_wide(stride, q + lane, poses + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_body_twists_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict twists = out[0];
+    double angle[8], sine[8], cosine[8];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles2(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(8, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_body_twists_wide(stride, q + lane, v + lane, twists + lane, sine + lane, cosine + lane, total
+            + lane);
+    }
+}
+
+static void four_bar_body_twist_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict twist_rates = out[0];
+    double angle[8], sine[8], cosine[8];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles2(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(8, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_body_twist_rates_wide(stride, q + lane, v + lane, a + lane, twist_rates + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_forward_kinematics_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict positions = out[0];
+    double angle[16], sine[16], cosine[16];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles4(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(16, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_kinematics_wide(stride, q + lane, positions + lane, sine + lane, cosine + lane, total
+            + lane);
+    }
+}
+
+static void four_bar_point_motion_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict positions = out[0];
+    double *restrict velocities = out[1];
+    double *restrict accelerations = out[2];
+    double angle[16], sine[16], cosine[16];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles4(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(16, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_point_motion_wide(stride, q + lane, v + lane, a + lane, positions + lane, velocities + lane,
+            accelerations + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_joint_screws_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict screws = out[0];
+    double angle[16], sine[16], cosine[16];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles4(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(16, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_screws_wide(stride, q + lane, screws + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_joint_points_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict points = out[0];
+    double angle[16], sine[16], cosine[16];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles4(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(16, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_points_wide(stride, q + lane, points + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_platform_jacobian_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict jacobian = out[0];
+    four_bar_zero_block(jacobian, 13, stride);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_platform_jacobian_wide(stride, q + lane, jacobian + lane, total + lane);
+    }
+}
+
+static void four_bar_joint_displacements_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict displacements = out[0];
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_displacements_wide(stride, q + lane, displacements + lane, total + lane);
+    }
+}
+
+static void four_bar_joint_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict rates = out[0];
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_rates_wide(stride, q + lane, v + lane, rates + lane, total + lane);
+    }
+}
+
+static void four_bar_drive_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict rates = out[0];
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_drive_rates_wide(stride, q + lane, v + lane, rates + lane, total + lane);
+    }
+}
+
+static void four_bar_closure_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict residual_ = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_closure_wide(stride, q + lane, residual_ + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_closure_jacobian_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict jacobian = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_closure_jacobian_wide(stride, q + lane, jacobian + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_closure_bias_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict bias = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_closure_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total
+            + lane);
+    }
+}
+
+static void four_bar_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict y_dot = in[1];
+    double *restrict v = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_velocity_wide(stride, q + lane, y_dot + lane, v + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_null_space_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict null_space = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_null_space_wide(stride, q + lane, null_space + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_acceleration_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict y_ddot = in[2];
+    double *restrict a = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_acceleration_wide(stride, q + lane, v + lane, y_ddot + lane, a + lane, sine + lane, cosine +
+            lane, total + lane);
+    }
+}
+
+static void four_bar_momentum_screws_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict momenta = out[0];
+    double *restrict total_ = out[1];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_momentum_screws_wide(stride, q + lane, v + lane, momenta + lane, total_ + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_momentum_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict momentum_rates = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_momentum_rates_wide(stride, q + lane, v + lane, a + lane, momentum_rates + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_energy_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict energy = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_energy_wide(stride, q + lane, v + lane, energy + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_mass_matrix_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict mass_matrix = out[0];
+    double angle[8], sine[8], cosine[8];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles6(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(8, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_mass_matrix_wide(stride, q + lane, mass_matrix + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_bias_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict bias = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_inverse_dynamics_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict u = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_dynamics_wide(stride, q + lane, v + lane, a + lane, u + lane, sine + lane, cosine +
+            lane, total + lane);
+    }
+}
+
+static void four_bar_inverse_dynamics_independent_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict y_dot = in[1];
+    const double *restrict y_ddot = in[2];
+    double *restrict u = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_dynamics_independent_wide(stride, q + lane, y_dot + lane, y_ddot + lane, u + lane,
+            sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_joint_reactions_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict u = out[0];
+    double *restrict reactions = out[1];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_joint_reactions_wide(stride, q + lane, v + lane, a + lane, u + lane, reactions + lane, sine +
+            lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_forward_dynamics_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict u = in[2];
+    double *restrict a = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_dynamics_wide(stride, q + lane, v + lane, u + lane, a + lane, sine + lane, cosine +
+            lane, total + lane);
+    }
+}
+
+static void four_bar_forward_dynamics_independent_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict y_dot = in[1];
+    const double *restrict u = in[2];
+    double *restrict y_ddot = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_dynamics_independent_wide(stride, q + lane, y_dot + lane, u + lane, y_ddot + lane,
+            sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_forward_dynamics_reactions_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict u = in[2];
+    double *restrict a = out[0];
+    double *restrict reactions = out[1];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_forward_dynamics_reactions_wide(stride, q + lane, v + lane, u + lane, a + lane, reactions +
+            lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_close_position_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict q_next = out[0];
+    double *restrict residual_ = out[1];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_close_position_wide(stride, q + lane, q_next + lane, residual_ + lane, sine + lane, cosine +
+            lane, total + lane);
+    }
+}
+
+static void four_bar_close_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict v_next = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_close_velocity_wide(stride, q + lane, v + lane, v_next + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void four_bar_inverse_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict pose = in[0];
+    const double *restrict rate = in[1];
+    double *restrict v = out[0];
+    double angle[8], sine[8], cosine[8];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles8(stride, 8, pose + lane, angle + lane);
+    }
+    four_bar_sincos_block(8, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_velocity_wide(stride, pose + lane, rate + lane, v + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void four_bar_inverse_dynamics_platform_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict pose = in[0];
+    const double *restrict rate = in[1];
+    const double *restrict acceleration = in[2];
+    double *restrict u = out[0];
+    double angle[8], sine[8], cosine[8];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles8(stride, 8, pose + lane, angle + lane);
+    }
+    four_bar_sincos_block(8, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_inverse_dynamics_platform_wide(stride, pose + lane, rate + lane, acceleration + lane, u +
+            lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void four_bar_limb_margins_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict margins = out[0];
+    double angle[8], sine[8], cosine[8];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles6(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(8, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_limb_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_constraint_margin_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict margins = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_constraint_margin_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void four_bar_actuation_margins_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict margins = out[0];
+    double angle[24], sine[24], cosine[24];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        four_bar_angles0(stride, 8, q + lane, angle + lane);
+    }
+    four_bar_sincos_block(24, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += FOUR_BAR_WIDE) {
+        four_bar_actuation_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+#endif
+
+static int four_bar_body_poses_called(const double *const *in, double *const *out)
+{
+    return four_bar_body_poses(in[0], out[0]);
+}
+static const four_bar_batched four_bar_body_poses_batched = {
+    1, 1, {3, 36}, four_bar_body_poses_called, FOUR_BAR_BLOCK(four_bar_body_poses_block)
+};
+
+int four_bar_body_poses_batch(size_t count, const double *restrict q, double *restrict poses,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {poses};
+    return four_bar_states(&four_bar_body_poses_batched, count, 0, in, out, status);
+}
+
+int four_bar_body_poses_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict poses, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {poses};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_body_poses_batched, count, stride, in, out, status);
+}
+
+static int four_bar_body_twists_called(const double *const *in, double *const *out)
+{
+    return four_bar_body_twists(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_body_twists_batched = {
+    2, 1, {3, 3, 18}, four_bar_body_twists_called, FOUR_BAR_BLOCK(four_bar_body_twists_block)
+};
+
+int four_bar_body_twists_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict twists, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {twists};
+    return four_bar_states(&four_bar_body_twists_batched, count, 0, in, out, status);
+}
+
+int four_bar_body_twists_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict twists, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {twists};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_body_twists_batched, count, stride, in, out, status);
+}
+
+static int four_bar_body_twist_rates_called(const double *const *in, double *const *out)
+{
+    return four_bar_body_twist_rates(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_body_twist_rates_batched = {
+    3, 1, {3, 3, 3, 18}, four_bar_body_twist_rates_called, FOUR_BAR_BLOCK(four_bar_body_twist_rates_block)
+};
+
+int four_bar_body_twist_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict twist_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {twist_rates};
+    return four_bar_states(&four_bar_body_twist_rates_batched, count, 0, in, out, status);
+}
+
+int four_bar_body_twist_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict twist_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {twist_rates};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_body_twist_rates_batched, count, stride, in, out, status);
+}
+
+static int four_bar_forward_kinematics_called(const double *const *in, double *const *out)
+{
+    return four_bar_forward_kinematics(in[0], out[0]);
+}
+static const four_bar_batched four_bar_forward_kinematics_batched = {
+    1, 1, {3, 3}, four_bar_forward_kinematics_called, FOUR_BAR_BLOCK(four_bar_forward_kinematics_block)
+};
+
+int four_bar_forward_kinematics_batch(size_t count, const double *restrict q, double *restrict positions,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {positions};
+    return four_bar_states(&four_bar_forward_kinematics_batched, count, 0, in, out, status);
+}
+
+int four_bar_forward_kinematics_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict positions, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {positions};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_forward_kinematics_batched, count, stride, in, out, status);
+}
+
+static int four_bar_point_motion_called(const double *const *in, double *const *out)
+{
+    return four_bar_point_motion(in[0], in[1], in[2], out[0], out[1], out[2]);
+}
+static const four_bar_batched four_bar_point_motion_batched = {
+    3, 3, {3, 3, 3, 3, 3, 3}, four_bar_point_motion_called, FOUR_BAR_BLOCK(four_bar_point_motion_block)
+};
+
+int four_bar_point_motion_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict positions, double *restrict velocities,
+    double *restrict accelerations, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {positions, velocities, accelerations};
+    return four_bar_states(&four_bar_point_motion_batched, count, 0, in, out, status);
+}
+
+int four_bar_point_motion_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict positions,
+    double *restrict velocities, double *restrict accelerations, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {positions, velocities, accelerations};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_point_motion_batched, count, stride, in, out, status);
+}
+
+static int four_bar_joint_screws_called(const double *const *in, double *const *out)
+{
+    return four_bar_joint_screws(in[0], out[0]);
+}
+static const four_bar_batched four_bar_joint_screws_batched = {
+    1, 1, {3, 24}, four_bar_joint_screws_called, FOUR_BAR_BLOCK(four_bar_joint_screws_block)
+};
+
+int four_bar_joint_screws_batch(size_t count, const double *restrict q, double *restrict screws,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {screws};
+    return four_bar_states(&four_bar_joint_screws_batched, count, 0, in, out, status);
+}
+
+int four_bar_joint_screws_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict screws, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {screws};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_joint_screws_batched, count, stride, in, out, status);
+}
+
+static int four_bar_joint_points_called(const double *const *in, double *const *out)
+{
+    return four_bar_joint_points(in[0], out[0]);
+}
+static const four_bar_batched four_bar_joint_points_batched = {
+    1, 1, {3, 12}, four_bar_joint_points_called, FOUR_BAR_BLOCK(four_bar_joint_points_block)
+};
+
+int four_bar_joint_points_batch(size_t count, const double *restrict q, double *restrict points,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {points};
+    return four_bar_states(&four_bar_joint_points_batched, count, 0, in, out, status);
+}
+
+int four_bar_joint_points_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict points, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {points};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_joint_points_batched, count, stride, in, out, status);
+}
+
+static int four_bar_platform_jacobian_called(const double *const *in, double *const *out)
+{
+    return four_bar_platform_jacobian(in[0], out[0]);
+}
+static const four_bar_batched four_bar_platform_jacobian_batched = {
+    1, 1, {3, 18}, four_bar_platform_jacobian_called, FOUR_BAR_BLOCK(four_bar_platform_jacobian_block)
+};
+
+int four_bar_platform_jacobian_batch(size_t count, const double *restrict q, double *restrict jacobian,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return four_bar_states(&four_bar_platform_jacobian_batched, count, 0, in, out, status);
+}
+
+int four_bar_platform_jacobian_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict jacobian, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_platform_jacobian_batched, count, stride, in, out, status);
+}
+
+static int four_bar_joint_displacements_called(const double *const *in, double *const *out)
+{
+    return four_bar_joint_displacements(in[0], out[0]);
+}
+static const four_bar_batched four_bar_joint_displacements_batched = {
+    1, 1, {3, 4}, four_bar_joint_displacements_called, FOUR_BAR_BLOCK(four_bar_joint_displacements_block)
+};
+
+int four_bar_joint_displacements_batch(size_t count, const double *restrict q, double *restrict displacements,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {displacements};
+    return four_bar_states(&four_bar_joint_displacements_batched, count, 0, in, out, status);
+}
+
+int four_bar_joint_displacements_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict displacements, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {displacements};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_joint_displacements_batched, count, stride, in, out, status);
+}
+
+static int four_bar_joint_rates_called(const double *const *in, double *const *out)
+{
+    return four_bar_joint_rates(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_joint_rates_batched = {
+    2, 1, {3, 3, 4}, four_bar_joint_rates_called, FOUR_BAR_BLOCK(four_bar_joint_rates_block)
+};
+
+int four_bar_joint_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return four_bar_states(&four_bar_joint_rates_batched, count, 0, in, out, status);
+}
+
+int four_bar_joint_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_joint_rates_batched, count, stride, in, out, status);
+}
+
+static int four_bar_drive_rates_called(const double *const *in, double *const *out)
+{
+    return four_bar_drive_rates(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_drive_rates_batched = {
+    2, 1, {3, 3, 1}, four_bar_drive_rates_called, FOUR_BAR_BLOCK(four_bar_drive_rates_block)
+};
+
+int four_bar_drive_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return four_bar_states(&four_bar_drive_rates_batched, count, 0, in, out, status);
+}
+
+int four_bar_drive_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_drive_rates_batched, count, stride, in, out, status);
+}
+
+static int four_bar_closure_called(const double *const *in, double *const *out)
+{
+    return four_bar_closure(in[0], out[0]);
+}
+static const four_bar_batched four_bar_closure_batched = {
+    1, 1, {3, 5}, four_bar_closure_called, FOUR_BAR_BLOCK(four_bar_closure_block)
+};
+
+int four_bar_closure_batch(size_t count, const double *restrict q, double *restrict residual_,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {residual_};
+    return four_bar_states(&four_bar_closure_batched, count, 0, in, out, status);
+}
+
+int four_bar_closure_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict residual_, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {residual_};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_closure_batched, count, stride, in, out, status);
+}
+
+static int four_bar_closure_jacobian_called(const double *const *in, double *const *out)
+{
+    return four_bar_closure_jacobian(in[0], out[0]);
+}
+static const four_bar_batched four_bar_closure_jacobian_batched = {
+    1, 1, {3, 15}, four_bar_closure_jacobian_called, FOUR_BAR_BLOCK(four_bar_closure_jacobian_block)
+};
+
+int four_bar_closure_jacobian_batch(size_t count, const double *restrict q, double *restrict jacobian,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return four_bar_states(&four_bar_closure_jacobian_batched, count, 0, in, out, status);
+}
+
+int four_bar_closure_jacobian_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict jacobian, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_closure_jacobian_batched, count, stride, in, out, status);
+}
+
+static int four_bar_closure_bias_called(const double *const *in, double *const *out)
+{
+    return four_bar_closure_bias(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_closure_bias_batched = {
+    2, 1, {3, 3, 5}, four_bar_closure_bias_called, FOUR_BAR_BLOCK(four_bar_closure_bias_block)
+};
+
+int four_bar_closure_bias_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return four_bar_states(&four_bar_closure_bias_batched, count, 0, in, out, status);
+}
+
+int four_bar_closure_bias_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_closure_bias_batched, count, stride, in, out, status);
+}
+
+static int four_bar_velocity_called(const double *const *in, double *const *out)
+{
+    return four_bar_velocity(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_velocity_batched = {
+    2, 1, {3, 1, 3}, four_bar_velocity_called, FOUR_BAR_BLOCK(four_bar_velocity_block)
+};
+
+int four_bar_velocity_batch(size_t count, const double *restrict q, const double *restrict y_dot,
+    double *restrict v, int *restrict status)
+{
+    const double *const in[] = {q, y_dot};
+    double *const out[] = {v};
+    return four_bar_states(&four_bar_velocity_batched, count, 0, in, out, status);
+}
+
+int four_bar_velocity_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict y_dot, double *restrict v, int *restrict status)
+{
+    const double *const in[] = {q, y_dot};
+    double *const out[] = {v};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_velocity_batched, count, stride, in, out, status);
+}
+
+static int four_bar_null_space_called(const double *const *in, double *const *out)
+{
+    return four_bar_null_space(in[0], out[0]);
+}
+static const four_bar_batched four_bar_null_space_batched = {
+    1, 1, {3, 3}, four_bar_null_space_called, FOUR_BAR_BLOCK(four_bar_null_space_block)
+};
+
+int four_bar_null_space_batch(size_t count, const double *restrict q, double *restrict null_space,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {null_space};
+    return four_bar_states(&four_bar_null_space_batched, count, 0, in, out, status);
+}
+
+int four_bar_null_space_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict null_space, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {null_space};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_null_space_batched, count, stride, in, out, status);
+}
+
+static int four_bar_acceleration_called(const double *const *in, double *const *out)
+{
+    return four_bar_acceleration(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_acceleration_batched = {
+    3, 1, {3, 3, 1, 3}, four_bar_acceleration_called, FOUR_BAR_BLOCK(four_bar_acceleration_block)
+};
+
+int four_bar_acceleration_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict y_ddot, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, y_ddot};
+    double *const out[] = {a};
+    return four_bar_states(&four_bar_acceleration_batched, count, 0, in, out, status);
+}
+
+int four_bar_acceleration_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict y_ddot, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, y_ddot};
+    double *const out[] = {a};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_acceleration_batched, count, stride, in, out, status);
+}
+
+static int four_bar_momentum_screws_called(const double *const *in, double *const *out)
+{
+    return four_bar_momentum_screws(in[0], in[1], out[0], out[1]);
+}
+static const four_bar_batched four_bar_momentum_screws_batched = {
+    2, 2, {3, 3, 18, 6}, four_bar_momentum_screws_called, FOUR_BAR_BLOCK(four_bar_momentum_screws_block)
+};
+
+int four_bar_momentum_screws_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict momenta, double *restrict total_, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {momenta, total_};
+    return four_bar_states(&four_bar_momentum_screws_batched, count, 0, in, out, status);
+}
+
+int four_bar_momentum_screws_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict momenta, double *restrict total_, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {momenta, total_};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_momentum_screws_batched, count, stride, in, out, status);
+}
+
+static int four_bar_momentum_rates_called(const double *const *in, double *const *out)
+{
+    return four_bar_momentum_rates(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_momentum_rates_batched = {
+    3, 1, {3, 3, 3, 18}, four_bar_momentum_rates_called, FOUR_BAR_BLOCK(four_bar_momentum_rates_block)
+};
+
+int four_bar_momentum_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict momentum_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {momentum_rates};
+    return four_bar_states(&four_bar_momentum_rates_batched, count, 0, in, out, status);
+}
+
+int four_bar_momentum_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict momentum_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {momentum_rates};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_momentum_rates_batched, count, stride, in, out, status);
+}
+
+static int four_bar_energy_called(const double *const *in, double *const *out)
+{
+    return four_bar_energy(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_energy_batched = {
+    2, 1, {3, 3, 2}, four_bar_energy_called, FOUR_BAR_BLOCK(four_bar_energy_block)
+};
+
+int four_bar_energy_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict energy, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {energy};
+    return four_bar_states(&four_bar_energy_batched, count, 0, in, out, status);
+}
+
+int four_bar_energy_batch_soa(size_t count, size_t stride, const double *restrict q, const double *restrict v,
+    double *restrict energy, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {energy};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_energy_batched, count, stride, in, out, status);
+}
+
+static int four_bar_mass_matrix_called(const double *const *in, double *const *out)
+{
+    return four_bar_mass_matrix(in[0], out[0]);
+}
+static const four_bar_batched four_bar_mass_matrix_batched = {
+    1, 1, {3, 9}, four_bar_mass_matrix_called, FOUR_BAR_BLOCK(four_bar_mass_matrix_block)
+};
+
+int four_bar_mass_matrix_batch(size_t count, const double *restrict q, double *restrict mass_matrix,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {mass_matrix};
+    return four_bar_states(&four_bar_mass_matrix_batched, count, 0, in, out, status);
+}
+
+int four_bar_mass_matrix_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict mass_matrix, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {mass_matrix};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_mass_matrix_batched, count, stride, in, out, status);
+}
+
+static int four_bar_bias_called(const double *const *in, double *const *out)
+{
+    return four_bar_bias(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_bias_batched = {
+    2, 1, {3, 3, 3}, four_bar_bias_called, FOUR_BAR_BLOCK(four_bar_bias_block)
+};
+
+int four_bar_bias_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return four_bar_states(&four_bar_bias_batched, count, 0, in, out, status);
+}
+
+int four_bar_bias_batch_soa(size_t count, size_t stride, const double *restrict q, const double *restrict v,
+    double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_bias_batched, count, stride, in, out, status);
+}
+
+static int four_bar_inverse_dynamics_called(const double *const *in, double *const *out)
+{
+    return four_bar_inverse_dynamics(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_inverse_dynamics_batched = {
+    3, 1, {3, 3, 3, 1}, four_bar_inverse_dynamics_called, FOUR_BAR_BLOCK(four_bar_inverse_dynamics_block)
+};
+
+int four_bar_inverse_dynamics_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u};
+    return four_bar_states(&four_bar_inverse_dynamics_batched, count, 0, in, out, status);
+}
+
+int four_bar_inverse_dynamics_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_inverse_dynamics_batched, count, stride, in, out, status);
+}
+
+static int four_bar_inverse_dynamics_independent_called(const double *const *in, double *const *out)
+{
+    return four_bar_inverse_dynamics_independent(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_inverse_dynamics_independent_batched = {
+    3, 1, {3, 1, 1, 1}, four_bar_inverse_dynamics_independent_called, FOUR_BAR_BLOCK(four_bar_inverse_dynamics_independent_block)
+};
+
+int four_bar_inverse_dynamics_independent_batch(size_t count, const double *restrict q,
+    const double *restrict y_dot, const double *restrict y_ddot, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, y_dot, y_ddot};
+    double *const out[] = {u};
+    return four_bar_states(&four_bar_inverse_dynamics_independent_batched, count, 0, in, out, status);
+}
+
+int four_bar_inverse_dynamics_independent_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict y_dot, const double *restrict y_ddot, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, y_dot, y_ddot};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_inverse_dynamics_independent_batched, count, stride, in, out, status);
+}
+
+static int four_bar_joint_reactions_called(const double *const *in, double *const *out)
+{
+    return four_bar_joint_reactions(in[0], in[1], in[2], out[0], out[1]);
+}
+static const four_bar_batched four_bar_joint_reactions_batched = {
+    3, 2, {3, 3, 3, 1, 24}, four_bar_joint_reactions_called, FOUR_BAR_BLOCK(four_bar_joint_reactions_block)
+};
+
+int four_bar_joint_reactions_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict u, double *restrict reactions, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u, reactions};
+    return four_bar_states(&four_bar_joint_reactions_batched, count, 0, in, out, status);
+}
+
+int four_bar_joint_reactions_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict u, double *restrict reactions,
+    int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u, reactions};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_joint_reactions_batched, count, stride, in, out, status);
+}
+
+static int four_bar_forward_dynamics_called(const double *const *in, double *const *out)
+{
+    return four_bar_forward_dynamics(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_forward_dynamics_batched = {
+    3, 1, {3, 3, 1, 3}, four_bar_forward_dynamics_called, FOUR_BAR_BLOCK(four_bar_forward_dynamics_block)
+};
+
+int four_bar_forward_dynamics_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict u, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a};
+    return four_bar_states(&four_bar_forward_dynamics_batched, count, 0, in, out, status);
+}
+
+int four_bar_forward_dynamics_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict u, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_forward_dynamics_batched, count, stride, in, out, status);
+}
+
+static int four_bar_forward_dynamics_independent_called(const double *const *in, double *const *out)
+{
+    return four_bar_forward_dynamics_independent(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_forward_dynamics_independent_batched = {
+    3, 1, {3, 1, 1, 1}, four_bar_forward_dynamics_independent_called, FOUR_BAR_BLOCK(four_bar_forward_dynamics_independent_block)
+};
+
+int four_bar_forward_dynamics_independent_batch(size_t count, const double *restrict q,
+    const double *restrict y_dot, const double *restrict u, double *restrict y_ddot, int *restrict status)
+{
+    const double *const in[] = {q, y_dot, u};
+    double *const out[] = {y_ddot};
+    return four_bar_states(&four_bar_forward_dynamics_independent_batched, count, 0, in, out, status);
+}
+
+int four_bar_forward_dynamics_independent_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict y_dot, const double *restrict u, double *restrict y_ddot, int *restrict status)
+{
+    const double *const in[] = {q, y_dot, u};
+    double *const out[] = {y_ddot};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_forward_dynamics_independent_batched, count, stride, in, out, status);
+}
+
+static int four_bar_forward_dynamics_reactions_called(const double *const *in, double *const *out)
+{
+    return four_bar_forward_dynamics_reactions(in[0], in[1], in[2], out[0], out[1]);
+}
+static const four_bar_batched four_bar_forward_dynamics_reactions_batched = {
+    3, 2, {3, 3, 1, 3, 24}, four_bar_forward_dynamics_reactions_called, FOUR_BAR_BLOCK(four_bar_forward_dynamics_reactions_block)
+};
+
+int four_bar_forward_dynamics_reactions_batch(size_t count, const double *restrict q,
+    const double *restrict v, const double *restrict u, double *restrict a, double *restrict reactions,
+    int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a, reactions};
+    return four_bar_states(&four_bar_forward_dynamics_reactions_batched, count, 0, in, out, status);
+}
+
+int four_bar_forward_dynamics_reactions_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict u, double *restrict a, double *restrict reactions,
+    int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a, reactions};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_forward_dynamics_reactions_batched, count, stride, in, out, status);
+}
+
+static int four_bar_close_position_called(const double *const *in, double *const *out)
+{
+    return four_bar_close_position(in[0], out[0], out[1]);
+}
+static const four_bar_batched four_bar_close_position_batched = {
+    1, 2, {3, 3, 1}, four_bar_close_position_called, FOUR_BAR_BLOCK(four_bar_close_position_block)
+};
+
+int four_bar_close_position_batch(size_t count, const double *restrict q, double *restrict q_next,
+    double *restrict residual_, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {q_next, residual_};
+    return four_bar_states(&four_bar_close_position_batched, count, 0, in, out, status);
+}
+
+int four_bar_close_position_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict q_next, double *restrict residual_, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {q_next, residual_};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_close_position_batched, count, stride, in, out, status);
+}
+
+static int four_bar_close_velocity_called(const double *const *in, double *const *out)
+{
+    return four_bar_close_velocity(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_close_velocity_batched = {
+    2, 1, {3, 3, 3}, four_bar_close_velocity_called, FOUR_BAR_BLOCK(four_bar_close_velocity_block)
+};
+
+int four_bar_close_velocity_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict v_next, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {v_next};
+    return four_bar_states(&four_bar_close_velocity_batched, count, 0, in, out, status);
+}
+
+int four_bar_close_velocity_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict v_next, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {v_next};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_close_velocity_batched, count, stride, in, out, status);
+}
+
+static int four_bar_inverse_kinematics_called(const double *const *in, double *const *out)
+{
+    return four_bar_inverse_kinematics(in[0], out[0]);
+}
+static const four_bar_batched four_bar_inverse_kinematics_batched = {
+    1, 1, {1, 3}, four_bar_inverse_kinematics_called, NULL
+};
+
+int four_bar_inverse_kinematics_batch(size_t count, const double *restrict pose, double *restrict q,
+    int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {q};
+    return four_bar_states(&four_bar_inverse_kinematics_batched, count, 0, in, out, status);
+}
+
+int four_bar_inverse_kinematics_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    double *restrict q, int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {q};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_inverse_kinematics_batched, count, stride, in, out, status);
+}
+
+static int four_bar_inverse_velocity_called(const double *const *in, double *const *out)
+{
+    return four_bar_inverse_velocity(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_inverse_velocity_batched = {
+    2, 1, {1, 1, 3}, four_bar_inverse_velocity_called, FOUR_BAR_BLOCK(four_bar_inverse_velocity_block)
+};
+
+int four_bar_inverse_velocity_batch(size_t count, const double *restrict pose, const double *restrict rate,
+    double *restrict v, int *restrict status)
+{
+    const double *const in[] = {pose, rate};
+    double *const out[] = {v};
+    return four_bar_states(&four_bar_inverse_velocity_batched, count, 0, in, out, status);
+}
+
+int four_bar_inverse_velocity_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    const double *restrict rate, double *restrict v, int *restrict status)
+{
+    const double *const in[] = {pose, rate};
+    double *const out[] = {v};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_inverse_velocity_batched, count, stride, in, out, status);
+}
+
+static int four_bar_inverse_dynamics_platform_called(const double *const *in, double *const *out)
+{
+    return four_bar_inverse_dynamics_platform(in[0], in[1], in[2], out[0]);
+}
+static const four_bar_batched four_bar_inverse_dynamics_platform_batched = {
+    3, 1, {1, 1, 1, 1}, four_bar_inverse_dynamics_platform_called, FOUR_BAR_BLOCK(four_bar_inverse_dynamics_platform_block)
+};
+
+int four_bar_inverse_dynamics_platform_batch(size_t count, const double *restrict pose,
+    const double *restrict rate, const double *restrict acceleration, double *restrict u,
+    int *restrict status)
+{
+    const double *const in[] = {pose, rate, acceleration};
+    double *const out[] = {u};
+    return four_bar_states(&four_bar_inverse_dynamics_platform_batched, count, 0, in, out, status);
+}
+
+int four_bar_inverse_dynamics_platform_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    const double *restrict rate, const double *restrict acceleration, double *restrict u,
+    int *restrict status)
+{
+    const double *const in[] = {pose, rate, acceleration};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_inverse_dynamics_platform_batched, count, stride, in, out, status);
+}
+
+static int four_bar_assemble_called(const double *const *in, double *const *out)
+{
+    return four_bar_assemble(in[0], in[1], out[0]);
+}
+static const four_bar_batched four_bar_assemble_batched = {
+    2, 1, {1, 3, 3}, four_bar_assemble_called, NULL
+};
+
+int four_bar_assemble_batch(size_t count, const double *restrict y, const double *restrict guess,
+    double *restrict q, int *restrict status)
+{
+    const double *const in[] = {y, guess};
+    double *const out[] = {q};
+    return four_bar_states(&four_bar_assemble_batched, count, 0, in, out, status);
+}
+
+int four_bar_assemble_batch_soa(size_t count, size_t stride, const double *restrict y,
+    const double *restrict guess, double *restrict q, int *restrict status)
+{
+    const double *const in[] = {y, guess};
+    double *const out[] = {q};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_assemble_batched, count, stride, in, out, status);
+}
+
+static int four_bar_limb_margins_called(const double *const *in, double *const *out)
+{
+    return four_bar_limb_margins(in[0], out[0]);
+}
+static const four_bar_batched four_bar_limb_margins_batched = {
+    1, 1, {3, 1}, four_bar_limb_margins_called, FOUR_BAR_BLOCK(four_bar_limb_margins_block)
+};
+
+int four_bar_limb_margins_batch(size_t count, const double *restrict q, double *restrict margins,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return four_bar_states(&four_bar_limb_margins_batched, count, 0, in, out, status);
+}
+
+int four_bar_limb_margins_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict margins, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_limb_margins_batched, count, stride, in, out, status);
+}
+
+static int four_bar_constraint_margin_called(const double *const *in, double *const *out)
+{
+    return four_bar_constraint_margin(in[0], out[0]);
+}
+static const four_bar_batched four_bar_constraint_margin_batched = {
+    1, 1, {3, 1}, four_bar_constraint_margin_called, FOUR_BAR_BLOCK(four_bar_constraint_margin_block)
+};
+
+int four_bar_constraint_margin_batch(size_t count, const double *restrict q, double *restrict margins,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return four_bar_states(&four_bar_constraint_margin_batched, count, 0, in, out, status);
+}
+
+int four_bar_constraint_margin_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict margins, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_constraint_margin_batched, count, stride, in, out, status);
+}
+
+static int four_bar_actuation_margins_called(const double *const *in, double *const *out)
+{
+    return four_bar_actuation_margins(in[0], out[0]);
+}
+static const four_bar_batched four_bar_actuation_margins_batched = {
+    1, 1, {3, 1}, four_bar_actuation_margins_called, FOUR_BAR_BLOCK(four_bar_actuation_margins_block)
+};
+
+int four_bar_actuation_margins_batch(size_t count, const double *restrict q, double *restrict margins,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return four_bar_states(&four_bar_actuation_margins_batched, count, 0, in, out, status);
+}
+
+int four_bar_actuation_margins_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict margins, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_actuation_margins_batched, count, stride, in, out, status);
+}

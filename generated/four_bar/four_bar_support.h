@@ -1,0 +1,261 @@
+/*
+ * four_bar: what its sources share.
+ * Generated with four_bar.h, which says of what; do not edit.
+ */
+#ifndef FOUR_BAR_SUPPORT_H
+#define FOUR_BAR_SUPPORT_H
+
+#include "four_bar.h"
+
+#include <math.h>
+
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"
+#endif
+
+/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")
+#endif
+#if defined(__GNUC__)
+#define FOUR_BAR_INLINE __attribute__((always_inline))
+#define FOUR_BAR_UNUSED __attribute__((unused))
+#else
+#define FOUR_BAR_INLINE
+#define FOUR_BAR_UNUSED
+#endif
+
+FOUR_BAR_UNUSED static inline void four_bar_set_nan(double *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = (double)NAN;
+    }
+}
+
+FOUR_BAR_UNUSED static inline void four_bar_zero(double *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = 0.0;
+    }
+}
+
+/* Sines and cosines of the first `count` of 4 angles; FOUR_BAR_SCALAR takes them one by one. */
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX2__) && !defined(FOUR_BAR_SCALAR)
+typedef double four_bar_lanes __attribute__((vector_size(32)));
+four_bar_lanes _ZGVdN4v_sin(four_bar_lanes);
+four_bar_lanes _ZGVdN4v_cos(four_bar_lanes);
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int count, const double *angle, double *sine, double *cosine)
+{
+    if (count == 1) {
+        sine[0] = sin(angle[0]);
+        cosine[0] = cos(angle[0]);
+        return;
+    }
+    const four_bar_lanes all = {angle[0], angle[1], angle[2], angle[3]};
+    const four_bar_lanes s = _ZGVdN4v_sin(all);
+    const four_bar_lanes c = _ZGVdN4v_cos(all);
+    for (int k = 0; k < count; ++k) {
+        sine[k] = s[k];
+        cosine[k] = c[k];
+    }
+}
+#else
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int count, const double *angle, double *sine, double *cosine)
+{
+    for (int k = 0; k < count; ++k) {
+        sine[k] = sin(angle[k]);
+        cosine[k] = cos(angle[k]);
+    }
+}
+#endif
+
+/* Of the second path of functions, in the support's source. */
+void four_bar_orthogonalise(int rows, int columns, double *a, double *v);
+double four_bar_dot(int size, const double *x, const double *y);
+int four_bar_cholesky(int size, double *matrix, double *right);
+int four_bar_constrained(int n, int m, const double *mass, const double *force, double *jacobian,
+                             const double *bias, double *v, double *work, double *a, double *multipliers);
+void four_bar_internal_load(int n, int m, const double *jacobian, int found, double *loads);
+
+/* Constants: numbers of the description, and what was folded of them. */
+FOUR_BAR_UNUSED static const double
+    B_at_z = 0.15, /* [m] point, absolute axes, of B, also offset_x of coupler: 3/20 */
+    B_at_z_coupler_com_z = 0.045, /* B_at_z * coupler_com_z */
+    D_at_x = 0.64, /* [m] point, absolute axes, of D, also offset_x of rocker: 16/25 */
+    coupler_Iyy = 0.025, /* [kg m^2] inertia, absolute axes, of coupler: 1/40 */
+    coupler_com_x = 0.2, /* [m] centre of mass, absolute axes, of coupler, also at_x of coupler_middle: 1/5 */
+    coupler_com_z = 0.3, /* [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10 */
+    coupler_phase = 0.9272952180016122, /* [rad] what is added to the coordinate of coupler: atan2(2 * C_at_x, 2 * coupler_com_z) */
+    coupler_sxx = 0.1, /* [kg m^2] second moment (sum of m r r), link axes, of coupler: coupler_Iyy + crank_com_z */
+    crank_Ixx = 0.0009375, /* [kg m^2] inertia, absolute axes, of crank, also Iyy of crank: 3/3200 */
+    crank_com_z = 0.075, /* [m] centre of mass, absolute axes, of crank: 3/40 */
+    crank_m_gravity_z = 4.905, /* 0.5 * gravity_z */
+    crank_mx = 0.0375, /* [kg m] first moment, link axes, of crank: 0.5 * crank_com_z */
+    gravity_z = 9.81, /* [m/s^2] acceleration of the effect of gravity: 981/100 */
+    gravity_z_crank_mx = 0.367875, /* gravity_z * crank_mx */
+    gravity_z_rocker_mx = 3.00186, /* gravity_z * rocker_mx */
+    per_length = 3.3146717314850727, /* [1/m] 1 over the characteristic length */
+    per_length_B_at_z = 0.4972007597227609, /* per_length * B_at_z */
+    per_length_crank_m = 1.6573358657425363, /* per_length * 0.5 */
+    per_length_squared = 10.987048687506249, /* [1/m^2] 1 over the square of the characteristic length */
+    rocker_Iyy = 0.02601, /* [kg m^2] inertia, absolute axes, of rocker: 2601/100000 */
+    rocker_com_x = 0.52, /* [m] centre of mass, absolute axes, of rocker: 13/25 */
+    rocker_com_z = 0.225, /* [m] centre of mass, absolute axes, of rocker: 9/40 */
+    rocker_m = 1.2, /* [kg] mass of rocker, coupler: 6/5 */
+    rocker_m_gravity_z = 11.772, /* rocker_m * gravity_z */
+    rocker_mx = 0.306, /* [kg m] first moment, link axes, of rocker: rocker_m * ((-0.47058823529411764) * (-0.12) + 0.8823529411764706 *
+        rocker_com_z) */
+    rocker_phase = 0.4899573262537283, /* [rad] what is added to the coordinate of rocker: -(atan2(-(-((1 / 0.51) * (-(-(C_at_x - D_at_x))))), (1 /
+        0.51) * C_at_z)) */
+    rocker_sxx = 0.10404, /* [kg m^2] second moment (sum of m r r), link axes, of rocker: rocker_Iyy + rocker_mx * (0.05647058823529412 +
+        0.19852941176470587) */
+    k1 = 0.8, /* 2 * C_at_x */
+    k2 = 0.6, /* 2 * coupler_com_z */
+    k3 = 0.47058823529411764, /* -((1 / (sqrt(0.2601))) * (-(-(C_at_x - D_at_x)))) */
+    k4 = 0.8823529411764706, /* (1 / (sqrt(0.2601))) * C_at_z */
+    k5 = 0.25, /* C_at_x * C_at_x + coupler_com_z * coupler_com_z */
+    k6 = 0.51, /* sqrt((-0.24) * (-0.24) + C_at_z * C_at_z) */
+    k7 = 0.03075, /* crank_sxx + 0.6 * coupler_com_z * B_at_z */
+    k8 = 0.18, /* 2 * coupler_com_z * coupler_com_z */
+    k9 = 0.09, /* coupler_com_z * coupler_com_z */
+    k10 = 2.133675, /* (crank_mx + 0.6 * coupler_com_z) * gravity_z */
+    k11 = 1.690482583057387, /* per_length * (sqrt(0.0576 + 0.2025)) */
+    k12 = 0.2725, /* B_at_z * B_at_z + C_at_x * C_at_x + coupler_com_z * coupler_com_z */
+    k13 = 3.3333333333333335, /* (1 / (B_at_z * B_at_z)) * crank_com_z */
+    k14 = 0.005625, /* B_at_z * B_at_z * (C_at_x * C_at_x + coupler_com_z * coupler_com_z) */
+    k15 = 6.666666666666667, /* 1 / B_at_z */
+    k16 = 8.0, /* 2 * coupler_com_z * 4 * 44.44444444444444 * crank_com_z */
+    k17 = 5.333333333333333, /* 2 * C_at_x * (1 / B_at_z) */
+    k18 = 10.666666666666666, /* 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z */
+    k19 = 13.333333333333334, /* 4 * ((1 / 0.0225) * crank_com_z) */
+    k20 = 0.2275, /* 0.5 - (B_at_z * B_at_z + 0.16 + 0.09) */
+    k21 = 0.8240286515629687, /* per_length * 0.5 * per_length * B_at_z */
+    k22 = 5.4935243437531245; /* per_length * 0.5 * per_length */
+
+static inline FOUR_BAR_INLINE void four_bar_angles0(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = coupler_phase + q[stride];
+    const double angle1 = rocker_phase - q[2 * stride];
+    angle[0] = q[0];
+    angle[pitch] = angle0;
+    angle[2 * pitch] = angle1;
+}
+
+static inline FOUR_BAR_INLINE void four_bar_sines1(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    four_bar_angles0(1, 1, q, angle);
+    angle[3] = angle[2];
+    four_bar_sincos(3, angle, sine, cosine);
+}
+
+static inline FOUR_BAR_INLINE void four_bar_angles2(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    angle[0] = q[0];
+}
+
+static inline FOUR_BAR_INLINE void four_bar_sines3(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    four_bar_angles2(1, 1, q, angle);
+    angle[1] = angle[0];
+    angle[2] = angle[0];
+    angle[3] = angle[0];
+    four_bar_sincos(1, angle, sine, cosine);
+}
+
+static inline FOUR_BAR_INLINE void four_bar_angles4(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = coupler_phase + q[stride];
+    angle[0] = q[0];
+    angle[pitch] = angle0;
+}
+
+static inline FOUR_BAR_INLINE void four_bar_sines5(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    four_bar_angles4(1, 1, q, angle);
+    angle[2] = angle[1];
+    angle[3] = angle[1];
+    four_bar_sincos(2, angle, sine, cosine);
+}
+
+static inline FOUR_BAR_INLINE void four_bar_angles6(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = coupler_phase + q[stride];
+    angle[0] = angle0;
+}
+
+static inline FOUR_BAR_INLINE void four_bar_sines7(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    four_bar_angles6(1, 1, q, angle);
+    angle[1] = angle[0];
+    angle[2] = angle[0];
+    angle[3] = angle[0];
+    four_bar_sincos(1, angle, sine, cosine);
+}
+
+static inline FOUR_BAR_INLINE void four_bar_angles8(size_t stride, size_t pitch, const double *restrict pose,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = rocker_phase - pose[0];
+    angle[0] = angle0;
+}
+
+static inline FOUR_BAR_INLINE void four_bar_sines9(const double *restrict pose, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    four_bar_angles8(1, 1, pose, angle);
+    angle[1] = angle[0];
+    angle[2] = angle[0];
+    angle[3] = angle[0];
+    four_bar_sincos(1, angle, sine, cosine);
+}
+
+/* Bodies of functions are written once. Here they take one state ... */
+#define BODY(function) static inline FOUR_BAR_INLINE int function##_body
+#define REAL double
+#define READ(array, k) ((array)[k])
+#define SINES(array, k) ((array)[k])
+#define WRITE(array, k, x) ((array)[k] = (x))
+#define CONSTANT(x) (x)
+#define SQRT(x) sqrt(x)
+#define ABS(x) fabs(x)
+#define LESS(a, b) ((a) < (b) ? 1.0 : 0.0)
+#define SELECT(condition, a, b) ((condition) != 0.0 ? (a) : (b))
+#define FOURS four_bar_four
+#define FOUR(array, k) FOUR_BAR_FOUR((array) + (k))
+#define SUM_OF_FOUR(x) FOUR_BAR_SUM(x)
+#define SMALL(pivot, limit) (fabs(pivot) <= (limit))
+#define OR ||
+#define FINITE_UNLESS(small, sum) (void)stride, (void)total; return (small) ? 1 : isfinite(sum) ? 0 : 2
+#define FINITE(sum) (void)stride, (void)total; return isfinite(sum) ? 0 : 2
+#define UNCHECKED() (void)stride, (void)total; return 0
+#define NOT_BELOW(x, low, status) \
+    if (!((x) >= (low))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }
+#define NOT_ABOVE(x, high, status) \
+    if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }
+#define RESULT(checked, array, k, x) \
+    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
+
+#endif /* FOUR_BAR_SUPPORT_H */

@@ -1,0 +1,1817 @@
+/*
+ * three_ups_upu_s: functions of many states.
+ * Generated with three_ups_upu_s.h, which says of what; do not edit.
+ */
+#include "three_ups_upu_s_support.h"
+
+#include <string.h>
+
+/* Batch functions take 8 states at once; THREE_UPS_UPU_S_STATE_BY_STATE or THREE_UPS_UPU_S_SCALAR: one by one. */
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
+#if defined(__AVX512F__)
+#define THREE_UPS_UPU_S_WIDE 8
+#elif defined(__AVX__)
+#define THREE_UPS_UPU_S_WIDE 4
+#else
+#define THREE_UPS_UPU_S_WIDE 2
+#endif
+typedef double three_ups_upu_s_wide __attribute__((vector_size(THREE_UPS_UPU_S_WIDE * 8)));
+typedef long long three_ups_upu_s_wide_mask __attribute__((vector_size(THREE_UPS_UPU_S_WIDE * 8)));
+typedef double three_ups_upu_s_wide_there
+    __attribute__((vector_size(THREE_UPS_UPU_S_WIDE * 8), aligned(8), may_alias));
+#define THREE_UPS_UPU_S_ZERO ((three_ups_upu_s_wide){0.0})
+static inline three_ups_upu_s_wide three_ups_upu_s_wide_sqrt(three_ups_upu_s_wide x)
+{
+    three_ups_upu_s_wide root = x;
+    for (int k = 0; k < THREE_UPS_UPU_S_WIDE; ++k) {
+        root[k] = sqrt(x[k]);
+    }
+    return root;
+}
+#endif
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
+#define THREE_UPS_UPU_S_ROOM 1928
+#define THREE_UPS_UPU_S_BLOCK(block) block
+#else
+#define THREE_UPS_UPU_S_ROOM 241
+#define THREE_UPS_UPU_S_BLOCK(block) NULL
+#endif
+
+/* A function of one state for the batches: its arrays, and what calls it for one state, and for eight side by side. */
+typedef struct {
+    size_t inputs, outputs;
+    size_t size[6]; /* entries of every array */
+    int (*called)(const double *const *in, double *const *out);
+    void (*block)(size_t stride, const double *const *in, double *const *out, double *total);
+} three_ups_upu_s_batched;
+
+/* Asks for the entries of the next states: they lie too far apart for the processor to foresee them. */
+THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_prefetch(size_t size, size_t stride, const double *array)
+{
+#if defined(__GNUC__)
+    for (size_t k = 0; k < size; ++k) {
+        __builtin_prefetch(array + k * stride);
+    }
+#else
+    (void)size;
+    (void)stride;
+    (void)array;
+#endif
+}
+
+/* `some` states from `first` on as a block; a stride of 0 means one state after the other. The last one
+   fills the lanes that are left. */
+THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_gather(
+    size_t size, size_t first, size_t some, size_t stride, const double *restrict array,
+    double *restrict block)
+{
+    if (stride == 0) {
+        for (size_t lane = 0; lane < 8; ++lane) {
+            const double *state = array + (first + (lane < some ? lane : some - 1)) * size;
+            for (size_t k = 0; k < size; ++k) {
+                block[k * 8 + lane] = state[k];
+            }
+        }
+        return;
+    }
+    for (size_t k = 0; k < size; ++k) {
+        const double *entry = array + k * stride + first;
+        for (size_t lane = 0; lane < 8; ++lane) {
+            block[k * 8 + lane] = entry[lane < some ? lane : some - 1];
+        }
+    }
+}
+
+THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_scatter(
+    size_t size, size_t first, size_t some, size_t stride, const double *restrict block,
+    double *restrict array)
+{
+    if (stride == 0) {
+        for (size_t lane = 0; lane < some; ++lane) {
+            double *state = array + (first + lane) * size;
+            for (size_t k = 0; k < size; ++k) {
+                state[k] = block[k * 8 + lane];
+            }
+        }
+        return;
+    }
+    for (size_t k = 0; k < size; ++k) {
+        double *entry = array + k * stride + first;
+        for (size_t lane = 0; lane < some; ++lane) {
+            entry[lane] = block[k * 8 + lane];
+        }
+    }
+}
+
+/* Zeros in the states of a block. */
+THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_zero_block(double *array, size_t size, size_t stride)
+{
+    for (size_t k = 0; k < size; ++k) {
+        for (size_t lane = 0; lane < 8; ++lane) {
+            array[k * stride + lane] = 0.0;
+        }
+    }
+}
+
+/* State `index`: where it is, or copied to `work` if its entries lie apart. */
+THREE_UPS_UPU_S_UNUSED static inline int three_ups_upu_s_one(
+    const three_ups_upu_s_batched *function, size_t index, size_t stride,
+    const double *const *in, double *const *out, double *work)
+{
+    const double *read[6] = {NULL};
+    double *written[6] = {NULL};
+    for (size_t n = 0; n < function->inputs; ++n) {
+        const size_t size = function->size[n];
+        if (size == 0 || stride == 0) {
+            read[n] = size == 0 ? in[n] : in[n] + index * size;
+            continue;
+        }
+        for (size_t k = 0; k < size; ++k) {
+            work[k] = in[n][k * stride + index];
+        }
+        read[n] = work;
+        work += size;
+    }
+    for (size_t n = 0; n < function->outputs; ++n) {
+        const size_t size = function->size[function->inputs + n];
+        written[n] = stride != 0 ? work : size == 0 ? out[n] : out[n] + index * size;
+        work += stride != 0 ? size : 0;
+    }
+    const int outcome = function->called(read, written);
+    for (size_t n = 0; n < function->outputs && stride != 0; ++n) {
+        for (size_t k = 0; k < function->size[function->inputs + n]; ++k) {
+            out[n][k * stride + index] = written[n][k];
+        }
+    }
+    return outcome;
+}
+
+/* Up to eight states from `first` on; a stride of 0 means one state after the other. */
+THREE_UPS_UPU_S_UNUSED static inline int three_ups_upu_s_some(
+    const three_ups_upu_s_batched *function, size_t first, size_t some, size_t stride,
+    const double *const *in, double *const *out, int *status, double *work)
+{
+    int worst = 0, together = 0;
+    double total[8] = {0.0};
+    if (some > 2 && function->block != NULL) {
+        const double *read[6] = {NULL};
+        double *written[6] = {NULL}, *place = work;
+        const int there = some == 8 && stride != 0;
+        const size_t *size = function->size, *sized = size + function->inputs;
+        for (size_t n = 0; n < function->inputs; ++n) {
+            if (size[n] == 0) {
+                read[n] = in[n];
+            } else if (there) {
+                read[n] = in[n] + first;
+            } else {
+                three_ups_upu_s_gather(size[n], first, some, stride, in[n], place);
+                read[n] = place;
+                place += size[n] * 8;
+            }
+            if (there && first + 2 * 8 <= stride && size[n] != 0) {
+                three_ups_upu_s_prefetch(size[n], stride, read[n] + 8);
+            }
+        }
+        for (size_t n = 0; n < function->outputs; ++n) {
+            written[n] = !there ? place : sized[n] == 0 ? out[n] : out[n] + first;
+            place += there ? 0 : sized[n] * 8;
+            if (there && first + 2 * 8 <= stride && sized[n] != 0) {
+                three_ups_upu_s_prefetch(sized[n], stride, written[n] + 8);
+            }
+        }
+        function->block(there ? stride : 8, read, written, total);
+        for (size_t n = 0; n < function->outputs && !there; ++n) {
+            three_ups_upu_s_scatter(sized[n], first, some, stride, written[n], out[n]);
+        }
+        together = 1;
+    }
+    if (together) { /* the sum of all is finite if each is: else look at each */
+        const double first_half = (total[0] + total[1]) + (total[2] + total[3]);
+        const double every = first_half + ((total[4] + total[5]) + (total[6] + total[7]));
+        if (isfinite(every)) {
+            for (size_t lane = 0; status != NULL && lane < some; ++lane) {
+                status[first + lane] = 0;
+            }
+            return 0;
+        }
+    }
+    for (size_t lane = 0; lane < some; ++lane) {
+        int outcome = 0;
+        if (!together || !isfinite(total[lane])) {
+            outcome = three_ups_upu_s_one(function, first + lane, stride, in, out, work);
+        }
+        if (status != NULL) {
+            status[first + lane] = outcome;
+        }
+        worst = outcome > worst ? outcome : worst;
+    }
+    return worst;
+}
+
+/* All states of a function, block by block, each in memory of its own on the stack. */
+THREE_UPS_UPU_S_UNUSED static inline int three_ups_upu_s_states(
+    const three_ups_upu_s_batched *function, size_t count, size_t stride,
+    const double *const *in, double *const *out, int *status)
+{
+    int worst = 0;
+    const size_t blocks = count / 8 + (count % 8 != 0);
+#if defined(_OPENMP) && _OPENMP >= 201107
+#pragma omp parallel for schedule(static) reduction(max : worst) if (count >= 1024)
+#endif
+    for (size_t number = 0; number < blocks; ++number) {
+        const size_t first = number * 8;
+        const size_t some = count - first < 8 ? count - first : 8;
+        double work[THREE_UPS_UPU_S_ROOM];
+        const int outcome = three_ups_upu_s_some(function, first, some, stride, in, out, status, work);
+        worst = outcome > worst ? outcome : worst;
+    }
+    return worst;
+}
+
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX512F__) && !defined(THREE_UPS_UPU_S_SCALAR)
+typedef double three_ups_upu_s_lanes8 __attribute__((vector_size(64)));
+three_ups_upu_s_lanes8 _ZGVeN8v_sin(three_ups_upu_s_lanes8);
+three_ups_upu_s_lanes8 _ZGVeN8v_cos(three_ups_upu_s_lanes8);
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 8) {
+        three_ups_upu_s_lanes8 all, s, c;
+        memcpy(&all, angle + k, sizeof(all));
+        s = _ZGVeN8v_sin(all);
+        c = _ZGVeN8v_cos(all);
+        memcpy(sine + k, &s, sizeof(s));
+        memcpy(cosine + k, &c, sizeof(c));
+    }
+}
+#else
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos_block(size_t size, const double *angle, double *sine, double *cosine)
+{
+    for (size_t k = 0; k < size; k += 4) {
+        three_ups_upu_s_sincos(4, angle + k, sine + k, cosine + k);
+    }
+}
+#endif
+
+#undef BODY
+#undef REAL
+#undef READ
+#undef SINES
+#undef WRITE
+#undef CONSTANT
+#undef SQRT
+#undef ABS
+#undef LESS
+#undef SELECT
+#undef FOURS
+#undef FOUR
+#undef SUM_OF_FOUR
+#undef SMALL
+#undef OR
+#undef FINITE_UNLESS
+#undef FINITE
+#undef UNCHECKED
+#undef NOT_BELOW
+#undef NOT_ABOVE
+#undef RESULT
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
+#define THREE_UPS_UPU_S_VECTORS
+/* ... and here as many states as a vector holds: entry k of an argument lies at k * stride. */
+#define BODY(function) __attribute__((noinline)) static void function##_wide
+#define REAL three_ups_upu_s_wide
+#define READ(array, k) (*(const three_ups_upu_s_wide_there *)&(array)[(k) * stride])
+#define SINES(array, k) (*(const three_ups_upu_s_wide_there *)&(array)[(k) * 8])
+#define WRITE(array, k, x) (*(three_ups_upu_s_wide_there *)&(array)[(k) * stride] = (x))
+#define CONSTANT(x) ((x) - THREE_UPS_UPU_S_ZERO)
+#define SQRT(x) three_ups_upu_s_wide_sqrt(x)
+#define ABS(x) three_ups_upu_s_wide_abs((x) - THREE_UPS_UPU_S_ZERO)
+#define LESS(a, b) three_ups_upu_s_wide_less((a) - THREE_UPS_UPU_S_ZERO, (b) - THREE_UPS_UPU_S_ZERO)
+#define SELECT(condition, a, b) three_ups_upu_s_wide_select((condition) - THREE_UPS_UPU_S_ZERO, (a) - THREE_UPS_UPU_S_ZERO, (b) - THREE_UPS_UPU_S_ZERO)
+#define FOURS three_ups_upu_s_wide
+#define FOUR(array, k) \
+    ((READ(array, k) + READ(array, (k) + 1)) + (READ(array, (k) + 2) + READ(array, (k) + 3)))
+#define SUM_OF_FOUR(x) (x)
+#define SMALL(pivot, limit) ((three_ups_upu_s_wide_mask)((pivot) <= (limit)) & (three_ups_upu_s_wide_mask)((pivot) >= -(limit)))
+#define OR |
+/* All bits set are a NaN. */
+#define FINITE_UNLESS(small, sum) \
+    (void)stride, *(three_ups_upu_s_wide_there *)total = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)(sum) | (small))
+#define FINITE(sum) (void)stride, *(three_ups_upu_s_wide_there *)total = (sum)
+#define UNCHECKED() (void)stride, *(three_ups_upu_s_wide_there *)total = THREE_UPS_UPU_S_ZERO
+#define NOT_BELOW(x, low, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | ~(three_ups_upu_s_wide_mask)((x) >= (low)))
+#define NOT_ABOVE(x, high, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | ~(three_ups_upu_s_wide_mask)((x) <= (high)))
+#define RESULT(checked, array, k, x) \
+    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
+#include "three_ups_upu_s_kinematics.c"
+#include "three_ups_upu_s_loops.c"
+#include "three_ups_upu_s_momentum.c"
+#include "three_ups_upu_s_inverse_dynamics.c"
+#include "three_ups_upu_s_reactions.c"
+#include "three_ups_upu_s_forward_dynamics.c"
+#include "three_ups_upu_s_margins.c"
+#undef BODY
+#undef REAL
+#undef READ
+#undef SINES
+#undef WRITE
+#undef CONSTANT
+#undef SQRT
+#undef ABS
+#undef LESS
+#undef SELECT
+#undef FOURS
+#undef FOUR
+#undef SUM_OF_FOUR
+#undef SMALL
+#undef OR
+#undef FINITE_UNLESS
+#undef FINITE
+#undef UNCHECKED
+#undef NOT_BELOW
+#undef NOT_ABOVE
+#undef RESULT
+
+static void three_ups_upu_s_body_poses_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict poses = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_body_poses_wide(stride, q + lane, poses + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void three_ups_upu_s_body_twists_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict twists = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_body_twists_wide(stride, q + lane, v + lane, twists + lane, sine + lane, cosine +
+            lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_body_twist_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict twist_rates = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_body_twist_rates_wide(stride, q + lane, v + lane, a + lane, twist_rates + lane, sine +
+            lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_forward_kinematics_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict positions = out[0];
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_forward_kinematics_wide(stride, q + lane, positions + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_point_motion_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict positions = out[0];
+    double *restrict velocities = out[1];
+    double *restrict accelerations = out[2];
+    three_ups_upu_s_zero_block(velocities + 6 * stride, 12, stride);
+    three_ups_upu_s_zero_block(accelerations + 6 * stride, 12, stride);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_point_motion_wide(stride, q + lane, v + lane, a + lane, positions + lane, velocities +
+            lane, accelerations + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_joint_screws_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict screws = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_joint_screws_wide(stride, q + lane, screws + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void three_ups_upu_s_joint_points_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict points = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_joint_points_wide(stride, q + lane, points + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void three_ups_upu_s_platform_jacobian_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict jacobian = out[0];
+    three_ups_upu_s_zero_block(jacobian, 72, stride);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_platform_jacobian_wide(stride, q + lane, jacobian + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_joint_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict rates = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_joint_rates_wide(stride, q + lane, v + lane, rates + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_drive_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict rates = out[0];
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_drive_rates_wide(stride, q + lane, v + lane, rates + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_closure_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict residual_ = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_closure_wide(stride, q + lane, residual_ + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void three_ups_upu_s_closure_jacobian_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict jacobian = out[0];
+    three_ups_upu_s_zero_block(jacobian + 4 * stride, 10, stride);
+    three_ups_upu_s_zero_block(jacobian + 17 * stride, 9, stride);
+    three_ups_upu_s_zero_block(jacobian + 27 * stride, 18, stride);
+    three_ups_upu_s_zero_block(jacobian + 46 * stride, 11, stride);
+    three_ups_upu_s_zero_block(jacobian + 58 * stride, 11, stride);
+    three_ups_upu_s_zero_block(jacobian + 70 * stride, 17, stride);
+    three_ups_upu_s_zero_block(jacobian + 88 * stride, 11, stride);
+    three_ups_upu_s_zero_block(jacobian + 100 * stride, 11, stride);
+    three_ups_upu_s_zero_block(jacobian + 112 * stride, 17, stride);
+    three_ups_upu_s_zero_block(jacobian + 130 * stride, 11, stride);
+    three_ups_upu_s_zero_block(jacobian + 142 * stride, 11, stride);
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_closure_jacobian_wide(stride, q + lane, jacobian + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_closure_bias_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict bias = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_closure_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict y_dot = in[1];
+    double *restrict v = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_velocity_wide(stride, q + lane, y_dot + lane, v + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_null_space_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict null_space = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_null_space_wide(stride, q + lane, null_space + lane, sine + lane, cosine + lane, total
+            + lane);
+    }
+}
+
+static void three_ups_upu_s_acceleration_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict y_ddot = in[2];
+    double *restrict a = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_acceleration_wide(stride, q + lane, v + lane, y_ddot + lane, a + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_momentum_screws_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict momenta = out[0];
+    double *restrict total_ = out[1];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_momentum_screws_wide(stride, q + lane, v + lane, momenta + lane, total_ + lane, sine +
+            lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_momentum_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict momentum_rates = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_momentum_rates_wide(stride, q + lane, v + lane, a + lane, momentum_rates + lane, sine
+            + lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_energy_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict energy = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_energy_wide(stride, q + lane, v + lane, energy + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_mass_matrix_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict mass_matrix = out[0];
+    three_ups_upu_s_zero_block(mass_matrix + 1 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 17 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 33 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 49 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 65 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 81 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 97 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 113 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 129 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 145 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 161 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 177 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 193 * stride, 15, stride);
+    three_ups_upu_s_zero_block(mass_matrix + 209 * stride, 15, stride);
+    double angle[32], sine[32], cosine[32];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles2(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(32, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_mass_matrix_wide(stride, q + lane, mass_matrix + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_bias_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict bias = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total +
+            lane);
+    }
+}
+
+static void three_ups_upu_s_inverse_dynamics_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict u = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_inverse_dynamics_wide(stride, q + lane, v + lane, a + lane, u + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_inverse_dynamics_independent_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict y_dot = in[1];
+    const double *restrict y_ddot = in[2];
+    double *restrict u = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_inverse_dynamics_independent_wide(stride, q + lane, y_dot + lane, y_ddot + lane, u +
+            lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_inverse_dynamics_preload_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    const double *restrict weights = in[3];
+    const double *restrict preload = in[4];
+    double *restrict u = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_inverse_dynamics_preload_wide(stride, q + lane, v + lane, a + lane, weights + lane,
+            preload + lane, u + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_joint_reactions_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict a = in[2];
+    double *restrict u = out[0];
+    double *restrict reactions = out[1];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_joint_reactions_wide(stride, q + lane, v + lane, a + lane, u + lane, reactions + lane,
+            sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_forward_dynamics_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict u = in[2];
+    double *restrict a = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_forward_dynamics_wide(stride, q + lane, v + lane, u + lane, a + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_forward_dynamics_independent_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict y_dot = in[1];
+    const double *restrict u = in[2];
+    double *restrict y_ddot = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_forward_dynamics_independent_wide(stride, q + lane, y_dot + lane, u + lane, y_ddot +
+            lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_forward_dynamics_reactions_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    const double *restrict u = in[2];
+    double *restrict a = out[0];
+    double *restrict reactions = out[1];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_forward_dynamics_reactions_wide(stride, q + lane, v + lane, u + lane, a + lane,
+            reactions + lane, sine + lane, cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_close_position_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict q_next = out[0];
+    double *restrict residual_ = out[1];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_close_position_wide(stride, q + lane, q_next + lane, residual_ + lane, sine + lane,
+            cosine + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_close_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    const double *restrict v = in[1];
+    double *restrict v_next = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_close_velocity_wide(stride, q + lane, v + lane, v_next + lane, sine + lane, cosine +
+            lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_inverse_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict pose = in[0];
+    const double *restrict rate = in[1];
+    double *restrict v = out[0];
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_inverse_velocity_wide(stride, pose + lane, rate + lane, v + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_inverse_dynamics_platform_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict pose = in[0];
+    const double *restrict rate = in[1];
+    const double *restrict acceleration = in[2];
+    double *restrict u = out[0];
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_inverse_dynamics_platform_wide(stride, pose + lane, rate + lane, acceleration + lane,
+            u + lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_limb_margins_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict margins = out[0];
+    double angle[40], sine[40], cosine[40];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles6(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(40, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_limb_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total
+            + lane);
+    }
+}
+
+static void three_ups_upu_s_constraint_margin_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict margins = out[0];
+    double angle[16], sine[16], cosine[16];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles8(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(16, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_constraint_margin_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+
+static void three_ups_upu_s_actuation_margins_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict q = in[0];
+    double *restrict margins = out[0];
+    double angle[64], sine[64], cosine[64];
+    for (size_t lane = 0; lane < 8; ++lane) {
+        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
+    }
+    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_actuation_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane,
+            total + lane);
+    }
+}
+#endif
+
+static int three_ups_upu_s_body_poses_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_body_poses(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_body_poses_batched = {
+    1, 1, {16, 108}, three_ups_upu_s_body_poses_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_poses_block)
+};
+
+int three_ups_upu_s_body_poses_batch(size_t count, const double *restrict q, double *restrict poses,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {poses};
+    return three_ups_upu_s_states(&three_ups_upu_s_body_poses_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_body_poses_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict poses, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {poses};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_body_poses_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_body_twists_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_body_twists(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_body_twists_batched = {
+    2, 1, {16, 15, 54}, three_ups_upu_s_body_twists_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_twists_block)
+};
+
+int three_ups_upu_s_body_twists_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict twists, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {twists};
+    return three_ups_upu_s_states(&three_ups_upu_s_body_twists_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_body_twists_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict twists, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {twists};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_body_twists_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_body_twist_rates_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_body_twist_rates(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_body_twist_rates_batched = {
+    3, 1, {16, 15, 15, 54}, three_ups_upu_s_body_twist_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_twist_rates_block)
+};
+
+int three_ups_upu_s_body_twist_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict twist_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {twist_rates};
+    return three_ups_upu_s_states(&three_ups_upu_s_body_twist_rates_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_body_twist_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict twist_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {twist_rates};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_body_twist_rates_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_forward_kinematics_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_forward_kinematics(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_forward_kinematics_batched = {
+    1, 1, {16, 30}, three_ups_upu_s_forward_kinematics_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_kinematics_block)
+};
+
+int three_ups_upu_s_forward_kinematics_batch(size_t count, const double *restrict q,
+    double *restrict positions, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {positions};
+    return three_ups_upu_s_states(&three_ups_upu_s_forward_kinematics_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_forward_kinematics_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict positions, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {positions};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_kinematics_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_point_motion_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_point_motion(in[0], in[1], in[2], out[0], out[1], out[2]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_point_motion_batched = {
+    3, 3, {16, 15, 15, 30, 30, 30}, three_ups_upu_s_point_motion_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_point_motion_block)
+};
+
+int three_ups_upu_s_point_motion_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict positions, double *restrict velocities,
+    double *restrict accelerations, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {positions, velocities, accelerations};
+    return three_ups_upu_s_states(&three_ups_upu_s_point_motion_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_point_motion_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict positions,
+    double *restrict velocities, double *restrict accelerations, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {positions, velocities, accelerations};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_point_motion_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_joint_screws_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_joint_screws(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_joint_screws_batched = {
+    1, 1, {16, 156}, three_ups_upu_s_joint_screws_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_screws_block)
+};
+
+int three_ups_upu_s_joint_screws_batch(size_t count, const double *restrict q, double *restrict screws,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {screws};
+    return three_ups_upu_s_states(&three_ups_upu_s_joint_screws_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_joint_screws_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict screws, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {screws};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_screws_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_joint_points_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_joint_points(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_joint_points_batched = {
+    1, 1, {16, 39}, three_ups_upu_s_joint_points_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_points_block)
+};
+
+int three_ups_upu_s_joint_points_batch(size_t count, const double *restrict q, double *restrict points,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {points};
+    return three_ups_upu_s_states(&three_ups_upu_s_joint_points_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_joint_points_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict points, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {points};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_points_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_platform_jacobian_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_platform_jacobian(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_platform_jacobian_batched = {
+    1, 1, {16, 90}, three_ups_upu_s_platform_jacobian_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_platform_jacobian_block)
+};
+
+int three_ups_upu_s_platform_jacobian_batch(size_t count, const double *restrict q, double *restrict jacobian,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return three_ups_upu_s_states(&three_ups_upu_s_platform_jacobian_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_platform_jacobian_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict jacobian, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_platform_jacobian_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_joint_displacements_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_joint_displacements(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_joint_displacements_batched = {
+    1, 1, {16, 26}, three_ups_upu_s_joint_displacements_called, NULL
+};
+
+int three_ups_upu_s_joint_displacements_batch(size_t count, const double *restrict q,
+    double *restrict displacements, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {displacements};
+    return three_ups_upu_s_states(&three_ups_upu_s_joint_displacements_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_joint_displacements_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict displacements, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {displacements};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_displacements_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_joint_rates_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_joint_rates(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_joint_rates_batched = {
+    2, 1, {16, 15, 26}, three_ups_upu_s_joint_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_rates_block)
+};
+
+int three_ups_upu_s_joint_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return three_ups_upu_s_states(&three_ups_upu_s_joint_rates_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_joint_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_rates_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_drive_rates_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_drive_rates(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_drive_rates_batched = {
+    2, 1, {16, 15, 4}, three_ups_upu_s_drive_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_drive_rates_block)
+};
+
+int three_ups_upu_s_drive_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return three_ups_upu_s_states(&three_ups_upu_s_drive_rates_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_drive_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict rates, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {rates};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_drive_rates_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_closure_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_closure(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_closure_batched = {
+    1, 1, {16, 13}, three_ups_upu_s_closure_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_block)
+};
+
+int three_ups_upu_s_closure_batch(size_t count, const double *restrict q, double *restrict residual_,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {residual_};
+    return three_ups_upu_s_states(&three_ups_upu_s_closure_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_closure_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict residual_, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {residual_};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_closure_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_closure_jacobian_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_closure_jacobian(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_closure_jacobian_batched = {
+    1, 1, {16, 195}, three_ups_upu_s_closure_jacobian_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_jacobian_block)
+};
+
+int three_ups_upu_s_closure_jacobian_batch(size_t count, const double *restrict q, double *restrict jacobian,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return three_ups_upu_s_states(&three_ups_upu_s_closure_jacobian_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_closure_jacobian_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict jacobian, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {jacobian};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_closure_jacobian_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_closure_bias_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_closure_bias(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_closure_bias_batched = {
+    2, 1, {16, 15, 13}, three_ups_upu_s_closure_bias_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_bias_block)
+};
+
+int three_ups_upu_s_closure_bias_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return three_ups_upu_s_states(&three_ups_upu_s_closure_bias_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_closure_bias_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_closure_bias_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_velocity_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_velocity(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_velocity_batched = {
+    2, 1, {16, 2, 15}, three_ups_upu_s_velocity_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_velocity_block)
+};
+
+int three_ups_upu_s_velocity_batch(size_t count, const double *restrict q, const double *restrict y_dot,
+    double *restrict v, int *restrict status)
+{
+    const double *const in[] = {q, y_dot};
+    double *const out[] = {v};
+    return three_ups_upu_s_states(&three_ups_upu_s_velocity_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_velocity_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict y_dot, double *restrict v, int *restrict status)
+{
+    const double *const in[] = {q, y_dot};
+    double *const out[] = {v};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_velocity_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_null_space_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_null_space(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_null_space_batched = {
+    1, 1, {16, 30}, three_ups_upu_s_null_space_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_null_space_block)
+};
+
+int three_ups_upu_s_null_space_batch(size_t count, const double *restrict q, double *restrict null_space,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {null_space};
+    return three_ups_upu_s_states(&three_ups_upu_s_null_space_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_null_space_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict null_space, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {null_space};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_null_space_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_acceleration_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_acceleration(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_acceleration_batched = {
+    3, 1, {16, 15, 2, 15}, three_ups_upu_s_acceleration_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_acceleration_block)
+};
+
+int three_ups_upu_s_acceleration_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict y_ddot, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, y_ddot};
+    double *const out[] = {a};
+    return three_ups_upu_s_states(&three_ups_upu_s_acceleration_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_acceleration_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict y_ddot, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, y_ddot};
+    double *const out[] = {a};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_acceleration_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_momentum_screws_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_momentum_screws(in[0], in[1], out[0], out[1]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_momentum_screws_batched = {
+    2, 2, {16, 15, 54, 6}, three_ups_upu_s_momentum_screws_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_momentum_screws_block)
+};
+
+int three_ups_upu_s_momentum_screws_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict momenta, double *restrict total_, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {momenta, total_};
+    return three_ups_upu_s_states(&three_ups_upu_s_momentum_screws_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_momentum_screws_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict momenta, double *restrict total_, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {momenta, total_};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_momentum_screws_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_momentum_rates_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_momentum_rates(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_momentum_rates_batched = {
+    3, 1, {16, 15, 15, 54}, three_ups_upu_s_momentum_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_momentum_rates_block)
+};
+
+int three_ups_upu_s_momentum_rates_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict momentum_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {momentum_rates};
+    return three_ups_upu_s_states(&three_ups_upu_s_momentum_rates_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_momentum_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict momentum_rates, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {momentum_rates};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_momentum_rates_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_energy_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_energy(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_energy_batched = {
+    2, 1, {16, 15, 2}, three_ups_upu_s_energy_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_energy_block)
+};
+
+int three_ups_upu_s_energy_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict energy, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {energy};
+    return three_ups_upu_s_states(&three_ups_upu_s_energy_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_energy_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict energy, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {energy};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_energy_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_mass_matrix_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_mass_matrix(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_mass_matrix_batched = {
+    1, 1, {16, 225}, three_ups_upu_s_mass_matrix_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_mass_matrix_block)
+};
+
+int three_ups_upu_s_mass_matrix_batch(size_t count, const double *restrict q, double *restrict mass_matrix,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {mass_matrix};
+    return three_ups_upu_s_states(&three_ups_upu_s_mass_matrix_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_mass_matrix_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict mass_matrix, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {mass_matrix};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_mass_matrix_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_bias_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_bias(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_bias_batched = {
+    2, 1, {16, 15, 15}, three_ups_upu_s_bias_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_bias_block)
+};
+
+int three_ups_upu_s_bias_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return three_ups_upu_s_states(&three_ups_upu_s_bias_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_bias_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict bias, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {bias};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_bias_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_inverse_dynamics_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_inverse_dynamics(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_batched = {
+    3, 1, {16, 15, 15, 4}, three_ups_upu_s_inverse_dynamics_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_block)
+};
+
+int three_ups_upu_s_inverse_dynamics_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u};
+    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_inverse_dynamics_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_inverse_dynamics_independent_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_inverse_dynamics_independent(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_independent_batched = {
+    3, 1, {16, 2, 2, 4}, three_ups_upu_s_inverse_dynamics_independent_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_independent_block)
+};
+
+int three_ups_upu_s_inverse_dynamics_independent_batch(size_t count, const double *restrict q,
+    const double *restrict y_dot, const double *restrict y_ddot, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, y_dot, y_ddot};
+    double *const out[] = {u};
+    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_independent_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_inverse_dynamics_independent_batch_soa(size_t count, size_t stride,
+    const double *restrict q, const double *restrict y_dot, const double *restrict y_ddot, double *restrict u,
+    int *restrict status)
+{
+    const double *const in[] = {q, y_dot, y_ddot};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_independent_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_inverse_dynamics_preload_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_inverse_dynamics_preload(in[0], in[1], in[2], in[3], in[4], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_preload_batched = {
+    5, 1, {16, 15, 15, 4, 4, 4}, three_ups_upu_s_inverse_dynamics_preload_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_preload_block)
+};
+
+int three_ups_upu_s_inverse_dynamics_preload_batch(size_t count, const double *restrict q,
+    const double *restrict v, const double *restrict a, const double *restrict weights,
+    const double *restrict preload, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, v, a, weights, preload};
+    double *const out[] = {u};
+    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_preload_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_inverse_dynamics_preload_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, const double *restrict weights,
+    const double *restrict preload, double *restrict u, int *restrict status)
+{
+    const double *const in[] = {q, v, a, weights, preload};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_preload_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_joint_reactions_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_joint_reactions(in[0], in[1], in[2], out[0], out[1]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_joint_reactions_batched = {
+    3, 2, {16, 15, 15, 4, 78}, three_ups_upu_s_joint_reactions_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_reactions_block)
+};
+
+int three_ups_upu_s_joint_reactions_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict a, double *restrict u, double *restrict reactions, int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u, reactions};
+    return three_ups_upu_s_states(&three_ups_upu_s_joint_reactions_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_joint_reactions_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict a, double *restrict u, double *restrict reactions,
+    int *restrict status)
+{
+    const double *const in[] = {q, v, a};
+    double *const out[] = {u, reactions};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_reactions_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_forward_dynamics_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_forward_dynamics(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_forward_dynamics_batched = {
+    3, 1, {16, 15, 4, 15}, three_ups_upu_s_forward_dynamics_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_block)
+};
+
+int three_ups_upu_s_forward_dynamics_batch(size_t count, const double *restrict q, const double *restrict v,
+    const double *restrict u, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a};
+    return three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_forward_dynamics_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, const double *restrict u, double *restrict a, int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_forward_dynamics_independent_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_forward_dynamics_independent(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_forward_dynamics_independent_batched = {
+    3, 1, {16, 2, 4, 2}, three_ups_upu_s_forward_dynamics_independent_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_independent_block)
+};
+
+int three_ups_upu_s_forward_dynamics_independent_batch(size_t count, const double *restrict q,
+    const double *restrict y_dot, const double *restrict u, double *restrict y_ddot, int *restrict status)
+{
+    const double *const in[] = {q, y_dot, u};
+    double *const out[] = {y_ddot};
+    return three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_independent_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_forward_dynamics_independent_batch_soa(size_t count, size_t stride,
+    const double *restrict q, const double *restrict y_dot, const double *restrict u, double *restrict y_ddot,
+    int *restrict status)
+{
+    const double *const in[] = {q, y_dot, u};
+    double *const out[] = {y_ddot};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_independent_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_forward_dynamics_reactions_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_forward_dynamics_reactions(in[0], in[1], in[2], out[0], out[1]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_forward_dynamics_reactions_batched = {
+    3, 2, {16, 15, 4, 15, 78}, three_ups_upu_s_forward_dynamics_reactions_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_reactions_block)
+};
+
+int three_ups_upu_s_forward_dynamics_reactions_batch(size_t count, const double *restrict q,
+    const double *restrict v, const double *restrict u, double *restrict a, double *restrict reactions,
+    int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a, reactions};
+    return three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_reactions_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_forward_dynamics_reactions_batch_soa(size_t count, size_t stride,
+    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a,
+    double *restrict reactions, int *restrict status)
+{
+    const double *const in[] = {q, v, u};
+    double *const out[] = {a, reactions};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_reactions_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_close_position_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_close_position(in[0], out[0], out[1]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_close_position_batched = {
+    1, 2, {16, 16, 1}, three_ups_upu_s_close_position_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_close_position_block)
+};
+
+int three_ups_upu_s_close_position_batch(size_t count, const double *restrict q, double *restrict q_next,
+    double *restrict residual_, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {q_next, residual_};
+    return three_ups_upu_s_states(&three_ups_upu_s_close_position_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_close_position_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict q_next, double *restrict residual_, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {q_next, residual_};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_close_position_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_close_velocity_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_close_velocity(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_close_velocity_batched = {
+    2, 1, {16, 15, 15}, three_ups_upu_s_close_velocity_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_close_velocity_block)
+};
+
+int three_ups_upu_s_close_velocity_batch(size_t count, const double *restrict q, const double *restrict v,
+    double *restrict v_next, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {v_next};
+    return three_ups_upu_s_states(&three_ups_upu_s_close_velocity_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_close_velocity_batch_soa(size_t count, size_t stride, const double *restrict q,
+    const double *restrict v, double *restrict v_next, int *restrict status)
+{
+    const double *const in[] = {q, v};
+    double *const out[] = {v_next};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_close_velocity_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_inverse_kinematics_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_inverse_kinematics(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_inverse_kinematics_batched = {
+    1, 1, {4, 16}, three_ups_upu_s_inverse_kinematics_called, NULL
+};
+
+int three_ups_upu_s_inverse_kinematics_batch(size_t count, const double *restrict pose, double *restrict q,
+    int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {q};
+    return three_ups_upu_s_states(&three_ups_upu_s_inverse_kinematics_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_inverse_kinematics_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    double *restrict q, int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {q};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_kinematics_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_inverse_velocity_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_inverse_velocity(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_inverse_velocity_batched = {
+    2, 1, {4, 3, 15}, three_ups_upu_s_inverse_velocity_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_velocity_block)
+};
+
+int three_ups_upu_s_inverse_velocity_batch(size_t count, const double *restrict pose,
+    const double *restrict rate, double *restrict v, int *restrict status)
+{
+    const double *const in[] = {pose, rate};
+    double *const out[] = {v};
+    return three_ups_upu_s_states(&three_ups_upu_s_inverse_velocity_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_inverse_velocity_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    const double *restrict rate, double *restrict v, int *restrict status)
+{
+    const double *const in[] = {pose, rate};
+    double *const out[] = {v};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_velocity_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_inverse_dynamics_platform_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_inverse_dynamics_platform(in[0], in[1], in[2], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_platform_batched = {
+    3, 1, {4, 3, 3, 4}, three_ups_upu_s_inverse_dynamics_platform_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_platform_block)
+};
+
+int three_ups_upu_s_inverse_dynamics_platform_batch(size_t count, const double *restrict pose,
+    const double *restrict rate, const double *restrict acceleration, double *restrict u,
+    int *restrict status)
+{
+    const double *const in[] = {pose, rate, acceleration};
+    double *const out[] = {u};
+    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_platform_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_inverse_dynamics_platform_batch_soa(size_t count, size_t stride,
+    const double *restrict pose, const double *restrict rate, const double *restrict acceleration,
+    double *restrict u, int *restrict status)
+{
+    const double *const in[] = {pose, rate, acceleration};
+    double *const out[] = {u};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_platform_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_assemble_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_assemble(in[0], in[1], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_assemble_batched = {
+    2, 1, {2, 16, 16}, three_ups_upu_s_assemble_called, NULL
+};
+
+int three_ups_upu_s_assemble_batch(size_t count, const double *restrict y, const double *restrict guess,
+    double *restrict q, int *restrict status)
+{
+    const double *const in[] = {y, guess};
+    double *const out[] = {q};
+    return three_ups_upu_s_states(&three_ups_upu_s_assemble_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_assemble_batch_soa(size_t count, size_t stride, const double *restrict y,
+    const double *restrict guess, double *restrict q, int *restrict status)
+{
+    const double *const in[] = {y, guess};
+    double *const out[] = {q};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_assemble_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_limb_margins_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_limb_margins(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_limb_margins_batched = {
+    1, 1, {16, 5}, three_ups_upu_s_limb_margins_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_limb_margins_block)
+};
+
+int three_ups_upu_s_limb_margins_batch(size_t count, const double *restrict q, double *restrict margins,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return three_ups_upu_s_states(&three_ups_upu_s_limb_margins_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_limb_margins_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict margins, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_limb_margins_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_constraint_margin_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_constraint_margin(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_constraint_margin_batched = {
+    1, 1, {16, 1}, three_ups_upu_s_constraint_margin_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_constraint_margin_block)
+};
+
+int three_ups_upu_s_constraint_margin_batch(size_t count, const double *restrict q, double *restrict margins,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return three_ups_upu_s_states(&three_ups_upu_s_constraint_margin_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_constraint_margin_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict margins, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_constraint_margin_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_actuation_margins_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_actuation_margins(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_actuation_margins_batched = {
+    1, 1, {16, 6}, three_ups_upu_s_actuation_margins_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_actuation_margins_block)
+};
+
+int three_ups_upu_s_actuation_margins_batch(size_t count, const double *restrict q, double *restrict margins,
+    int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return three_ups_upu_s_states(&three_ups_upu_s_actuation_margins_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_actuation_margins_batch_soa(size_t count, size_t stride, const double *restrict q,
+    double *restrict margins, int *restrict status)
+{
+    const double *const in[] = {q};
+    double *const out[] = {margins};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_actuation_margins_batched, count, stride, in, out, status);
+}

@@ -1,0 +1,322 @@
+/*
+ * three_ups_upu_s: what its sources share.
+ * Generated with three_ups_upu_s.h, which says of what; do not edit.
+ */
+#ifndef THREE_UPS_UPU_S_SUPPORT_H
+#define THREE_UPS_UPU_S_SUPPORT_H
+
+#include "three_ups_upu_s.h"
+
+#include <math.h>
+
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "compile without -ffinite-math-only and -ffast-math: the checks for NaN would vanish"
+#endif
+
+/* Vectors that GCC makes of scalar code here cost more than they save; no comparison here traps. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#pragma GCC optimize("no-tree-slp-vectorize,no-trapping-math")
+#endif
+#if defined(__GNUC__)
+#define THREE_UPS_UPU_S_INLINE __attribute__((always_inline))
+#define THREE_UPS_UPU_S_UNUSED __attribute__((unused))
+#else
+#define THREE_UPS_UPU_S_INLINE
+#define THREE_UPS_UPU_S_UNUSED
+#endif
+
+THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_set_nan(double *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = (double)NAN;
+    }
+}
+
+THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_zero(double *array, size_t size)
+{
+    for (size_t k = 0; k < size; ++k) {
+        array[k] = 0.0;
+    }
+}
+
+/* Sines and cosines of the first `count` of 4 angles; THREE_UPS_UPU_S_SCALAR takes them one by one. */
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR)
+typedef double three_ups_upu_s_lanes __attribute__((vector_size(32)));
+three_ups_upu_s_lanes _ZGVdN4v_sin(three_ups_upu_s_lanes);
+three_ups_upu_s_lanes _ZGVdN4v_cos(three_ups_upu_s_lanes);
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos(int count, const double *angle, double *sine, double *cosine)
+{
+    if (count == 1) {
+        sine[0] = sin(angle[0]);
+        cosine[0] = cos(angle[0]);
+        return;
+    }
+    const three_ups_upu_s_lanes all = {angle[0], angle[1], angle[2], angle[3]};
+    const three_ups_upu_s_lanes s = _ZGVdN4v_sin(all);
+    const three_ups_upu_s_lanes c = _ZGVdN4v_cos(all);
+    for (int k = 0; k < count; ++k) {
+        sine[k] = s[k];
+        cosine[k] = c[k];
+    }
+}
+#else
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos(int count, const double *angle, double *sine, double *cosine)
+{
+    for (int k = 0; k < count; ++k) {
+        sine[k] = sin(angle[k]);
+        cosine[k] = cos(angle[k]);
+    }
+}
+#endif
+
+#if defined(__GNUC__) && defined(__AVX__) && !defined(THREE_UPS_UPU_S_SCALAR)
+typedef double three_ups_upu_s_four __attribute__((vector_size(32)));
+typedef double three_ups_upu_s_four_there __attribute__((vector_size(32), aligned(8), may_alias));
+#define THREE_UPS_UPU_S_FOUR(x) (*(const three_ups_upu_s_four_there *)(x))
+#define THREE_UPS_UPU_S_SUM(four) (((four)[0] + (four)[1]) + ((four)[2] + (four)[3]))
+#else
+typedef double three_ups_upu_s_four;
+#define THREE_UPS_UPU_S_FOUR(x) (((x)[0] + (x)[1]) + ((x)[2] + (x)[3]))
+#define THREE_UPS_UPU_S_SUM(four) (four)
+#endif
+
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
+typedef double three_ups_upu_s_vector4 __attribute__((vector_size(32)));
+typedef long long three_ups_upu_s_vector4_mask __attribute__((vector_size(32)));
+static inline three_ups_upu_s_vector4 three_ups_upu_s_vector4_sqrt(three_ups_upu_s_vector4 x)
+{
+    three_ups_upu_s_vector4 root = x;
+    for (int k = 0; k < 4; ++k) {
+        root[k] = sqrt(x[k]);
+    }
+    return root;
+}
+#endif
+
+/* Of the second path of functions, in the support's source. */
+void three_ups_upu_s_orthogonalise(int rows, int columns, double *a, double *v);
+double three_ups_upu_s_dot(int size, const double *x, const double *y);
+int three_ups_upu_s_cholesky(int size, double *matrix, double *right);
+int three_ups_upu_s_constrained(int n, int m, const double *mass, const double *force, double *jacobian,
+                             const double *bias, double *v, double *work, double *a, double *multipliers);
+void three_ups_upu_s_internal_load(int n, int m, const double *jacobian, int found, double *loads);
+
+/* Constants: numbers of the description, and what was folded of them. */
+THREE_UPS_UPU_S_UNUSED static const double
+    gravity_z = 9.81, /* [m/s^2] acceleration of the effect of gravity: 981/100 */
+    gravity_z_limb_lower_mx = 2.08953, /* gravity_z * limb_lower_mx */
+    gravity_z_platform_mz = 14.62961126155784, /* gravity_z * platform_mz */
+    limb_U_0_phase = 1.5707963267948966, /* [rad] what is added to the coordinate of limb2_U.0, limb4_U.0: atan2(1, 0) */
+    limb_lower_Ixx = 0.8839, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper, also Iyy of
+        limb2_lower: 8839/10000 */
+    limb_lower_Ixz = 0.478219227969767, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper, also Izx of
+        limb1_lower: 2761*sqrt(3)/10000 */
+    limb_lower_Iyy = 1.14, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper, also Ixx of
+        limb2_lower: 57/50 */
+    limb_lower_Izz = 0.3317, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb2_lower, limb2_upper ...: 3317/10000 */
+    limb_lower_com_x = 0.725, /* [m] centre of mass, absolute axes, of limb1_lower, limb3_lower, also com_y of limb2_lower: 29/40 */
+    limb_lower_com_z = 0.12990381056766578, /* [m] centre of mass, absolute axes, of limb1_lower, limb2_lower, limb3_lower, limb4_lower: 3*sqrt(3)/40 */
+    limb_lower_m = 1.42, /* [kg] mass of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...: 71/50 */
+    limb_lower_m_gravity_z = 13.9302, /* limb_lower_m * gravity_z */
+    limb_lower_mx = 0.213, /* [kg m] first moment, link axes, of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...: limb_lower_m *
+        (-limb_P_at_x + param_R) */
+    limb_lower_phase = 0.5235987755982989, /* [rad] what is added to the coordinate of limb1_lower, limb3_lower: atan2(0.5, sqrt(3)/2) */
+    limb_lower_phase_2 = 2.6179938779914944, /* [rad] what is added to the coordinate of limb2_lower, limb4_lower: atan2(0.5, -sqrt(3)/2) */
+    limb_upper_com_x = 0.575, /* [m] centre of mass, absolute axes, of limb1_upper, limb3_upper, also com_y of limb2_upper: 23/40 */
+    limb_upper_com_z = 0.3897114317029974, /* [m] centre of mass, absolute axes, of limb1_upper, limb2_upper, limb3_upper, limb4_upper: 9*sqrt(3)/40 */
+    limb_upper_phase = 0.3, /* [m] what is added to the coordinate of limb1_upper, limb2_upper, limb3_upper, limb4_upper: 3/10 */
+    param_H = 0.5196152422706631, /* [m] height of the platform's centre E above O, also com_z of platform: 3*sqrt(3)/10 */
+    param_R = 0.8, /* [m] radius of the base points A1..A4, also at_x of limb1_U: 4/5 */
+    per_length = 1.5098282268426322, /* [1/m] 1 over the characteristic length */
+    per_length_param_R = 1.2078625814741057, /* per_length * param_R */
+    platform_Ixx = 68.7, /* [kg m^2] inertia, absolute axes, of platform, also Iyy of platform: 687/10 */
+    platform_Izz = 92.1, /* [kg m^2] inertia, absolute axes, of platform: 921/10 */
+    platform_m = 2.87, /* [kg] mass of platform: 287/100 */
+    platform_m_gravity_z = 28.1547, /* platform_m * gravity_z */
+    platform_mz = 1.4912957453168034, /* [kg m] first moment, link axes, of platform: platform_m * param_H */
+    platform_sxx = 46.05, /* [kg m^2] second moment (sum of m r r), link axes, of platform, also syy of platform: (137.4 + platform_Izz) *
+        0.5 - platform_Ixx */
+    platform_szz = 23.4249, /* [kg m^2] second moment (sum of m r r), link axes, of platform: 229.5 * 0.5 - platform_Izz + platform_mz *
+        param_H */
+    k1 = 0.8660254037844386, /* sqrt(3)/2 */
+    k2 = 1.5, /* 0.5 * 3 */
+    k3 = 0.1112, /* 2 * limb_lower_szz + 2 * limb_lower_syy */
+    k4 = 2.3083, /* 2 * limb_lower_sxx */
+    k5 = 0.0356, /* 2 * limb_lower_syy */
+    k6 = 115.5249, /* platform_Izz + platform_szz */
+    k7 = 0.426, /* 2 * limb_lower_mx */
+    k8 = 2.2727, /* -(2 * limb_lower_syy) + 2 * limb_lower_sxx */
+    k9 = 2.3439, /* 2 * limb_lower_sxx + 2 * limb_lower_syy */
+    k10 = 0.0712, /* 2 * 2 * limb_lower_syy */
+    k11 = 4.6166, /* -(2 * limb_lower_syy) + 2 * limb_lower_sxx + 2 * limb_lower_sxx + 2 * limb_lower_syy */
+    k12 = 22.6251, /* platform_sxx - platform_szz */
+    k13 = 69.4749, /* platform_sxx + platform_szz */
+    k14 = 0.0556, /* (0.44195 - 0.41415) * 0.5 + (-0.2391096139848835 + 0.2872606264352983) * (sqrt(3)/2) */
+    k15 = 0.02, /* -(limb_lower_syy - limb_lower_szz) */
+    k16 = 1.19195, /* limb_lower_szz + limb_lower_sxx */
+    k17 = 1.11635, /* -(limb_lower_szz - limb_lower_sxx) */
+    k18 = 1.17195, /* limb_lower_sxx + limb_lower_syy */
+    k19 = 1.13635, /* limb_lower_sxx - limb_lower_syy */
+    k20 = 1.136; /* -(limb_lower_m * (-param_R)) */
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles0(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = limb_lower_phase + q[stride];
+    const double angle1 = limb_lower_phase_2 + q[4 * stride];
+    const double angle2 = limb_lower_phase - q[7 * stride];
+    const double angle3 = limb_lower_phase_2 - q[10 * stride];
+    angle[0] = q[0];
+    angle[pitch] = angle0;
+    angle[2 * pitch] = q[3 * stride];
+    angle[3 * pitch] = angle1;
+    angle[4 * pitch] = q[6 * stride];
+    angle[5 * pitch] = angle2;
+    angle[6 * pitch] = q[9 * stride];
+    angle[7 * pitch] = angle3;
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines1(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[8] = {0.0};
+    three_ups_upu_s_angles0(1, 1, q, angle);
+    three_ups_upu_s_sincos(4, angle, sine, cosine);
+    three_ups_upu_s_sincos(4, angle + 4, sine + 4, cosine + 4);
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles2(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = limb_lower_phase + q[stride];
+    const double angle1 = limb_lower_phase_2 + q[4 * stride];
+    const double angle2 = limb_lower_phase - q[7 * stride];
+    const double angle3 = limb_lower_phase_2 - q[10 * stride];
+    angle[0] = angle0;
+    angle[pitch] = angle1;
+    angle[2 * pitch] = angle2;
+    angle[3 * pitch] = angle3;
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines3(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    three_ups_upu_s_angles2(1, 1, q, angle);
+    three_ups_upu_s_sincos(4, angle, sine, cosine);
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles4(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = limb_lower_phase + q[stride];
+    const double angle1 = limb_U_0_phase + q[3 * stride];
+    const double angle2 = limb_lower_phase_2 + q[4 * stride];
+    const double angle3 = limb_lower_phase - q[7 * stride];
+    const double angle4 = limb_U_0_phase + q[9 * stride];
+    const double angle5 = limb_lower_phase_2 - q[10 * stride];
+    angle[0] = q[0];
+    angle[pitch] = angle0;
+    angle[2 * pitch] = q[3 * stride];
+    angle[3 * pitch] = angle1;
+    angle[4 * pitch] = angle2;
+    angle[5 * pitch] = q[6 * stride];
+    angle[6 * pitch] = angle3;
+    angle[7 * pitch] = q[9 * stride];
+    angle[8 * pitch] = angle4;
+    angle[9 * pitch] = angle5;
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines5(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[12] = {0.0};
+    three_ups_upu_s_angles4(1, 1, q, angle);
+    angle[10] = angle[9];
+    angle[11] = angle[9];
+    three_ups_upu_s_sincos(4, angle, sine, cosine);
+    three_ups_upu_s_sincos(4, angle + 4, sine + 4, cosine + 4);
+    three_ups_upu_s_sincos(2, angle + 8, sine + 8, cosine + 8);
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles6(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = limb_lower_phase + q[stride];
+    const double angle1 = limb_lower_phase_2 + q[4 * stride];
+    const double angle2 = limb_lower_phase - q[7 * stride];
+    const double angle3 = limb_lower_phase_2 - q[10 * stride];
+    angle[0] = q[0];
+    angle[pitch] = angle0;
+    angle[2 * pitch] = angle1;
+    angle[3 * pitch] = angle2;
+    angle[4 * pitch] = angle3;
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines7(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[8] = {0.0};
+    three_ups_upu_s_angles6(1, 1, q, angle);
+    angle[5] = angle[4];
+    angle[6] = angle[4];
+    angle[7] = angle[4];
+    three_ups_upu_s_sincos(4, angle, sine, cosine);
+    three_ups_upu_s_sincos(1, angle + 4, sine + 4, cosine + 4);
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles8(size_t stride, size_t pitch, const double *restrict q,
+    double *restrict angle)
+{
+    (void)stride;
+    (void)pitch;
+    const double angle0 = limb_lower_phase + q[stride];
+    angle[0] = q[0];
+    angle[pitch] = angle0;
+}
+
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *restrict q, double *restrict sine,
+    double *restrict cosine)
+{
+    double angle[4] = {0.0};
+    three_ups_upu_s_angles8(1, 1, q, angle);
+    angle[2] = angle[1];
+    angle[3] = angle[1];
+    three_ups_upu_s_sincos(2, angle, sine, cosine);
+}
+
+/* Bodies of functions are written once. Here they take one state ... */
+#define BODY(function) static inline THREE_UPS_UPU_S_INLINE int function##_body
+#define REAL double
+#define READ(array, k) ((array)[k])
+#define SINES(array, k) ((array)[k])
+#define WRITE(array, k, x) ((array)[k] = (x))
+#define CONSTANT(x) (x)
+#define SQRT(x) sqrt(x)
+#define ABS(x) fabs(x)
+#define LESS(a, b) ((a) < (b) ? 1.0 : 0.0)
+#define SELECT(condition, a, b) ((condition) != 0.0 ? (a) : (b))
+#define FOURS three_ups_upu_s_four
+#define FOUR(array, k) THREE_UPS_UPU_S_FOUR((array) + (k))
+#define SUM_OF_FOUR(x) THREE_UPS_UPU_S_SUM(x)
+#define SMALL(pivot, limit) (fabs(pivot) <= (limit))
+#define OR ||
+#define FINITE_UNLESS(small, sum) (void)stride, (void)total; return (small) ? 1 : isfinite(sum) ? 0 : 2
+#define FINITE(sum) (void)stride, (void)total; return isfinite(sum) ? 0 : 2
+#define UNCHECKED() (void)stride, (void)total; return 0
+#define NOT_BELOW(x, low, status) \
+    if (!((x) >= (low))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }
+#define NOT_ABOVE(x, high, status) \
+    if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }
+#define RESULT(checked, array, k, x) \
+    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
+
+#endif /* THREE_UPS_UPU_S_SUPPORT_H */
