@@ -36,8 +36,9 @@ def keeping(
     Raises:
         DescriptionError: all joints of a loop would have to stay.
     """
-    # A joint that turns about more than one axis is where limbs meet a platform: its angles stay within half a turn.
+    # A ball's turns add up to nothing: it has no displacement beyond half a turn.
     turning = {name for name, joint in joints.items() if len(joint.kind.turning) == 1 and not joint.kind.spherical}
+    turning |= {name for name, joint in joints.items() if joint.kind.universal}
     must = {name for name in turning if joints[name].kind.helical or name in read}
     for name in [name for name in mechanism.joints if name in must]:
         used = {joint for joint, _ in reached.values()}

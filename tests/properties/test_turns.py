@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.samples import some_quickly
 
 import symscrew
@@ -160,3 +161,45 @@ def test_a_loop_of_which_no_joint_may_be_cut_is_refused() -> None:
     skew = {name: {**ROCKER[name], "axes": [axis]} for name, axis in zip(ROCKER, axes, strict=True)}
     with pytest.raises(symscrew.DescriptionError, match="of which one has to be cut; divide one of them"):
         kept(skew, list(ROCKER), every)
+
+
+CROSSED = {  # the crank-rocker with what it needs not to be overconstrained: both ends of the coupler are universal
+    "A": ROCKER["A"],
+    "B": {**ROCKER["B"], "type": "U", "axes": [[0, 0, 1], [1, 0, 0]]},
+    "C": {**ROCKER["C"], "type": "U", "axes": [[0, 0, 1], [0, 1, 0]]},
+    "D": {**ROCKER["D"], "type": "C"},
+}
+
+
+@pytest.mark.parametrize(
+    "order, joint",
+    [
+        (("A", "B", "C", "D"), "C"),
+        slow(("A", "B", "C", "D"), "B"),
+        slow(("D", "C", "B", "A"), "B"),
+        slow(("A", "D", "C", "B"), "C"),
+    ],
+)
+def test_a_universal_joint_whose_displacement_an_effect_reads_is_not_cut(order: tuple[str, ...], joint: str) -> None:
+    """The crank turns twice and a half: a spring about the universal joint's first axis is turned as far as that of the
+    planar loop's revolute joint, also where one would cut the loop at it."""
+    spring = JointSpring(joint, stiffness=2, freedom=0)
+    model = symscrew.derive(mechanism(CROSSED, order), [spring], independent=["A"])
+    plain = symscrew.derive(mechanism(ROCKER, order), [JointSpring(joint, stiffness=2)], independent=["A"])
+    assert joint in model.system.tree.joints
+    energies = []
+    for found in (model, plain):
+        q, stored = np.array(found.system.reference), []
+        for angle in np.linspace(0.0, 15.0, 100):
+            (q,), status = found("assemble", np.array([angle]), q)
+            assert status == 0
+            parts, _ = found("energy", q, np.zeros(len(found.system.tree.v)))
+            stored.append(sum(float(np.sum(e)) for e in parts))
+        energies.append(stored)
+    assert energies[0] == pytest.approx(energies[1], rel=1e-9, abs=1e-12)
+    assert max(energies[0]) > (36 if joint == "B" else 0)
+
+
+def test_without_an_effect_that_reads_it_a_universal_joint_may_be_cut() -> None:
+    cuts = [kept(CROSSED, order).tree.cut for order in itertools.permutations(CROSSED)]
+    assert any(joint.kind.universal for cut in cuts for joint in cut)
