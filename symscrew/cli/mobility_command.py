@@ -30,7 +30,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_mechanism(command)
     command.add_argument(
         "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
-        help="a parameter, or a joint coordinate (joint or joint.i) [rad, m]",
+        help="a parameter, a joint coordinate (joint, joint.i; of a spherical joint joint.qx or joint.rx) [rad, m], or "
+        "how far a body is displaced and turned (body.x [m], body.rx [rad], body.qx)",
     )  # fmt: skip
     command.add_argument(
         "--tolerance", type=float, metavar="LENGTH",

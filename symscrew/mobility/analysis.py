@@ -321,8 +321,10 @@ class Mobility:
 
     def report(self) -> str:
         """The result in words, one line a fact."""
+        given = ", ".join(f"{name} = {value}" for name, value in self.coordinates.items())
+        where = f"at {given}" if given else "in the reference configuration"
         lines = [
-            f"{self.mechanism.name}: mobility {self.dof} in the reference configuration "
+            f"{self.mechanism.name}: mobility {self.dof} {where} "
             f"(Kutzbach-Gruebler {self.kutzbach}, redundant constraints {self.overconstraints})"
         ]
         for limb in self.limbs:

@@ -8,17 +8,18 @@ end is refined to 60 digits. The mechanism then has the screws of the displaced 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT, high_precision
+from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism, exact, numeric, validate
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError
 from symscrew.mobility.finite import CLOSED, DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.joint_network import Network
+from symscrew.mobility.pose_targets import Target, target_of
 
 STEPS = 24
 """Steps from the reference to the given coordinates: a turn by pi in steps of 7.5 degrees, from which Newton's method
@@ -60,22 +61,24 @@ def with_parameters(mechanism: Mechanism, at: Mapping[str, Any]) -> tuple[Mechan
 def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> tuple[Network, float]:
     """(the network where the named joint coordinates have the given values, closure residual).
 
-    Names are `joint` or `joint.i`; values are angles [rad] and lengths [m] as the description counts them.
+    Names are those of `symscrew.mobility.pose_targets`: `joint`, `joint.i`, `joint.qx`, `body.x` and so on; values are
+    angles [rad] and lengths [m] as the description counts them, of a body its displacement from the reference.
 
     Raises:
         DescriptionError: unknown coordinate, or the loops cannot be assembled there.
     """
     if not at:
         return network, 0.0
-    targets = dict(_target(mechanism, network, name, value) for name, value in at.items())
+    targets = [target_of(mechanism, network, name, value) for name, value in at.items()]
     coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
     q = np.zeros(coarse.columns)
-    columns = list(targets)
-    goal = np.array([float(targets[c]) for c in columns])
+    goal = np.array([float(target.goal) for target in targets])
     for k in range(1, STEPS + 1):
-        q = _closed(coarse, q, columns, goal=goal * k / STEPS, names=", ".join(at))
-    snapped = {c: CONTEXT.zero for c in range(len(q)) if c not in targets and abs(q[c]) < SNAPPED}
-    point, left = _refined(coarse, fine, q, {**snapped, **targets})
+        q = _closed(coarse, q, targets, goal=goal * k / STEPS, names=", ".join(at))
+    given = {target.column for target in targets}
+    still = [c for c in range(len(q)) if c not in given and abs(q[c]) < SNAPPED]
+    snapped = [*(Target(CONTEXT.zero, _coordinate(c), c) for c in still), *targets]
+    point, left = _refined(coarse, fine, q, snapped)
     if left > CLOSED:
         point, left = _refined(coarse, fine, q, targets)
     if left > CLOSED:
@@ -83,52 +86,39 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
     return moved(network, fine, point), left
 
 
-def _refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array, targets: Mapping[int, Any]) -> tuple[Array, float]:
+def _coordinate(column: int) -> Callable[[ClosureVariety, Array], Array]:
+    return lambda _, q: q[:, column]
+
+
+def _refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array, targets: Sequence[Target]) -> tuple[Array, float]:
     """(q with the targets met and the loops closed in 60 digits, closure residual)."""
-    columns = list(targets)
     point = np.array([CONTEXT.mpf(float(c)) for c in q], dtype=object)
-    goal = np.array([float(targets[c]) for c in columns])
-    inverse = np.linalg.pinv(_stacked(coarse, q, columns, goal)[1], rcond=CUT_OFF)
+    goal = np.array([float(target.goal) for target in targets])
+    inverse = np.linalg.pinv(_stacked(coarse, q, targets, goal)[1], rcond=CUT_OFF)
     for _ in range(REFINEMENTS):
-        missing = np.array([point[c] - targets[c] for c in columns], dtype=object)
-        residual = np.concatenate([fine.residual(point), missing]).astype(float)
+        residual = _missing(fine, point, targets)
         if np.linalg.norm(residual) < REFINED:
             break
         point = point - np.array([CONTEXT.mpf(float(c)) for c in inverse @ residual], dtype=object)
-    return point, float(np.linalg.norm(np.concatenate([fine.residual(point), missing]).astype(float)))
+    return point, float(np.linalg.norm(_missing(fine, point, targets)))
 
 
-def _target(mechanism: Mechanism, network: Network, name: str, value: Any) -> tuple[int, Any]:
-    """(column, displacement from the reference in units of the network)."""
-    joint, _, index = name.partition(".")
-    if joint not in network.edges:
-        known = [*mechanism.parameters, *network.edges]
-        raise DescriptionError(f"at {name}: no parameter or joint of this name; {did_you_mean(joint, known)}")
-    edge = network.edges[joint]
-    motions = [motion for motion, _ in edge.motions]
-    spherical = any(motion.spherical for motion in motions)
-    place = int(index) if index.isdecimal() else 0
-    if spherical or place >= len(motions) or (not index and len(motions) > 1) or (index and not index.isdecimal()):
-        raise DescriptionError(
-            f"at {name}: expected {joint} or {joint}.i for a single coordinate; this joint of type {edge.type} has "
-            f"{'rotations that are no coordinates' if spherical else len(motions)}"
-        )
-    reference = mechanism.joints[joint].reference
-    start = high_precision(mechanism.number(reference[place])) if place < len(reference) else CONTEXT.zero
-    displacement = high_precision(exact(value, where=name)) - start
-    return edge.motions[place][1], displacement / network.length if motions[place].prismatic else displacement
+def _missing(fine: ClosureVariety, point: Array, targets: Sequence[Target]) -> Array:
+    missing = np.array([target.of(fine, point) - target.goal for target in targets], dtype=object)
+    return np.concatenate([fine.residual(point), missing]).astype(float)
 
 
-def _stacked(variety: ClosureVariety, q: Array, columns: list[int], goal: Array) -> tuple[Array, Array]:
+def _stacked(variety: ClosureVariety, q: Array, targets: Sequence[Target], goal: Array) -> tuple[Array, Array]:
     residuals, jacobians = variety.evaluate(q[None])
-    picked = np.eye(len(q))[columns]
-    return np.concatenate([residuals[0], q[columns] - goal]), np.concatenate([jacobians[0], picked])
+    picked = np.array([target.gradient(variety, q) for target in targets]).reshape(len(targets), len(q))
+    now = np.array([float(target.of(variety, q)) for target in targets])
+    return np.concatenate([residuals[0], now - goal]), np.concatenate([jacobians[0], picked])
 
 
-def _closed(variety: ClosureVariety, q: Array, columns: list[int], *, goal: Array, names: str) -> Array:
-    """q with the loops closed and the coordinates of `columns` at `goal`, in double precision."""
+def _closed(variety: ClosureVariety, q: Array, targets: Sequence[Target], *, goal: Array, names: str) -> Array:
+    """q with the loops closed and the targets at `goal`, in double precision."""
     for _ in range(NEWTON):
-        residual, jacobian = _stacked(variety, q, columns, goal)
+        residual, jacobian = _stacked(variety, q, targets, goal)
         if np.linalg.norm(residual) < CLOSED_IN_DOUBLE:
             return q
         q = q - np.linalg.pinv(jacobian, rcond=CUT_OFF) @ residual

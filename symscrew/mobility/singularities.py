@@ -42,7 +42,8 @@ NEARLY_CLOSED = 1e-10
 """What a closure may be off after 30 steps of Newton's method (a singular pose converges slowly) and still count."""
 WALKS = 30
 """Steps of Newton's method: quadratic convergence needs five, a singular pose gains a bit a step."""
-CUT = "a coordinate of a joint that closes a loop was given"
+CUT = "what was given is no coordinate of the spanning tree"
+TURNED = "a component of a quaternion was given"
 
 Array = NDArray[np.float64]
 
@@ -136,6 +137,8 @@ def _configuration(system: System, targets: Mapping[str, float]) -> Array | str:
     entry = {c.label: k for k, c in enumerate(tree.q)}
     if any(label not in entry for label in targets):
         return CUT
+    if any(tree.q[entry[label]].kind == "quaternion" for label in targets):
+        return TURNED
     links = {link.q.start: link for link in tree.links[1:] if link.q.stop > link.q.start}
     held = {links[entry[label]].v.start: (entry[label], value) for label, value in targets.items()}
     free = [k for k in range(len(tree.v)) if k not in held]

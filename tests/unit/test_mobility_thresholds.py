@@ -154,7 +154,7 @@ def test_the_end_of_the_walk_is_refined_or_refused(monkeypatch: pytest.MonkeyPat
     with pytest.raises(DescriptionError, match="the loops close only to"):
         analyse_mobility(mechanism, at={"A": "4/5"})
     monkeypatch.setattr(configuration, "REFINED", 0.0)
-    monkeypatch.setattr(configuration, "REFINEMENTS", 1)
+    monkeypatch.setattr(configuration, "REFINEMENTS", 0)
     with pytest.raises(DescriptionError, match="the loops close only to"):
         analyse_mobility(mechanism, at={"A": "4/5"})
 
