@@ -97,7 +97,7 @@ def test_a_folder_alone_is_exchanged_and_one_with_a_users_files_stays(tmp_path: 
     assert (tmp_path / "out").stat().st_ino == between.st_ino
     (tmp_path / "link").symlink_to("out")
     generate(handmade.model(), tmp_path / "link", NEW)
-    assert (tmp_path / "link").is_symlink() and (tmp_path / "out" / "handmade_support.c").exists()
+    assert (tmp_path / "link").is_symlink() and (tmp_path / "out" / "handmade.h").exists()
 
 
 def test_two_at_once_are_one_after_the_other(tmp_path: Path, rendered, written_at_once) -> None:
@@ -226,7 +226,7 @@ def test_a_pending_folder_cannot_reach_elsewhere(tmp_path: Path, written_at_once
 def test_a_folder_nobody_may_write_in(tmp_path: Path, written_at_once) -> None:
     generate(handmade.model(), tmp_path / "out", OLD)
     (tmp_path / "out" / PENDING).mkdir()
-    (tmp_path / "out" / PENDING / "handmade.c").write_text("new")
+    (tmp_path / "out" / PENDING / "handmade.h").write_text("new")
     before = content(tmp_path)
 
     def work() -> None:
