@@ -42,6 +42,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--along", action="store_true",
         help="also what holds along the motion, and the singular poses on the coordinate lines (seconds)",
     )  # fmt: skip
+    command.add_argument(
+        "--components", action="store_true", help="also the components of the configuration space of a four-bar loop"
+    )
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
@@ -55,6 +58,9 @@ def run(options: argparse.Namespace) -> int:
     from symscrew import catalogue
     from symscrew.mobility import (
         analyse_mobility,
+        component_lines,
+        component_values,
+        components_of,
         mobility_latex,
         mobility_markdown,
         mobility_page,
@@ -76,12 +82,17 @@ def run(options: argparse.Namespace) -> int:
         values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
         if options.along:
             values["along"] = _along_values(found)
+        if options.components:
+            values["components"] = component_values(components_of(found.mechanism, found.network))
         print(json.dumps(values, indent=1))
     else:
         print(found.report().splitlines()[0])  # the rest of it follows in more words
         print(mobility_text(found))
         if options.along:
             print("\n    ".join(["Along the motion", *_along_lines(found)]))
+        if options.components:
+            lines = component_lines(components_of(found.mechanism, found.network))
+            print("\n    ".join(["Components of the configuration space", *lines]))
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))

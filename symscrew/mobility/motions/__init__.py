@@ -6,6 +6,13 @@ Mobility --germs, branch_table--> branches with tangents, screw systems (screw_c
 
 from symscrew.mobility.motions.branch_table import BranchRow, BranchTable, branches_through
 from symscrew.mobility.motions.branch_words import branch_lines, branch_values
+from symscrew.mobility.motions.loop_components import (
+    Component,
+    Components,
+    component_lines,
+    component_values,
+    components_of,
+)
 from symscrew.mobility.motions.motion_words import motion_lines, motion_values
 from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
 from symscrew.mobility.motions.singular_poses import SingularPose
@@ -14,12 +21,17 @@ from symscrew.mobility.motions.whole_motion import WholeMotion, motion_along
 __all__ = [
     "BranchRow",
     "BranchTable",
+    "Component",
+    "Components",
     "ScrewClass",
     "SingularPose",
     "WholeMotion",
     "branch_lines",
     "branch_values",
     "branches_through",
+    "component_lines",
+    "component_values",
+    "components_of",
     "motion_along",
     "motion_lines",
     "motion_values",
