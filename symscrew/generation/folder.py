@@ -136,7 +136,7 @@ def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:
 
     Files whose bytes depend on the version of a library are left out altogether: a hash of them says nothing.
     """
-    kept = {name: data for name, data in files.items() if name.endswith(READ)}
+    kept = {name: data for name, data in files.items() if name.endswith(READ) and not name.endswith("_support.h")}
     others = {name: data for name, data in files.items() if name not in kept and not by_value(name)}
     return kept | {HASHES: print_hashes(others).encode("utf-8")}
 
